@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
@@ -23,11 +24,11 @@ void add_part(ModalValue& value, const ModalPart& part) {
 
 }  // namespace
 
-States::States(const Program& program, Entry entry) : program_(program), entry_(entry) {
+States::States(const Program& program, EntryKnowledge knowledge) : program_(program), knowledge_(std::move(knowledge)) {
     for (std::size_t i = 0; i < program.control->groups.size(); ++i) {
         const ModalGroup& group = program.control->groups[i];
         ModalValue value;
-        if (entry == Entry::main && group.reset) value.parts = {{pool_.constant(*group.reset), 0}};
+        if (knowledge_.entry == Entry::main && group.reset) value.parts = {{pool_.constant(*group.reset), 0}};
         else value.parts = {{pool_.symbols({Symbol::Kind::entry_group, i, 0, 0}), 0}};
         entry_modals_.push_back(pool_.modals(value));
     }
@@ -39,21 +40,27 @@ State States::at_entry() const {
     return state;
 }
 
+Vacancy States::vacancy_at_entry(Place place) const {
+    if (knowledge_.entry == Entry::main) return Vacancy::vacant;
+    if (knowledge_.arguments) {
+        const auto known = std::ranges::find(*knowledge_.arguments, place, &std::pair<Place, Vacancy>::first);
+        return known == knowledge_.arguments->end() ? Vacancy::vacant : known->second;
+    }
+    const auto& formals = program_.control->formals;
+    const auto& passed = knowledge_.passed_somewhere;
+    const bool argument = std::ranges::find(formals, place) != formals.end() || std::ranges::find(passed, place) != passed.end();
+    return argument ? Vacancy::maybe : Vacancy::vacant;
+}
+
 Value States::entry_value(Place place) {
     const VariableSpace& space = program_.control->spaces[place.space];
     const OriginId origin = pool_.origins({Origin::Kind::entry, static_cast<std::uint32_t>(place.number), place.space});
     Value value;
     value.symbol = pool_.symbols({Symbol::Kind::entry, key_of(place), 0, 0});
     if (space.scope == Scope::frame) {
-        const auto& formals = program_.control->formals;
-        const bool argument = std::ranges::find(formals, place) != formals.end();
-        if (space.unset == Unset::vacant) {
-            if (entry_ == Entry::main || !argument) return vacant_value(pool_, origin);
-            value.vacancy = Vacancy::maybe;
-            value.doubt = origin;
-        } else if (space.unset == Unset::zero && (entry_ == Entry::main || !argument)) {
-            return number_value(pool_, 0);
-        }
+        value.vacancy = vacancy_at_entry(place);
+        if (value.vacancy == Vacancy::vacant) return space.unset == Unset::zero ? number_value(pool_, 0) : vacant_value(pool_, origin);
+        if (value.vacancy == Vacancy::maybe) value.doubt = origin;
     } else if (space.scope == Scope::machine) {
         value.vacancy = Vacancy::set;
     }

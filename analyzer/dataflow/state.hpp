@@ -6,7 +6,10 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace maclint::dataflow {
 
@@ -14,6 +17,14 @@ namespace maclint::dataflow {
 enum class Entry : std::uint8_t {
     main,            ///< nobody calls it: locals vacant, modal groups at their reset codes
     called_unknown,  ///< callers unknown: arguments may be missing, modal groups are the caller's
+};
+
+/// What the callers tell of a program's local variables.
+struct EntryKnowledge {
+    Entry entry;
+    std::vector<Place> passed_somewhere;  ///< arguments that some known caller passes, sorted
+    /// All callers are known: whether each argument is passed by all, some or none of them. Absent: there may be other callers.
+    std::optional<std::vector<std::pair<Place, Vacancy>>> arguments;
 };
 
 [[nodiscard]] constexpr Key key_of(Place place) { return (Key{place.space} + 1) << 32U | static_cast<std::uint32_t>(place.number); }
@@ -28,7 +39,7 @@ constexpr Key entry_code_keys = Key{0x200} << 32U;
     return {static_cast<SpaceId>((key >> 32U) - 1), static_cast<std::int32_t>(static_cast<std::uint32_t>(key))};
 }
 
-constexpr std::size_t most_spaces = 16;
+constexpr std::size_t most_spaces = 8;
 
 struct State {
     Root root = 0;
@@ -41,7 +52,7 @@ struct State {
 /// The operations on states of one program's analysis.
 class States {
 public:
-    States(const Program& program, Entry entry);
+    States(const Program& program, EntryKnowledge knowledge);
 
     [[nodiscard]] State at_entry() const;
     [[nodiscard]] Value read(const State& state, Place place);
@@ -61,19 +72,20 @@ public:
     [[nodiscard]] Pool& pool() { return pool_; }
     [[nodiscard]] const Pool& pool() const { return pool_; }
     [[nodiscard]] Trees& trees() { return trees_; }
-    [[nodiscard]] Entry entry() const { return entry_; }
+    [[nodiscard]] Entry entry() const { return knowledge_.entry; }
 
 private:
     using Widening = const std::function<void(const Value& old, Value& now)>;
     [[nodiscard]] State merge(const State& a, const State& b, std::uint32_t node, Widening& widening);
     [[nodiscard]] Value entry_value(Place place);
+    [[nodiscard]] Vacancy vacancy_at_entry(Place place) const;
     [[nodiscard]] Value absent(const State& state, Key key);
     [[nodiscard]] std::uint32_t absent_modal(Key key);
     [[nodiscard]] Value join_values(const Value& a, const Value& b, Key key, std::uint32_t node);
     [[nodiscard]] std::uint32_t join_modals(std::uint32_t a, std::uint32_t b);
 
     const Program& program_;
-    Entry entry_;
+    EntryKnowledge knowledge_;
     Pool pool_;
     Trees trees_;
     std::vector<std::uint32_t> entry_modals_;

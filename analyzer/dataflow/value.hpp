@@ -22,9 +22,9 @@ using OriginId = std::uint32_t;  ///< 0: none
 
 /// Where something came from.
 struct Origin {
-    enum class Kind : std::uint8_t { none, entry, effect, expression } kind;
-    std::uint32_t id;    ///< effect or expression; entry: the key's number
-    std::uint32_t node;  ///< flow node; entry: 0
+    enum class Kind : std::uint8_t { none, entry, effect, expression, run } kind;
+    std::uint32_t id;    ///< effect or expression; entry: the number of the place; run: the modal group that a plain block set
+    std::uint32_t node;  ///< flow node; entry: the space of the place
     friend bool operator==(const Origin&, const Origin&) = default;
 };
 

@@ -72,8 +72,8 @@ private:
                            [this](const UnreadableBlock& block) {
                                wanted_.numbers.insert(block.may_jump.begin(), block.may_jump.end());
                            },
-                           [this](const Call& call) {
-                               for (const std::int64_t label : resumes_at_(call)) wanted_.numbers.insert(label);
+                           [this, id](const Call&) {
+                               for (const std::int64_t label : resumes_at_(id)) wanted_.numbers.insert(label);
                            },
                            [](const auto&) {},
                        },
@@ -290,9 +290,8 @@ private:
         for (NodeId node = 0; node < count; ++node) {
             const Slice effects = graph_.nodes[node].effects;
             for (Id i = effects.first; i < effects.first + effects.count; ++i) {
-                const auto* call = std::get_if<Call>(&program_.effects[i].what);
-                if (call == nullptr) continue;
-                for (const std::int64_t number : resumes_at_(*call))
+                if (!std::holds_alternative<Call>(program_.effects[i].what)) continue;
+                for (const std::int64_t number : resumes_at_(i))
                     if (const Label* label = graph_.find_label(number, 0))
                         add_edge({node, label->node, EdgeKind::resume, {}, true, i, {}});
             }

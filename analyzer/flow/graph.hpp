@@ -86,7 +86,7 @@ struct Graph {
 };
 
 /// Sequence numbers to which a call may return in its caller instead of the next block.
-using ResumeLabels = std::function<std::vector<std::int64_t>(const Call&)>;
+using ResumeLabels = std::function<std::vector<std::int64_t>(EffectId call)>;
 
 [[nodiscard]] Graph build_graph(const Program& program, const Structures& structures, const ResumeLabels& resumes_at);
 

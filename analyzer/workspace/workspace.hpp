@@ -25,11 +25,9 @@ struct WorkspaceOptions {
 
 class Workspace {
 public:
-    /// Builds flow and data flow of every program, callees before callers.
-    static Workspace analyse(std::vector<WorkspaceFile> files, const WorkspaceOptions& options);
+    /// Builds flow and data flow of every program, callees before callers. Analyses refer to their workspace: it does not move.
+    static std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files, const WorkspaceOptions& options);
 
-    Workspace(Workspace&&) noexcept;
-    Workspace& operator=(Workspace&&) noexcept;
     Workspace(const Workspace&) = delete;
     Workspace& operator=(const Workspace&) = delete;
     ~Workspace();
