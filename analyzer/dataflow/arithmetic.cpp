@@ -118,6 +118,25 @@ bool is_dyadic(double number) {
     return std::abs(number) < 1e9 && std::floor(number * grid) == number * grid;
 }
 
+/// Operations whose result is 0 when an operand is.
+bool keeps_zero(Operation operation) {
+    switch (operation) {
+        case Operation::negate:
+        case Operation::absolute:
+        case Operation::multiply:
+        case Operation::round:
+        case Operation::truncate:
+        case Operation::round_up:
+        case Operation::add_point: return true;
+        default: return false;
+    }
+}
+
+OriginId doubt_of(std::span<const Value> v) {
+    const auto doubtful = std::ranges::find_if(v, [](const Value& value) { return value.doubt != 0 && value.can_be(0); });
+    return doubtful == v.end() ? 0 : doubtful->doubt;
+}
+
 bool all_whole(std::span<const Value> v) {
     return std::ranges::all_of(v, [](const Value& value) { return value.integer; });
 }
@@ -190,6 +209,8 @@ Value compute(Pool& pool, Operation operation, std::span<const Value> operands, 
         result.exactness == Exactness::exact) {
         return number_value(pool, result.low);
     }
+    if (keeps_zero(operation)) result.doubt = doubt_of(operands);
+    if (operation == Operation::negate || operation == Operation::absolute) result.nonzero = !operands[0].can_be(0);
     result.symbol = pool.symbols(symbol_of(operation, operands, here));
     return result;
 }

@@ -199,6 +199,7 @@ void cut(Value& value, Operation operation, const Value& other) {
             break;
         case Operation::not_equal:
             if (other.low != other.high || !std::isfinite(other.low)) break;
+            if (other.low == 0) value.nonzero = true;
             if (value.low == other.low && value.high > value.low) value.low = above(other.low);
             if (value.high == other.low && value.high > value.low) value.high = below(other.low);
             break;

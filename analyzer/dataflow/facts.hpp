@@ -42,12 +42,20 @@ struct Read {
     Use use;
 };
 
+/// How a store changes the variable's own value: v = v + amount, v = v - amount.
+struct Step {
+    Operation operation;            ///< add or subtract
+    ExpressionId expression;        ///< of the amount
+    Value amount;
+};
+
 struct Store {
     flow::NodeId node;
     EffectId effect;
     Place place;
     ExpressionId expression;
     Value value;
+    std::optional<Step> step;
 };
 
 /// A modal group set by a block that is not plain.

@@ -124,6 +124,7 @@ Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t
     joined.low = std::min(a.low, b.low);
     joined.high = std::max(a.high, b.high);
     joined.integer = a.integer && b.integer;
+    joined.nonzero = !a.can_be(0) && !b.can_be(0);
     return joined;
 }
 

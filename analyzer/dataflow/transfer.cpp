@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
@@ -102,7 +103,7 @@ void Transfer::assign(State& state, const Assign& assign) {
 }
 
 void Transfer::store(State& state, Place place, Value value, ExpressionId expression) {
-    if (facts_ != nullptr) facts_->stores.push_back({node_, effect_, place, expression, value});
+    if (facts_ != nullptr) facts_->stores.push_back({node_, effect_, place, expression, value, step_of(state, place, expression)});
     value.origin = states_.pool().origins(here());
     states_.write(state, place, value);
 }
@@ -132,6 +133,25 @@ void Transfer::store_at(State& state, const StoreAt& target, const Value& value,
             states_.write(state, {range.space, number}, unknown);
         }
     }
+}
+
+/// Recognises v = v + amount, v = amount + v and v = v - amount.
+std::optional<Step> Transfer::step_of(const State& state, Place place, ExpressionId value) {
+    const auto* apply = std::get_if<Apply>(&program_.expressions[value].node);
+    if (apply == nullptr || (apply->operation != Operation::add && apply->operation != Operation::subtract)) return std::nullopt;
+    const auto operands = program_.operands_of(*apply);
+    const auto is_self = [&](ExpressionId id) {
+        const auto* load = std::get_if<Load>(&program_.expressions[id].node);
+        return load != nullptr && load->place == place;
+    };
+    std::optional<ExpressionId> amount;
+    if (is_self(operands[0])) amount = operands[1];
+    else if (apply->operation == Operation::add && is_self(operands[1])) amount = operands[0];
+    if (!amount) return std::nullopt;
+    Facts* const facts = std::exchange(facts_, nullptr);  // its reads are recorded already
+    const Step step{apply->operation, *amount, evaluate(state, *amount, Use::arithmetic)};
+    facts_ = facts;
+    return step;
 }
 
 // ---- modal groups ------------------------------------------------------------------------------------------------

@@ -34,6 +34,7 @@ private:
 
     void apply(State& state, const Effect& effect);
     void assign(State& state, const Assign& assign);
+    [[nodiscard]] std::optional<Step> step_of(const State& state, Place place, ExpressionId value);
     void store(State& state, Place place, Value value, ExpressionId expression);
     void store_at(State& state, const StoreAt& target, const Value& value, ExpressionId expression);
     void set_modal(State& state, const SetModal& set);

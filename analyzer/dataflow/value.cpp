@@ -24,7 +24,7 @@ std::size_t HashValue::operator()(const Value& v) const {
     mix(hash, (std::uint64_t{v.doubt} << 32U) | v.rounding);
     mix(hash, std::bit_cast<std::uint64_t>(v.low));
     mix(hash, std::bit_cast<std::uint64_t>(v.high));
-    mix(hash, (static_cast<std::uint64_t>(v.vacancy) << 16U) | (static_cast<std::uint64_t>(v.exactness) << 8U) | (v.integer ? 1U : 0U));
+    mix(hash, (static_cast<std::uint64_t>(v.vacancy) << 16U) | (static_cast<std::uint64_t>(v.exactness) << 8U) | (v.integer ? 1U : 0U) | (v.nonzero ? 2U : 0U));
     return hash;
 }
 

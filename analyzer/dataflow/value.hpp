@@ -47,18 +47,19 @@ struct Symbol {
 struct Value {
     SymbolId symbol = 0;
     OriginId origin = 0;    ///< the store that made it the content of its variable
-    OriginId doubt = 0;     ///< why it can be vacant
+    OriginId doubt = 0;     ///< why it can be vacant, or 0 because something else is vacant
     OriginId rounding = 0;  ///< where it was rounded
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     Vacancy vacancy = Vacancy::unknown;
     Exactness exactness = Exactness::unknown;
     bool integer = false;
+    bool nonzero = false;   ///< known not to be 0 although the range holds it
 
     [[nodiscard]] std::optional<double> constant() const {
         return low == high && vacancy != Vacancy::vacant && vacancy != Vacancy::maybe ? std::optional(low) : std::nullopt;
     }
-    [[nodiscard]] bool can_be(double number) const { return low <= number && number <= high; }
+    [[nodiscard]] bool can_be(double number) const { return low <= number && number <= high && !(nonzero && number == 0); }
     friend bool operator==(const Value&, const Value&) = default;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/analysis.hpp"
+#include "analyzer/dataflow/loops.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/flow/structure.hpp"
 #include "analyzer/program/model.hpp"
@@ -47,6 +48,7 @@ public:
     [[nodiscard]] const flow::Graph& graph() const { return graph_; }
     [[nodiscard]] const dataflow::Analysis& data() const { return *data_; }
     [[nodiscard]] const dataflow::Facts& facts() const { return data_->facts(); }
+    [[nodiscard]] const std::vector<dataflow::Loop>& loops() const { return loops_; }
     [[nodiscard]] const dataflow::Summary& summary() const { return data_->summary(); }
 
     [[nodiscard]] const std::vector<CallSite>& calls() const { return calls_; }
@@ -73,6 +75,7 @@ private:
     flow::Structures structures_;
     flow::Graph graph_;
     std::optional<dataflow::Analysis> data_;
+    std::vector<dataflow::Loop> loops_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;
     bool is_macro_ = false;

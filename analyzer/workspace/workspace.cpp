@@ -1,7 +1,7 @@
 //! Builds the workspace: calls resolved, programs analysed from callees to callers, depths from callers to callees.
 #include "analyzer/workspace/workspace.hpp"
 
-#include "analyzer/workspace/call_graph.hpp"
+#include "analyzer/flow/components.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/resolve.hpp"
 
@@ -37,8 +37,8 @@ public:
             for (const Program& program : file.file->programs)
                 programs_.emplace_back(workspace_, static_cast<ProgramIndex>(programs_.size()), file, program);
         resolve_calls();
-        components_ = find_components(arrows_);
-        for (const auto& layer : layers_of(arrows_, components_)) analyse_layer(layer);
+        components_ = flow::find_components(arrows_);
+        for (const auto& layer : flow::layers_of(arrows_, components_)) analyse_layer(layer);
         measure_depth();
     }
 
@@ -82,6 +82,7 @@ private:
         analysis.graph_ = flow::build_graph(program, analysis.structures_, [&](EffectId call) { return callees(call).resume_labels; });
         const bool main = runs_on_its_own(analysis);
         analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
+        analysis.loops_ = dataflow::find_loops(program, analysis.structures_, analysis.graph_, *analysis.data_);
         analysis.is_macro_ = !main && takes_arguments(analysis);
     }
 
@@ -166,8 +167,8 @@ private:
     Workspace& workspace_;
     std::deque<ProgramAnalysis>& programs_;
     unsigned jobs_;
-    Arrows arrows_;
-    Components components_;
+    flow::Arrows arrows_;
+    flow::Components components_;
 };
 
 const CallSite* ProgramAnalysis::call_at(EffectId effect) const {

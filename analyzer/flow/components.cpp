@@ -1,9 +1,9 @@
 //! Tarjan's algorithm with an explicit stack: a chain of calls may be as long as the workspace.
-#include "analyzer/workspace/call_graph.hpp"
+#include "analyzer/flow/components.hpp"
 
 #include <algorithm>
 
-namespace maclint {
+namespace maclint::flow {
 namespace {
 
 constexpr std::uint32_t unseen = 0xFFFFFFFF;
@@ -91,4 +91,4 @@ std::vector<std::vector<std::uint32_t>> layers_of(const Arrows& arrows, const Co
     return layers;
 }
 
-}  // namespace maclint
+}  // namespace maclint::flow
