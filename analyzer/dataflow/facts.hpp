@@ -16,16 +16,16 @@ struct Comparison {
     ExpressionId expression;
     Operation operation;
     ExpressionId left_expression;
-    ExpressionId right_expression;  ///< vacancy tests: the same as left
+    ExpressionId right_expression; ///< vacancy tests: the same as left
     Value left;
-    Value right;                    ///< vacancy tests: the same as left
+    Value right; ///< vacancy tests: the same as left
     Truth truth;
 };
 
 /// A whole condition of IF or WHILE that can be reached.
 struct Condition {
     flow::NodeId node;
-    EffectId effect;                ///< Guarded or Structure
+    EffectId effect; ///< Guarded or Structure
     ExpressionId expression;
     Truth truth;
 };
@@ -44,8 +44,8 @@ struct Read {
 
 /// How a store changes the variable's own value: v = v + amount, v = v - amount.
 struct Step {
-    Operation operation;            ///< add or subtract
-    ExpressionId expression;        ///< of the amount
+    Operation operation;     ///< add or subtract
+    ExpressionId expression; ///< of the amount
     Value amount;
 };
 
@@ -62,8 +62,8 @@ struct Store {
 struct ModalWrite {
     flow::NodeId node;
     EffectId effect;
-    std::optional<GroupId> group;   ///< as written, or as the value decides; empty: nobody knows
-    bool stated;                    ///< the word names the group (F#4); otherwise the value decides (G#3)
+    std::optional<GroupId> group; ///< as written, or as the value decides; empty: nobody knows
+    bool stated;                  ///< the word names the group (F#4); otherwise the value decides (G#3)
     ExpressionId expression;
     Value value;
 };
@@ -88,7 +88,7 @@ struct Facts {
     std::vector<Store> stores;
     std::vector<ModalWrite> modal_writes;
     std::vector<ComputedJump> computed_jumps;
-    std::vector<ExitState> exits;   ///< reached ones
+    std::vector<ExitState> exits; ///< reached ones
 };
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

@@ -15,14 +15,16 @@ constexpr std::size_t work_per_node = 64;
 constexpr std::size_t work_at_least = 100'000;
 
 class LoopSearch {
-public:
-    LoopSearch(const Program& program, const flow::Structures& structures, const flow::Graph& graph, const Analysis& analysis)
-        : program_(program),
-          graph_(graph),
-          analysis_(analysis),
-          budget_(std::max(work_at_least, work_per_node * graph.nodes.size())),
-          mark_(graph.nodes.size(), 0) {
-        for (flow::StructureId id = 0; id < structures.all.size(); ++id) by_open_.emplace(structures.all[id].open, id);
+  public:
+    LoopSearch(const Program& program, const flow::Structures& structures, const flow::Graph& graph,
+               const Analysis& analysis)
+        : program_(program)
+        , graph_(graph)
+        , analysis_(analysis)
+        , budget_(std::max(work_at_least, work_per_node * graph.nodes.size()))
+        , mark_(graph.nodes.size(), 0) {
+        for (flow::StructureId id = 0; id < structures.all.size(); ++id)
+            by_open_.emplace(structures.all[id].open, id);
         for (const flow::Exit& exit : graph.exits) exits_.push_back(exit.node);
         std::ranges::sort(exits_);
     }
@@ -35,12 +37,13 @@ public:
             loops.push_back(loop_of(edge));
         }
         std::ranges::sort(loops, {}, [this](const Loop& loop) {
-            return std::tuple(graph_.nodes[loop.head].part.begin, loop.head, graph_.nodes[loop.latch].part.begin, loop.back);
+            return std::tuple(graph_.nodes[loop.head].part.begin, loop.head,
+                              graph_.nodes[loop.latch].part.begin, loop.back);
         });
         return loops;
     }
 
-private:
+  private:
     [[nodiscard]] bool is_back(flow::EdgeId id) const {
         const flow::Edge& edge = graph_.edges[id];
         return analysis_.passable(id) && graph_.order[edge.to] <= graph_.order[edge.from];
@@ -52,14 +55,16 @@ private:
         collect_body(loop);
         for (const flow::NodeId node : loop.body) {
             for (const flow::EdgeId out : graph_.out[node])
-                if (analysis_.passable(out) && mark_[graph_.edges[out].to] != round_) loop.ways_out.push_back(out);
+                if (analysis_.passable(out) && mark_[graph_.edges[out].to] != round_)
+                    loop.ways_out.push_back(out);
             loop.can_stop |= std::ranges::binary_search(exits_, node);
             look_at_effects(loop, node);
         }
         if (edge.kind == flow::EdgeKind::back) {
             const Slice effects = graph_.nodes[loop.head].effects;
             for (Id i = effects.first; i < effects.first + effects.count; ++i)
-                if (const auto found = by_open_.find(i); found != by_open_.end()) loop.structure = found->second;
+                if (const auto found = by_open_.find(i); found != by_open_.end())
+                    loop.structure = found->second;
         }
         return loop;
     }
@@ -89,15 +94,18 @@ private:
 
     void look_at_effects(Loop& loop, flow::NodeId node) const {
         for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects)) {
-            std::visit(overloaded{
-                           [&](const Stop&) { loop.can_stop = true; },
-                           [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
-                           [&](const Call&) { loop.has_unknown_effects = true; },
-                           [&](const Exchange& exchange) { loop.has_unknown_effects |= !exchange.in.empty(); },
-                           [&](const Assign& assign) { loop.has_unknown_effects |= std::holds_alternative<StoreAt>(assign.target); },
-                           [](const auto&) {},
-                       },
-                       effect.what);
+            std::visit(
+                overloaded{
+                    [&](const Stop&) { loop.can_stop = true; },
+                    [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
+                    [&](const Call&) { loop.has_unknown_effects = true; },
+                    [&](const Exchange& exchange) { loop.has_unknown_effects |= !exchange.in.empty(); },
+                    [&](const Assign& assign) {
+                        loop.has_unknown_effects |= std::holds_alternative<StoreAt>(assign.target);
+                    },
+                    [](const auto&) {},
+                },
+                effect.what);
         }
     }
 
@@ -119,18 +127,20 @@ void collect(const Program& program, ExpressionId id, ReadSet& set) {
                    [&](const Load& load) { set.places.push_back(load.place); },
                    [&](const Apply& apply) {
                        if (apply.operation == Operation::unknown) set.closed = false;
-                       for (const ExpressionId operand : program.operands_of(apply)) collect(program, operand, set);
+                       for (const ExpressionId operand : program.operands_of(apply))
+                           collect(program, operand, set);
                    },
                    [&](const auto&) { set.closed = false; },
                },
                program.expressions[id].node);
 }
 
-}  // namespace
+} // namespace
 
 bool Loop::holds(flow::NodeId node) const { return std::ranges::binary_search(body, node); }
 
-std::vector<Loop> find_loops(const Program& program, const flow::Structures& structures, const flow::Graph& graph, const Analysis& analysis) {
+std::vector<Loop> find_loops(const Program& program, const flow::Structures& structures,
+                             const flow::Graph& graph, const Analysis& analysis) {
     return LoopSearch(program, structures, graph, analysis).run();
 }
 
@@ -149,4 +159,4 @@ std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place 
     return stores;
 }
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

@@ -10,14 +10,15 @@ namespace maclint::flow {
 using Arrows = std::vector<std::vector<std::uint32_t>>;
 
 struct Components {
-    std::vector<std::uint32_t> of;                    ///< component of every node
-    std::vector<std::vector<std::uint32_t>> members;  ///< what a component points to comes before it
+    std::vector<std::uint32_t> of;                   ///< component of every node
+    std::vector<std::vector<std::uint32_t>> members; ///< what a component points to comes before it
 };
 
 /// Strongly connected components (Tarjan 1972), without recursion.
 [[nodiscard]] Components find_components(const Arrows& arrows);
 
 /// Components grouped so that everything that a group points to is in earlier groups.
-[[nodiscard]] std::vector<std::vector<std::uint32_t>> layers_of(const Arrows& arrows, const Components& components);
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> layers_of(const Arrows& arrows,
+                                                                const Components& components);
 
-}  // namespace maclint::flow
+} // namespace maclint::flow
