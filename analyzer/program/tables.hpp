@@ -135,6 +135,7 @@ struct ControlModel {
     std::vector<VariableFamily> families;
     std::vector<ModalGroup> groups;
     std::vector<CallKind> calls;
+    std::vector<Place> formals;  ///< local variables that an argument letter of a call reaches (specification I)
     bool vacant_equals_zero;  ///< whether EQ and NE take vacant for 0
 
     /// The group that a code of `letter` sets, or nothing.

@@ -19,7 +19,7 @@ const digits = '([0-9]+\\.?[0-9]*|\\.[0-9]+)';
 const letter = '&?[A-MP-Za-mp-z@]'; // O and N are no addresses of words: they head programs and blocks
 
 // Precedence, high binds tighter (NCT manual 188; Fanuc: functions, multiplicative, additive, comparison).
-const binds = { comparison: 3, additive: 4, multiplicative: 5, sign: 6, divisor: 9 };
+const binds = { comparison: 3, additive: 4, multiplicative: 5, sign: 6 };
 
 const functions = [
   'SIN', 'COS', 'TAN', 'ASIN', 'ACOS', 'SQRT', 'SQR', 'ABS', 'ROUND', 'RND', 'FIX', 'FUP', 'LN', 'EXP', 'BIN', 'BCD',
@@ -28,15 +28,17 @@ const functions = [
 // Functions whose second operand follows a slash: ATAN[y]/[x], PRM[number]/[axis].
 const slashFunctions = ['ATAN', 'ATN', 'AT', 'PRM'];
 
-// Control words of other dialects and common misspellings. Each is one that real programs hold.
-const foreignKeywords = ['ELSE', 'ELSEIF', 'ELSIF', 'ENDIF', 'ENDW', 'ENDWHILE', 'THN'];
+// Control words of other dialects and common misspellings. None can be the start of valid code.
+const foreignKeywords = ['ELSE', 'ELSEIF', 'ELSIF', 'ENDIF', 'ENDW', 'ENDWHILE', 'THN', 'REPEAT', 'UNTIL', 'FOR', 'ENDFOR', 'NEXT', 'BREAK',
+  'CONTINUE', 'RETURN', 'CALL'];
 
 module.exports = grammar({
   name: 'fanuc',
 
   extras: $ => [/[ \t\x00\uFEFF]/, $.comment],
 
-  conflicts: $ => [],
+  // `ATAN[#1]/` may go on with `[#2]`, its second operand, or with `2`, a division.
+  conflicts: $ => [[$.call]],
 
   rules: {
     file: $ => seq(optional($.block), repeat(seq($._end_of_block, optional($.block)))),
@@ -44,15 +46,15 @@ module.exports = grammar({
     // `;`, LF, CR, CRLF, and LF CR CR of paper tape.
     _end_of_block: $ => /;|\r\n?|\n\r*/,
 
+    // A program number heads its block: behind words the letter O is an error (usually one typed for 0).
     block: $ => choice(
-      seq(repeat1($._item), optional(alias($._last_address, $.empty_word))),
-      alias($._last_address, $.empty_word)),
+      repeat1($._head),
+      seq(repeat($._head), choice($._program, $._content), repeat(choice($._head, $._content)), optional(alias($._last_address, $.empty_word))),
+      seq(repeat($._head), alias($._last_address, $.empty_word))),
 
-    _item: $ => choice(
-      $.tape_mark, $.skip,
-      $.program_number, $.computed_program_number, $.named_program, $.program_name,
-      $.sequence_number, $.computed_sequence_number,
-      $._any_word, $.bare_value, $.stray_parenthesis, $._statement),
+    _head: $ => choice($.tape_mark, $.skip, $.sequence_number, $.computed_sequence_number),
+    _program: $ => choice($.program_number, $.computed_program_number, $.named_program),
+    _content: $ => choice($._any_word, $.program_name, $.bare_value, $.stray_parenthesis, $._statement),
 
     // A comment ends with its line even when its bracket is missing.
     comment: $ => token(prec(3, /\([^)\r\n]*\)?/)),
@@ -72,9 +74,16 @@ module.exports = grammar({
     computed_sequence_number: $ => seq(/[nN]/, field('number', choice($._place, $.bracket))),
 
     // Words
-    _any_word: $ => choice($.literal_word, $.word, $.comma_word, $.empty_word),
+    _any_word: $ => choice($.literal_word, $.word, $.comma_word, $.empty_word, $.malformed_word, $.letter_o_word),
 
     literal_word: $ => token(new RegExp(`${letter}${blank}[+-]?${blank}${digits}`)),
+
+    // Two signs or two points: `X--5`, `X-4.5.`.
+    malformed_word: $ => token(choice(
+      new RegExp(`${letter}${blank}[+-]?${blank}[0-9]*\\.[0-9]*\\.[0-9.]*`),
+      new RegExp(`${letter}${blank}[+-]${blank}[+-][+\\-]*${blank}${digits}`))),
+    // The letter O for the digit: `GO1`, `MO6`. Not behind C, D and R, where it is COS, DO and ROUND.
+    letter_o_word: $ => token(new RegExp(`[F-KMPSTX-Zf-kmpstx-z]${blank}[+-]?[0-9]*\\.?[0-9]*[oO][0-9oO.]*`)),
 
     word: $ => choice(
       seq(field('address', alias($._address, $.address)), optional(field('incremental', $.incremental)), field('value', $._value)),
@@ -110,13 +119,14 @@ module.exports = grammar({
     _bracketed_name: $ => seq('[', choice($.named_variable, alias($._user_named, $.named_variable)), ']'),
 
     goto_statement: $ => seq(
-      keyword('GOTO'),
+      alias(token(/[Gg][Oo][ \t]*[Tt][Oo]/), 'GOTO'),
       field('target', choice($.number, $._place, $.bracket, alias($._signed_value, $.unary), alias($.sequence_number, $.label), alias($.program_number, $.label)))),
 
     if_statement: $ => prec.right(seq(
       keyword('IF'), field('condition', $._condition), optional(field('then', keyword('THEN'))), repeat(field('consequence', $._consequence)))),
 
-    _consequence: $ => choice($._any_word, $._statement),
+    // Whatever stands behind an IF depends on it.
+    _consequence: $ => choice($._head, $._content),
 
     while_statement: $ => prec.right(seq(
       keyword('WHILE'), field('condition', $._condition), optional(field('loop', $.do_statement)))),
@@ -176,9 +186,10 @@ module.exports = grammar({
 
     call: $ => choice(
       seq(field('function', $.function), field('argument', $._argument)),
-      prec.right(seq(
+      seq(field('function', alias($._slash_function, $.function)), field('argument', $._argument)),
+      prec.dynamic(1, seq(
         field('function', alias($._slash_function, $.function)), field('argument', $._argument),
-        optional(prec(binds.divisor, seq($._slash, field('divisor', $.bracket))))))),
+        $._slash, field('divisor', $.bracket)))),
     _argument: $ => choice($.bracket, $.argument_list, $._place, $.number),
     argument_list: $ => seq('[', $._expression, repeat1(seq(',', $._expression)), ']'),
     function: $ => anyOf(functions),

@@ -1,6 +1,6 @@
 ; Colours for editors.
 (comment) @comment
-(stray_parenthesis) @error
+[(stray_parenthesis) (malformed_word) (letter_o_word)] @error
 
 (tape_mark) @punctuation.special
 (skip) @punctuation.special
