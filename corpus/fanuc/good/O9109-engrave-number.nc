@@ -45,7 +45,6 @@ WHILE [#10 LT #3] DO 1
   #14 = #25 + #15 (MIDDLE)
   #16 = #25 + #11 (TOP)
   G0 X#12 Y#14
-  IF [#29 LT 0] GOTO 300
   IF [#29 GT 9] GOTO 300
   GOTO [100 + #29 * 10]
   N100 G1 Z#26 F#9
