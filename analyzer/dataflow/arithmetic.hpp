@@ -1,0 +1,29 @@
+//! What operators and functions do to values: range, whole numbers, rounding.
+#pragma once
+
+#include "analyzer/dataflow/value.hpp"
+
+#include <span>
+
+namespace maclint::dataflow {
+
+/// What a condition can turn out to be.
+struct Truth {
+    bool can_hold = true;
+    bool can_fail = true;
+};
+
+/// The result of an operator or function. `here` is the expression, for values that are rounded by it.
+[[nodiscard]] Value compute(Pool& pool, Operation operation, std::span<const Value> operands, const Origin& here);
+
+/// The outcome of a comparison or vacancy test; `vacant_equals_zero` is the control's.
+[[nodiscard]] Truth compare(Operation operation, const Value& left, const Value& right, bool vacant_equals_zero);
+[[nodiscard]] Truth test_vacancy(Operation operation, const Value& operand);
+
+[[nodiscard]] bool is_comparison(Operation operation);
+/// LT for GE and so on; what holds when the comparison fails.
+[[nodiscard]] Operation opposite(Operation operation);
+/// GT for LT and so on; the same comparison with its sides exchanged.
+[[nodiscard]] Operation mirrored(Operation operation);
+
+}  // namespace maclint::dataflow

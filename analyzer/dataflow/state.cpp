@@ -1,0 +1,186 @@
+//! Reading, writing and joining states.
+#include "analyzer/dataflow/state.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace maclint::dataflow {
+namespace {
+
+Vacancy join_vacancy(Vacancy a, Vacancy b) {
+    if (a == b) return a;
+    const bool evidence = a == Vacancy::maybe || b == Vacancy::maybe || a == Vacancy::vacant || b == Vacancy::vacant;
+    return evidence ? Vacancy::maybe : Vacancy::unknown;
+}
+
+/// Keeps the parts sorted by symbol; two origins of one symbol both count.
+void add_part(ModalValue& value, const ModalPart& part) {
+    const auto key = [](const ModalPart& p) { return std::pair(p.symbol, p.origin); };
+    const auto place = std::ranges::lower_bound(value.parts, key(part), {}, key);
+    if (place != value.parts.end() && *place == part) return;
+    value.parts.insert(place, part);
+}
+
+}  // namespace
+
+States::States(const Program& program, EntryKnowledge knowledge) : program_(program), knowledge_(std::move(knowledge)) {
+    for (std::size_t i = 0; i < program.control->groups.size(); ++i) {
+        const ModalGroup& group = program.control->groups[i];
+        ModalValue value;
+        if (knowledge_.entry == Entry::main && group.reset) value.parts = {{pool_.constant(*group.reset), 0}};
+        else value.parts = {{pool_.symbols({Symbol::Kind::entry_group, i, 0, 0}), 0}};
+        entry_modals_.push_back(pool_.modals(value));
+    }
+}
+
+State States::at_entry() const {
+    State state;
+    state.reached = true;
+    return state;
+}
+
+Vacancy States::vacancy_at_entry(Place place) const {
+    if (knowledge_.entry == Entry::main) return Vacancy::vacant;
+    if (knowledge_.arguments) {
+        const auto known = std::ranges::find(*knowledge_.arguments, place, &std::pair<Place, Vacancy>::first);
+        return known == knowledge_.arguments->end() ? Vacancy::vacant : known->second;
+    }
+    const auto& formals = program_.control->formals;
+    const auto& passed = knowledge_.passed_somewhere;
+    const bool argument = std::ranges::find(formals, place) != formals.end() || std::ranges::find(passed, place) != passed.end();
+    return argument ? Vacancy::maybe : Vacancy::vacant;
+}
+
+Value States::entry_value(Place place) {
+    const VariableSpace& space = program_.control->spaces[place.space];
+    const OriginId origin = pool_.origins({Origin::Kind::entry, static_cast<std::uint32_t>(place.number), place.space});
+    Value value;
+    value.symbol = pool_.symbols({Symbol::Kind::entry, key_of(place), 0, 0});
+    if (space.scope == Scope::frame) {
+        value.vacancy = vacancy_at_entry(place);
+        if (value.vacancy == Vacancy::vacant) return space.unset == Unset::zero ? number_value(pool_, 0) : vacant_value(pool_, origin);
+        if (value.vacancy == Vacancy::maybe) value.doubt = origin;
+    } else if (space.scope == Scope::machine) {
+        value.vacancy = Vacancy::set;
+    }
+    return value;
+}
+
+Value States::absent(const State& state, Key key) {
+    const Place place = place_of(key);
+    const SymbolId site = state.forgotten[place.space];
+    if (site == 0) return entry_value(place);
+    Value value;
+    value.symbol = pool_.symbols({Symbol::Kind::opaque, key, site, 1});
+    return value;
+}
+
+std::uint32_t States::absent_modal(Key key) { return entry_modals_[static_cast<GroupId>(key)]; }
+
+Value States::read(const State& state, Place place) {
+    const auto found = trees_.find(state.root, key_of(place));
+    return found ? pool_.values[*found] : absent(state, key_of(place));
+}
+
+const ModalValue& States::read(const State& state, GroupId group) {
+    const auto found = trees_.find(state.root, key_of(group));
+    return pool_.modals[found ? *found : absent_modal(key_of(group))];
+}
+
+std::optional<double> States::entry_code(const State& state, GroupId group) const {
+    const auto found = trees_.find(state.root, entry_code_key(group));
+    return found ? pool_.number_of(*found) : std::nullopt;
+}
+
+void States::write(State& state, Place place, const Value& value) {
+    state.root = trees_.set(state.root, key_of(place), pool_.values(value));
+}
+
+void States::write(State& state, GroupId group, ModalValue value) {
+    if (value.parts.size() > most_modal_parts) value = {{}, true};
+    state.root = trees_.set(state.root, key_of(group), pool_.modals(value));
+}
+
+void States::know_entry_code(State& state, GroupId group, double code) {
+    state.root = trees_.set(state.root, entry_code_key(group), pool_.constant(code));
+}
+
+void States::forget(State& state, SpaceId space, const Origin& site) {
+    const Key first = (Key{space} + 1) << 32U;
+    state.root = trees_.without(state.root, first, first | 0xFFFFFFFFU);
+    state.forgotten[space] = pool_.symbols({Symbol::Kind::opaque, site.id, 2, site.node});
+}
+
+Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t node) {
+    if (a == b) return a;
+    Value joined;
+    joined.symbol = a.symbol == b.symbol ? a.symbol : pool_.symbols({Symbol::Kind::joined, key, node, 0});
+    joined.origin = a.origin == b.origin ? a.origin : 0;
+    joined.vacancy = join_vacancy(a.vacancy, b.vacancy);
+    joined.doubt = a.doubt != 0 ? a.doubt : b.doubt;
+    joined.exactness = std::max(a.exactness, b.exactness);
+    joined.rounding = a.rounding != 0 ? a.rounding : b.rounding;
+    joined.low = std::min(a.low, b.low);
+    joined.high = std::max(a.high, b.high);
+    joined.integer = a.integer && b.integer;
+    return joined;
+}
+
+std::uint32_t States::join_modals(std::uint32_t a, std::uint32_t b) {
+    if (a == b) return a;
+    ModalValue joined = pool_.modals[a];
+    const ModalValue other = pool_.modals[b];
+    joined.unknown |= other.unknown;
+    for (const ModalPart& part : other.parts) add_part(joined, part);
+    if (joined.parts.size() > most_modal_parts) joined = {{}, true};
+    return pool_.modals(joined);
+}
+
+State States::merge(const State& a, const State& b, std::uint32_t node, Widening& widening) {
+    if (!a.reached) return b;
+    if (!b.reached || a == b) return a;
+    State joined;
+    joined.reached = true;
+    constexpr std::uint32_t nothing = 0;  // the constant symbol of no code: "not known"
+    const auto join_keyed = [&](Key key, std::uint32_t x, std::uint32_t y) {
+        if (is_group_key(key)) return join_modals(x, y);
+        if (!is_place_key(key)) return x == y ? x : nothing;
+        const Value old = pool_.values[x];
+        Value now = join_values(old, pool_.values[y], key, node);
+        widening(old, now);
+        return pool_.values(now);
+    };
+    const auto otherwise = [&](const State& lacking, Key key) -> std::uint32_t {
+        if (is_group_key(key)) return absent_modal(key);
+        if (!is_place_key(key)) return nothing;
+        return pool_.values(absent(lacking, key));
+    };
+    joined.root = trees_.merge(
+        a.root, b.root, join_keyed, [&](Key key, std::uint32_t x) { return join_keyed(key, x, otherwise(b, key)); },
+        [&](Key key, std::uint32_t y) { return join_keyed(key, otherwise(a, key), y); });
+    for (std::size_t space = 0; space < most_spaces; ++space) {
+        const bool same = a.forgotten[space] == b.forgotten[space];
+        joined.forgotten[space] = same ? a.forgotten[space] : pool_.symbols({Symbol::Kind::opaque, space, 3, node});
+    }
+    return joined;
+}
+
+State States::join(const State& a, const State& b, std::uint32_t node) {
+    return merge(a, b, node, [](const Value&, Value&) {});
+}
+
+State States::widen(const State& old, const State& now, std::uint32_t node, std::span<const double> thresholds) {
+    return merge(old, now, node, [thresholds](const Value& before, Value& after) {
+        if (after.high > before.high) {
+            const auto next = std::ranges::lower_bound(thresholds, after.high);
+            after.high = next == thresholds.end() ? std::numeric_limits<double>::infinity() : *next;
+        }
+        if (after.low < before.low) {
+            const auto next = std::ranges::upper_bound(thresholds, after.low);
+            after.low = next == thresholds.begin() ? -std::numeric_limits<double>::infinity() : *std::prev(next);
+        }
+    });
+}
+
+}  // namespace maclint::dataflow

@@ -1,0 +1,97 @@
+//! What is known at one point of a program: every variable, every modal group.
+#pragma once
+
+#include "analyzer/dataflow/trees.hpp"
+#include "analyzer/dataflow/value.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace maclint::dataflow {
+
+/// How a program is entered.
+enum class Entry : std::uint8_t {
+    main,            ///< nobody calls it: locals vacant, modal groups at their reset codes
+    called_unknown,  ///< callers unknown: arguments may be missing, modal groups are the caller's
+};
+
+/// What the callers tell of a program's local variables.
+struct EntryKnowledge {
+    Entry entry;
+    std::vector<Place> passed_somewhere;  ///< arguments that some known caller passes, sorted
+    /// All callers are known: whether each argument is passed by all, some or none of them. Absent: there may be other callers.
+    std::optional<std::vector<std::pair<Place, Vacancy>>> arguments;
+};
+
+[[nodiscard]] constexpr Key key_of(Place place) { return (Key{place.space} + 1) << 32U | static_cast<std::uint32_t>(place.number); }
+constexpr Key group_keys = Key{0x100} << 32U;
+constexpr Key entry_code_keys = Key{0x200} << 32U;
+[[nodiscard]] constexpr Key key_of(GroupId group) { return group_keys | group; }
+/// Under this key a state holds the code that the caller's group is known to have on this way.
+[[nodiscard]] constexpr Key entry_code_key(GroupId group) { return entry_code_keys | group; }
+[[nodiscard]] constexpr bool is_place_key(Key key) { return key < group_keys; }
+[[nodiscard]] constexpr bool is_group_key(Key key) { return key >= group_keys && key < entry_code_keys; }
+[[nodiscard]] constexpr Place place_of(Key key) {
+    return {static_cast<SpaceId>((key >> 32U) - 1), static_cast<std::int32_t>(static_cast<std::uint32_t>(key))};
+}
+
+constexpr std::size_t most_spaces = 8;
+
+struct State {
+    Root root = 0;
+    /// For each space: 0, or the opaque symbol of what made all its variables unknown that the tree does not hold.
+    std::array<SymbolId, most_spaces> forgotten{};
+    bool reached = false;
+    friend bool operator==(const State&, const State&) = default;
+};
+
+/// The operations on states of one program's analysis.
+class States {
+public:
+    States(const Program& program, EntryKnowledge knowledge);
+
+    [[nodiscard]] State at_entry() const;
+    [[nodiscard]] Value read(const State& state, Place place);
+    [[nodiscard]] const ModalValue& read(const State& state, GroupId group);
+    [[nodiscard]] std::optional<double> entry_code(const State& state, GroupId group) const;
+    void write(State& state, Place place, const Value& value);
+    void write(State& state, GroupId group, ModalValue value);
+    void know_entry_code(State& state, GroupId group, double code);
+    /// Everything in the space may have changed; `site` makes the new values differ from others.
+    void forget(State& state, SpaceId space, const Origin& site);
+
+    /// Both ways meet at `node`.
+    [[nodiscard]] State join(const State& a, const State& b, std::uint32_t node);
+    /// As join, but bounds that grow jump to the next number of `thresholds` (sorted) or to infinity.
+    [[nodiscard]] State widen(const State& old, const State& now, std::uint32_t node, std::span<const double> thresholds);
+
+    [[nodiscard]] Pool& pool() { return pool_; }
+    [[nodiscard]] const Pool& pool() const { return pool_; }
+    [[nodiscard]] Trees& trees() { return trees_; }
+    [[nodiscard]] Entry entry() const { return knowledge_.entry; }
+
+private:
+    using Widening = const std::function<void(const Value& old, Value& now)>;
+    [[nodiscard]] State merge(const State& a, const State& b, std::uint32_t node, Widening& widening);
+    [[nodiscard]] Value entry_value(Place place);
+    [[nodiscard]] Vacancy vacancy_at_entry(Place place) const;
+    [[nodiscard]] Value absent(const State& state, Key key);
+    [[nodiscard]] std::uint32_t absent_modal(Key key);
+    [[nodiscard]] Value join_values(const Value& a, const Value& b, Key key, std::uint32_t node);
+    [[nodiscard]] std::uint32_t join_modals(std::uint32_t a, std::uint32_t b);
+
+    const Program& program_;
+    EntryKnowledge knowledge_;
+    Pool pool_;
+    Trees trees_;
+    std::vector<std::uint32_t> entry_modals_;
+};
+
+/// Beyond so many ways a modal group counts as unknown.
+constexpr std::size_t most_modal_parts = 12;
+
+}  // namespace maclint::dataflow

@@ -1,0 +1,40 @@
+//! The dialects that maclint reads, the controls it knows, and which of them a file is for.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace maclint {
+
+/// One dialect: how its files are recognised and turned into programs.
+struct Dialect {
+    std::string_view name;             ///< what --dialect takes
+    std::string_view description;
+    std::string_view default_control;  ///< the control assumed when nobody names one
+    std::string_view comment_open, comment_close;  ///< for suppressions and examples
+    ProgramFile (*read)(std::shared_ptr<const Source>, const ControlModel&);
+};
+
+[[nodiscard]] std::span<const Dialect> dialects();
+[[nodiscard]] const Dialect* find_dialect(std::string_view name);
+
+/// All controls, of all dialects; names are unique.
+[[nodiscard]] std::span<const ControlModel* const> controls();
+[[nodiscard]] const ControlModel* find_control(std::string_view name);
+
+/// What a file's extension and content say. Without a dialect the file is not ours: `reason` says what it is.
+struct Detection {
+    const Dialect* dialect;
+    std::string reason;   ///< "extension .nc", "HEIDENHAIN Klartext (BEGIN PGM in line 1)"
+    bool not_nc_text;     ///< no NC program of any kind (binary, C, JSON, noise): MAC003 when the user named the file
+};
+[[nodiscard]] Detection detect_dialect(const Source& source);
+
+/// Whether a file with this name is worth opening when a folder is searched.
+[[nodiscard]] bool has_nc_extension(std::string_view path);
+
+}  // namespace maclint

@@ -1,0 +1,396 @@
+//! Builds the control-flow graph: nodes in text order, then the edges of jumps, loops and returns.
+#include "analyzer/flow/graph.hpp"
+
+#include "analyzer/program/overloaded.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+namespace maclint::flow {
+namespace {
+
+/// Beyond so many edges the computed jumps of a program share one node from which all labels are reached.
+constexpr std::size_t most_computed_edges = 20'000;
+
+/// What something in the program may jump to.
+struct Wanted {
+    std::unordered_set<std::int64_t> numbers;
+    bool any = false;  ///< a computed jump: every sequence number
+
+    [[nodiscard]] bool operator()(std::int64_t number) const { return any || numbers.contains(number); }
+    [[nodiscard]] bool nothing() const { return !any && numbers.empty(); }
+};
+
+/// An edge whose end is the next node to be made.
+struct Loose {
+    NodeId from;
+    EdgeKind kind;
+    std::optional<ExpressionId> condition;
+    bool holds;
+};
+
+class Building {
+public:
+    Building(const Program& program, const Structures& structures, const ResumeLabels& resumes_at)
+        : program_(program), structures_(structures), resumes_at_(resumes_at) {
+        for (StructureId id = 0; id < structures.all.size(); ++id) {
+            const Paired& paired = structures.all[id];
+            by_effect_.emplace(paired.open, id);
+            for (const EffectId middle : paired.middles) by_effect_.emplace(middle, id);
+            if (paired.close) by_effect_.emplace(*paired.close, id);
+        }
+        collect_wanted();
+    }
+
+    Graph run() {
+        for (const Section& section : program_.sections) {
+            if (section.executed == Section::Executed::never) continue;
+            for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) take_item(i);
+        }
+        if (graph_.nodes.empty()) new_node(0, program_.span, {}, false);
+        for (const Loose& loose : loose_)
+            graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
+        resolve_jumps();
+        resolve_resumes();
+        index_edges();
+        number_nodes();
+        return std::move(graph_);
+    }
+
+private:
+    // ---- what is jumped to -------------------------------------------------------------------------------------
+
+    void collect_wanted() {
+        for_each_effect(program_, [this](EffectId id) {
+            std::visit(overloaded{
+                           [this](const Jump& jump) { want(constant_target(program_, jump.target)); },
+                           [this](const UnreadableBlock& block) {
+                               wanted_.numbers.insert(block.may_jump.begin(), block.may_jump.end());
+                           },
+                           [this, id](const Call&) {
+                               for (const std::int64_t label : resumes_at_(id)) wanted_.numbers.insert(label);
+                           },
+                           [](const auto&) {},
+                       },
+                       program_.effects[id].what);
+        });
+    }
+
+    void want(std::optional<std::int64_t> number) {
+        if (number) wanted_.numbers.insert(*number);
+        else wanted_.any = true;
+    }
+
+    // ---- nodes in text order -----------------------------------------------------------------------------------
+
+    NodeId new_node(ItemId item, Span part, Slice effects, bool is_run) {
+        const auto id = static_cast<NodeId>(graph_.nodes.size());
+        graph_.nodes.push_back({item, part, effects, is_run});
+        for (const Loose& loose : loose_) add_edge({loose.from, id, loose.kind, loose.condition, loose.holds, {}, {}});
+        loose_ = {{id, EdgeKind::next, {}, true}};
+        return id;
+    }
+
+    void add_edge(const Edge& edge) { graph_.edges.push_back(edge); }
+
+    void take_item(ItemId item) {
+        std::visit(overloaded{[&](const Block& block) { take_block(item, block); }, [&](const Run& run) { take_run(item, run); }},
+                   program_.items[item]);
+    }
+
+    void take_run(ItemId item, const Run& run) {
+        if (!run.has_sequence_numbers || wanted_.nothing()) {
+            new_node(item, run.span, {}, true);
+            return;
+        }
+        Offset begin = run.span.begin;
+        program_.for_each_block(run.span, [&](const PlainBlock& block) {
+            if (!block.sequence_number || !wanted_(*block.sequence_number)) return true;
+            if (block.span.begin > begin) new_node(item, {begin, block.span.begin}, {}, true);
+            begin = block.span.begin;
+            graph_.labels.push_back(Label{*block.sequence_number, static_cast<NodeId>(graph_.nodes.size()), block.sequence_number_span,
+                                           block.span});
+            return true;
+        });
+        new_node(item, {begin, run.span.end}, {}, true);
+    }
+
+    void take_block(ItemId item, const Block& block) {
+        const std::vector<Loose> before = block.skip_levels != 0 ? loose_ : std::vector<Loose>{};
+        const auto first = static_cast<NodeId>(graph_.nodes.size());
+        if (block.sequence_number && wanted_(*block.sequence_number))
+            graph_.labels.push_back({*block.sequence_number, first, block.sequence_number_span, block.span});
+        item_ = item;
+        part_ = block.span;
+        take_effects(block.effects);
+        if (graph_.nodes.size() == first) new_node(item, block.span, {block.effects.first, 0}, false);
+        for (Loose loose : before) {
+            if (loose.kind == EdgeKind::next) loose.kind = EdgeKind::skip;
+            loose_.push_back(loose);
+        }
+    }
+
+    /// Cuts a sequence of effects into nodes wherever the flow can leave it.
+    void take_effects(Slice slice) {
+        Id begin = slice.first;
+        const Id end = slice.first + slice.count;
+        for (Id i = slice.first; i < end; ++i) {
+            const auto& what = program_.effects[i].what;
+            if (!leaves_line(what)) continue;
+            // The effect itself ends its node, so that rules find the state in front of it.
+            const bool header = std::holds_alternative<Structure>(what);
+            if (header && i > begin) flush(begin, i);
+            const NodeId node = flush(header ? i : begin, i + 1);
+            begin = i + 1;
+            leave(node, i);
+        }
+        if (begin < end) flush(begin, end);
+    }
+
+    NodeId flush(Id begin, Id end) { return new_node(item_, part_, {begin, end - begin}, false); }
+
+    static bool leaves_line(const decltype(Effect::what)& what) {
+        if (const auto* stop = std::get_if<Stop>(&what)) return stop->kind != Stop::Kind::pause;
+        return std::holds_alternative<Jump>(what) || std::holds_alternative<Guarded>(what) ||
+               std::holds_alternative<Structure>(what) || std::holds_alternative<Return>(what);
+    }
+
+    void leave(NodeId node, EffectId id) {
+        std::visit(overloaded{
+                       [&](const Stop& stop) {
+                           exit(node, stop.kind == Stop::Kind::alarm ? ExitKind::alarm : ExitKind::ends, id);
+                       },
+                       [&](const Return&) { exit(node, ExitKind::returns, id); },
+                       [&](const Jump& jump) {
+                           graph_.jumps.push_back({id, node, constant_target(program_, jump.target), {}});
+                           loose_.clear();
+                       },
+                       [&](const Guarded& guarded) {
+                           loose_ = {{node, EdgeKind::branch, guarded.condition, true}};
+                           take_effects(guarded.effects);
+                           loose_.push_back({node, EdgeKind::branch, guarded.condition, false});
+                       },
+                       [&](const Structure& structure) { leave_structure(node, id, structure); },
+                       [](const auto&) {},
+                   },
+                   program_.effects[id].what);
+    }
+
+    void exit(NodeId node, ExitKind kind, EffectId effect) {
+        graph_.exits.push_back({node, kind, effect});
+        loose_.clear();
+    }
+
+    // ---- structures --------------------------------------------------------------------------------------------
+
+    /// The open structure while its body is being built.
+    struct Open {
+        NodeId header;
+        std::optional<ExpressionId> condition;
+        std::vector<Loose> to_close;   ///< ends of the branches of a choice
+        std::optional<Loose> otherwise;  ///< the way when the condition does not hold, until a middle or the close takes it
+    };
+
+    void leave_structure(NodeId node, EffectId id, const Structure& structure) {
+        const auto found = by_effect_.find(id);
+        if (found == by_effect_.end()) return;  // a stray END: the control goes on
+        const Paired& paired = structures_.all[found->second];
+        switch (structure.part) {
+            case Structure::Part::open: {
+                if (!paired.close) return;  // without its END the loop is read as plain text
+                Open open{node, paired.condition, {}, {}};
+                loose_.clear();
+                if (paired.condition) {
+                    loose_.push_back({node, EdgeKind::branch, paired.condition, true});
+                    open.otherwise = Loose{node, EdgeKind::branch, paired.condition, false};
+                } else {
+                    loose_.push_back({node, EdgeKind::next, {}, true});
+                }
+                open_.emplace(found->second, std::move(open));
+                break;
+            }
+            case Structure::Part::middle: middle(found->second); break;
+            case Structure::Part::close: close(found->second, node); break;
+        }
+    }
+
+    void middle(StructureId id) {
+        const auto found = open_.find(id);
+        if (found == open_.end()) return;
+        Open& open = found->second;
+        open.to_close.insert(open.to_close.end(), loose_.begin(), loose_.end());
+        loose_.clear();
+        if (open.otherwise) loose_.push_back(*std::exchange(open.otherwise, std::nullopt));
+    }
+
+    void close(StructureId id, NodeId node) {
+        const auto found = open_.find(id);
+        if (found == open_.end()) return;
+        Open& open = found->second;
+        const Construct construct = structures_.all[id].construct;
+        if (construct == Construct::while_loop || construct == Construct::endless_loop) {
+            add_edge({node, open.header, EdgeKind::back, {}, true, {}, {}});
+            loose_.clear();
+        }
+        loose_.insert(loose_.end(), open.to_close.begin(), open.to_close.end());
+        if (open.otherwise) loose_.push_back(*open.otherwise);
+        open_.erase(found);
+    }
+
+    // ---- jumps -------------------------------------------------------------------------------------------------
+
+    void resolve_jumps() {
+        index_labels();
+        const auto computed = static_cast<std::size_t>(std::ranges::count_if(graph_.jumps, [](const ResolvedJump& j) { return !j.number; }));
+        const bool share = computed * graph_.labels.size() > most_computed_edges;
+        std::optional<NodeId> shared;
+        for (ResolvedJump& jump : graph_.jumps) {
+            if (jump.number) {
+                if (const Label* label = graph_.find_label(*jump.number, graph_.nodes[jump.node].part.begin)) {
+                    jump.target = *label;
+                    add_edge({jump.node, label->node, EdgeKind::jump, {}, true, jump.jump, {}});
+                }
+            } else if (!share) {
+                for (const Label& label : graph_.labels)
+                    add_edge({jump.node, label.node, EdgeKind::computed, {}, true, jump.jump, label.number});
+            } else {
+                if (!shared) shared = make_shared_target(jump.node);
+                add_edge({jump.node, *shared, EdgeKind::computed, {}, true, jump.jump, {}});
+            }
+        }
+        for (NodeId node = 0; node < graph_.nodes.size(); ++node) resolve_unreadable(node);
+    }
+
+    NodeId make_shared_target(NodeId like) {
+        const auto id = static_cast<NodeId>(graph_.nodes.size());
+        Node node = graph_.nodes[like];
+        node.effects.count = 0;
+        graph_.nodes.push_back(node);
+        for (const Label& label : graph_.labels) add_edge({id, label.node, EdgeKind::computed, {}, true, {}, {}});
+        return id;
+    }
+
+    void resolve_unreadable(NodeId node) {
+        for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects)) {
+            const auto* block = std::get_if<UnreadableBlock>(&effect.what);
+            if (block == nullptr) continue;
+            for (const std::int64_t number : block->may_jump)
+                if (const Label* label = graph_.find_label(number, graph_.nodes[node].part.begin))
+                    add_edge({node, label->node, EdgeKind::jump, {}, true, {}, {}});
+        }
+    }
+
+    void resolve_resumes() {
+        const std::size_t count = graph_.nodes.size();
+        for (NodeId node = 0; node < count; ++node) {
+            const Slice effects = graph_.nodes[node].effects;
+            for (Id i = effects.first; i < effects.first + effects.count; ++i) {
+                if (!std::holds_alternative<Call>(program_.effects[i].what)) continue;
+                for (const std::int64_t number : resumes_at_(i))
+                    if (const Label* label = graph_.find_label(number, 0))
+                        add_edge({node, label->node, EdgeKind::resume, {}, true, i, {}});
+            }
+        }
+    }
+
+    void index_labels() { std::ranges::stable_sort(graph_.labels, {}, [](const Label& l) { return std::pair(l.number, l.block.begin); }); }
+
+    // ---- after all edges are there -----------------------------------------------------------------------------
+
+    void index_edges() {
+        graph_.out.resize(graph_.nodes.size());
+        graph_.in.resize(graph_.nodes.size());
+        for (EdgeId id = 0; id < graph_.edges.size(); ++id) {
+            graph_.out[graph_.edges[id].from].push_back(id);
+            graph_.in[graph_.edges[id].to].push_back(id);
+        }
+    }
+
+    /// Reverse postorder, without recursion: programs may have a million blocks.
+    void number_nodes() {
+        graph_.order.assign(graph_.nodes.size(), Graph::no_order);
+        std::vector<NodeId> postorder;
+        std::vector<bool> seen(graph_.nodes.size(), false);
+        std::vector<std::pair<NodeId, std::size_t>> stack{{0, 0}};
+        seen[0] = true;
+        while (!stack.empty()) {
+            auto& [node, next] = stack.back();
+            if (next == graph_.out[node].size()) {
+                postorder.push_back(node);
+                stack.pop_back();
+                continue;
+            }
+            const NodeId to = graph_.edges[graph_.out[node][next++]].to;
+            if (!seen[to]) {
+                seen[to] = true;
+                stack.emplace_back(to, 0);
+            }
+        }
+        for (std::size_t i = 0; i < postorder.size(); ++i)
+            graph_.order[postorder[i]] = static_cast<std::uint32_t>(postorder.size() - 1 - i);
+    }
+
+    const Program& program_;
+    const Structures& structures_;
+    const ResumeLabels& resumes_at_;
+    Graph graph_;
+    Wanted wanted_;
+    std::unordered_map<EffectId, StructureId> by_effect_;
+    std::unordered_map<StructureId, Open> open_;
+    std::vector<Loose> loose_;
+    ItemId item_ = 0;
+    Span part_{};
+};
+
+}  // namespace
+
+const Label* Graph::find_label(std::int64_t number, Offset from) const {
+    const auto key = [](const Label& label) { return std::pair(label.number, label.block.begin); };
+    auto found = std::ranges::lower_bound(labels, std::pair(number, from), {}, key);
+    if (found == labels.end() || found->number != number) found = std::ranges::lower_bound(labels, std::pair(number, Offset{0}), {}, key);
+    return found != labels.end() && found->number == number ? &*found : nullptr;
+}
+
+std::optional<std::vector<EdgeId>> Graph::way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable) const {
+    constexpr EdgeId none = 0xFFFFFFFF;
+    std::vector<EdgeId> reached_by(nodes.size(), none);
+    std::deque<NodeId> queue{from};
+    std::vector<bool> seen(nodes.size(), false);
+    bool arrived = false;
+    while (!queue.empty() && !arrived) {
+        const NodeId node = queue.front();
+        queue.pop_front();
+        for (const EdgeId id : out[node]) {
+            const NodeId next = edges[id].to;
+            if (seen[next] || !usable(id)) continue;
+            seen[next] = true;
+            reached_by[next] = id;
+            if (next == to) { arrived = true; break; }
+            queue.push_back(next);
+        }
+    }
+    if (!arrived) return std::nullopt;
+    std::vector<EdgeId> way;
+    for (NodeId node = to; way.empty() || node != from; node = edges[way.back()].from) way.push_back(reached_by[node]);
+    std::ranges::reverse(way);
+    return way;
+}
+
+std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target) {
+    const auto* literal = std::get_if<Literal>(&program.expressions[target].node);
+    constexpr double most = 9e15;  // beyond it a double does not hold every whole number
+    if (literal == nullptr) return std::nullopt;
+    if (!(std::abs(literal->value) < most)) return std::numeric_limits<std::int64_t>::max();
+    return std::llround(literal->value);
+}
+
+Graph build_graph(const Program& program, const Structures& structures, const ResumeLabels& resumes_at) {
+    return Building(program, structures, resumes_at).run();
+}
+
+}  // namespace maclint::flow

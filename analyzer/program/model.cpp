@@ -1,0 +1,67 @@
+//! Look-ups in the program model and its tables.
+#include "analyzer/program/model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace maclint {
+
+const VariableRange* VariableFamily::find(std::int64_t number) const {
+    const auto after = std::upper_bound(ranges.begin(), ranges.end(), number,
+                                        [](std::int64_t n, const VariableRange& range) { return n < range.first; });
+    if (after == ranges.begin()) return nullptr;
+    const VariableRange& range = *std::prev(after);
+    return number <= range.last ? &range : nullptr;
+}
+
+std::optional<GroupId> ControlModel::group_of(char letter, double code) const {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const ModalGroup& group = groups[i];
+        if (group.letter == letter && std::ranges::find(group.members, code) != group.members.end())
+            return static_cast<GroupId>(i);
+    }
+    return std::nullopt;
+}
+
+std::string ControlModel::spell(GroupId group, double code) const {
+    std::array<char, 32> digits{};
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), code);
+    std::string text(digits.data(), error == std::errc{} ? end : digits.data());
+    if (groups[group].letter == '#') return text;
+    return groups[group].letter + text;
+}
+
+std::span<const ExpressionId> Program::operands_of(const Apply& apply) const {
+    return std::span(operands).subspan(apply.operands.first, apply.operands.count);
+}
+
+std::span<const Effect> Program::effects_in(Slice slice) const {
+    return std::span(effects).subspan(slice.first, slice.count);
+}
+
+std::span<const Argument> Program::arguments_of(const Call& call) const {
+    return std::span(arguments).subspan(call.arguments.first, call.arguments.count);
+}
+
+std::span<const ModalSetting> Program::net_of(const Run& run) const {
+    return std::span(settings).subspan(run.net.first, run.net.count);
+}
+
+Span Program::span_of(ItemId item) const {
+    return std::visit([](const auto& part) { return part.span; }, items[item]);
+}
+
+std::string Program::spell(Place place) const {
+    const VariableSpace& space = control->spaces[place.space];
+    const auto index = static_cast<std::size_t>(place.number);
+    if (space.named) return std::string(space.prefix) + (index < names.size() ? names[index] : "");
+    return std::string(space.prefix) + std::to_string(place.number);
+}
+
+void Program::for_each_block(Span part, const std::function<bool(const PlainBlock&)>& visit) const {
+    decode(*this, part, visit);
+}
+
+}  // namespace maclint

@@ -1,0 +1,33 @@
+//! Character encodings of NC files, and how their text is made fit for a report or a terminal.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace maclint {
+
+enum class Encoding : std::uint8_t { utf8, windows_1252 };
+
+/// UTF-8 when every byte fits it, otherwise Windows-1252, in which every byte means something.
+[[nodiscard]] Encoding detect_encoding(std::string_view bytes);
+
+/// Length in bytes of the UTF-8 byte order mark that `bytes` begins with: 3 or 0.
+[[nodiscard]] std::size_t byte_order_mark_length(std::string_view bytes);
+
+/// The text as valid UTF-8, whatever the bytes are: a UTF-8 sequence cut or broken becomes U+FFFD.
+[[nodiscard]] std::string to_utf8(std::string_view bytes, Encoding encoding);
+
+/// Length of the text in UTF-16 code units, the unit of columns in SARIF and LSP.
+/// `bytes` begins and ends between characters.
+[[nodiscard]] std::size_t utf16_length(std::string_view bytes, Encoding encoding);
+
+/// The nearest offset at or before `offset` where a character begins.
+[[nodiscard]] std::size_t character_begin(std::string_view bytes, std::size_t offset, Encoding encoding);
+
+/// The text with everything a terminal would act on or a reader could not see written as an escape:
+/// `\n`, `\x1B`, `\u{202E}`. Tabs stay. The result is valid UTF-8 even if the text is not.
+[[nodiscard]] std::string printable(std::string_view utf8);
+
+} // namespace maclint

@@ -1,0 +1,107 @@
+//! The sparse line index: one pass that leaves a checkpoint every 4 KiB, and counting from the nearest one.
+#include "analyzer/source/line_index.hpp"
+
+#include <algorithm>
+
+namespace maclint {
+namespace {
+
+constexpr Offset checkpoint_distance = 4096;
+
+} // namespace
+
+Offset after_line_end(std::string_view bytes, Offset offset) {
+    const auto is_at = [bytes](Offset at, char c) { return at < bytes.size() && bytes[at] == c; };
+    if (bytes[offset] == '\r') return is_at(offset + 1, '\n') ? offset + 2 : offset + 1;
+    if (!is_at(offset + 1, '\r')) return offset + 1;
+    return is_at(offset + 2, '\r') ? offset + 3 : offset + 2;
+}
+
+LineIndex::LineIndex(std::string_view bytes, Encoding encoding)
+    : bytes_(bytes)
+    , encoding_(encoding) {
+    build();
+}
+
+void LineIndex::build() {
+    const auto text_begin = static_cast<Offset>(byte_order_mark_length(bytes_));
+    checkpoints_.reserve(bytes_.size() / checkpoint_distance + 1);
+    checkpoints_.push_back({text_begin, text_begin, 1, 0});
+    std::uint64_t next = text_begin + std::uint64_t{checkpoint_distance};
+    for (Checkpoint line = checkpoints_.front();;) {
+        const Offset end = find_line_end(line.at, size());
+        for (; next <= end; next += checkpoint_distance) {
+            const auto at = static_cast<Offset>(character_begin(bytes_, next, encoding_));
+            if (at <= line.at) continue;
+            line.units += units(line.at, at);
+            line.at = at;
+            checkpoints_.push_back(line);
+        }
+        if (end == size()) {
+            line_count_ = line.line;
+            return;
+        }
+        const Offset begin = after_line_end(bytes_, end);
+        line = {begin, begin, line.line + 1, 0};
+        if (next <= begin) {
+            checkpoints_.push_back(line);
+            next = begin + std::uint64_t{checkpoint_distance};
+        }
+    }
+}
+
+Position LineIndex::position(Offset offset) const {
+    offset = std::clamp(offset, checkpoints_.front().at, size());
+    const auto behind = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), offset,
+                                         [](Offset wanted, const Checkpoint& c) { return wanted < c.at; });
+    Checkpoint from = *std::prev(behind);
+    while (true) {
+        const Offset end = find_line_end(from.at, offset);
+        if (end == offset) break;
+        const Offset begin = after_line_end(bytes_, end);
+        if (begin > offset) break;
+        from = {begin, begin, from.line + 1, 0};
+    }
+    const auto character = static_cast<Offset>(character_begin(bytes_, offset, encoding_));
+    const std::uint32_t before = character > from.at ? units(from.at, character) : 0;
+    return {from.line, from.units + before + 1, offset - from.line_begin + 1};
+}
+
+Span LineIndex::line_span(std::uint32_t line) const {
+    line = std::clamp(line, std::uint32_t{1}, line_count_);
+    const auto behind =
+        std::upper_bound(checkpoints_.begin(), checkpoints_.end(), line,
+                         [](std::uint32_t wanted, const Checkpoint& c) { return wanted < c.line; });
+    Checkpoint from = *std::prev(behind);
+    while (from.line < line) {
+        const Offset begin = after_line_end(bytes_, find_line_end(from.at, size()));
+        from = {begin, begin, from.line + 1, 0};
+    }
+    return {from.line_begin, find_line_end(from.at, size())};
+}
+
+Offset LineIndex::offset_at(std::uint32_t line, std::uint32_t column) const {
+    const Span span = line_span(line);
+    std::uint32_t wanted = column > 0 ? column - 1 : 0;
+    Offset at = span.begin;
+    while (at < span.end) {
+        Offset next = at + 1;
+        while (next < span.end && character_begin(bytes_, next, encoding_) != next) ++next;
+        const std::uint32_t width = units(at, next);
+        if (wanted < width) return at;
+        wanted -= width;
+        at = next;
+    }
+    return span.end;
+}
+
+Offset LineIndex::find_line_end(Offset from, Offset to) const {
+    const char* const begin = bytes_.data();
+    return static_cast<Offset>(std::find_if(begin + from, begin + to, is_line_end) - begin);
+}
+
+std::uint32_t LineIndex::units(Offset from, Offset to) const {
+    return static_cast<std::uint32_t>(utf16_length(bytes_.substr(from, to - from), encoding_));
+}
+
+} // namespace maclint

@@ -1,0 +1,47 @@
+//! Many files together: which program a call means, what each program does to its callers, how deep calls go.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+#include <deque>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace maclint {
+
+class ProgramAnalysis;
+
+/// A file of the workspace.
+struct WorkspaceFile {
+    std::shared_ptr<const ProgramFile> file;
+    bool asked;  ///< findings are wanted; otherwise it is there only for callers and callees
+};
+
+struct WorkspaceOptions {
+    bool complete;  ///< the configuration declares that every program of the control is there
+    unsigned jobs;  ///< threads to use, at least 1
+};
+
+class Workspace {
+public:
+    /// Builds flow and data flow of every program, callees before callers. Analyses refer to their workspace: it does not move.
+    static std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files, const WorkspaceOptions& options);
+
+    Workspace(const Workspace&) = delete;
+    Workspace& operator=(const Workspace&) = delete;
+    ~Workspace();
+
+    [[nodiscard]] std::span<const WorkspaceFile> files() const { return files_; }
+    /// One analysis a program, in the order of files and programs. References stay valid.
+    [[nodiscard]] const std::deque<ProgramAnalysis>& programs() const;
+    [[nodiscard]] bool complete() const { return complete_; }
+
+private:
+    Workspace();
+    std::vector<WorkspaceFile> files_;
+    std::unique_ptr<std::deque<ProgramAnalysis>> programs_;
+    bool complete_ = false;
+};
+
+}  // namespace maclint

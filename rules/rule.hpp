@@ -1,0 +1,92 @@
+//! What a rule is: one record with everything that its page, the reports and the tests are made from.
+#pragma once
+
+#include "rules/finding.hpp"
+
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace maclint {
+
+class ProgramAnalysis;
+class Workspace;
+class Reporter;
+
+enum class Precision : std::uint8_t { low, medium, high, very_high };
+
+/// A text that findings of a rule carry; {0}, {1} … stand for the finding's arguments.
+struct Message {
+    std::string_view id;
+    std::string_view text;
+};
+
+/// An alarm of a control that the rule prevents.
+struct Alarm {
+    std::string_view control;  ///< "FANUC 16i/18i/21i"
+    std::string_view number;   ///< "124"
+    std::string_view text;     ///< "MISSING END STATEMENT"
+};
+
+/// A program that shows the rule. `dialect` as --dialect takes it.
+struct Example {
+    std::string_view dialect;
+    std::string_view text;
+};
+
+/// Raised by the command itself: while files are read, or when suppressions are matched.
+struct RaisedByCommand {};
+using FileCheck = void (*)(const ProgramFile&, Reporter&);
+using ProgramCheck = void (*)(const ProgramAnalysis&, Reporter&);
+using WorkspaceCheck = void (*)(const Workspace&, Reporter&);
+
+struct Rule {
+    std::string_view code;      ///< "MAC303"
+    std::string_view name;      ///< "jump-into-loop"
+    std::string_view aliases;   ///< further codes, separated by blanks; "" for none
+    std::string_view summary;   ///< one line
+    std::string_view why;       ///< why it matters at the machine
+    Severity severity;
+    Precision precision;
+    bool on_by_default;         ///< very_high and high are on; `off_reason` says why another choice was made
+    std::string_view off_reason;
+    bool data_flow;             ///< findings carry a path (SARIF codeFlows); a test demands it of the bad example
+    std::vector<Message> messages;
+    std::vector<Example> bad;   ///< raises exactly this rule under --select CODE
+    std::vector<std::string_view> also;  ///< codes that the bad example raises beside it under the default selection
+    std::vector<Example> good;  ///< raises nothing
+    std::vector<Alarm> alarms;
+    std::vector<std::string_view> sources;
+    std::variant<RaisedByCommand, FileCheck, ProgramCheck, WorkspaceCheck> check;
+};
+
+/// Takes the findings of one rule.
+class Reporter {
+public:
+    explicit Reporter(const Rule& rule) : rule_(&rule) {}
+
+    /// Adds a finding and gives it back, to be filled with related places, a path or a fix.
+    Finding& report(const ProgramFile& file, Span span, std::string_view message_id, std::vector<std::string> arguments);
+    [[nodiscard]] std::vector<Finding> take() { return std::move(findings_); }
+
+private:
+    const Rule* rule_;
+    std::vector<Finding> findings_;
+};
+
+/// All rules, in the order of their codes.
+[[nodiscard]] std::span<const Rule* const> all_rules();
+/// The rule with this code, alias or name (any case), or nullptr.
+[[nodiscard]] const Rule* find_rule(std::string_view code_or_name);
+
+/// Which rules run and how severe their findings are.
+struct Selection {
+    std::vector<const Rule*> rules;
+};
+
+/// Runs the selected rules over the workspace on up to `jobs` threads. The order of the findings is that of
+/// path, line, column, code, whatever `jobs` is.
+[[nodiscard]] std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection, unsigned jobs);
+
+}  // namespace maclint

@@ -1,0 +1,59 @@
+//! Content sniffing: NC text with all its oddities is text, files of other kinds are not.
+#include "analyzer/source/content.hpp"
+
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+TEST(Classify, CallsAFileWithoutCharactersEmpty) {
+    EXPECT_EQ(classify(""), Content::empty);
+    EXPECT_EQ(classify(" \r\n\t\n"), Content::empty);
+    EXPECT_EQ(classify(std::string(5000, '\0')), Content::empty);
+    EXPECT_EQ(classify("\xEF\xBB\xBF"), Content::empty);
+}
+
+TEST(Classify, CallsAProgramText) { EXPECT_EQ(classify("%\nO0001(TEST)\nG0X0\nM30\n%\n"), Content::text); }
+
+TEST(Classify, AcceptsTapeLeaderAndTrailer) {
+    const std::string leader(100'000, '\0');
+    EXPECT_EQ(classify(leader + "%\nO1\nM30\n%\n" + leader), Content::text);
+}
+
+TEST(Classify, AcceptsTapeReaderControlsAndTheEndOfFileOfDos) {
+    EXPECT_EQ(classify("\x12%\nO1\nM30\n%\n\x14\x1A"), Content::text);
+}
+
+TEST(Classify, AcceptsOneStrayControlByteInAProgram) {
+    EXPECT_EQ(classify("%\nO0001\nG0X0Y0Z50.\n\x01G1Z-5.F100\nM30\n%\n"), Content::text);
+}
+
+TEST(Classify, AcceptsCommentsInAnyEightBitEncoding) {
+    EXPECT_EQ(classify("O1(\x8C\x8A\x96\xBE\x82\xAF)\nM30\n"), Content::text);
+}
+
+TEST(Classify, CallsNulsInsideTheTextBinary) {
+    EXPECT_EQ(classify(std::string("G0X0\n\0\0\0G1X1\n", 14)), Content::binary);
+}
+
+TEST(Classify, CallsARandomFileBinary) {
+    std::mt19937 random(7);
+    std::string noise;
+    while (noise.size() < 4096) noise.push_back(static_cast<char>(random()));
+    EXPECT_EQ(classify(noise), Content::binary);
+}
+
+TEST(Classify, CallsManyControlBytesBinaryEvenWithoutNuls) {
+    EXPECT_EQ(classify("G0\x01\x02\x03\x04X\x05\x06\x07"), Content::binary);
+}
+
+TEST(Classify, TellsUtf16FromOtherBinaryFiles) {
+    EXPECT_EQ(classify(std::string("\xFF\xFE%\0\n\0", 6)), Content::utf16);
+    EXPECT_EQ(classify(std::string("\xFE\xFF\0%\0\n", 6)), Content::utf16);
+}
+
+} // namespace
+} // namespace maclint

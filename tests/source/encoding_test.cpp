@@ -1,0 +1,102 @@
+//! Encodings: what counts as UTF-8, what other bytes become, and what never reaches a terminal raw.
+#include "analyzer/source/encoding.hpp"
+
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+TEST(DetectEncoding, TakesAsciiForUtf8) { EXPECT_EQ(detect_encoding("G0 X0 Y0"), Encoding::utf8); }
+
+TEST(DetectEncoding, AcceptsWellFormedSequencesOfEveryLength) {
+    EXPECT_EQ(detect_encoding("12345678 Ø € \U0001F527 12345678"), Encoding::utf8);
+}
+
+TEST(DetectEncoding, RefusesOverlongFormsSurrogatesAndCutSequences) {
+    const std::vector<std::string_view> broken = {
+        "\xC0\x80",
+        "\xE0\x80\x80",
+        "\xED\xA0\x80",
+        "\xF0\x80\x80\x80",
+        "\xF4\x90\x80\x80",
+        "\xF5\x80\x80\x80",
+        "\x80",
+        "\xE2\x82",
+        "\xC3",
+        "\xC3(",
+        "\xFF",
+    };
+    for (const std::string_view bytes : broken) EXPECT_EQ(detect_encoding(bytes), Encoding::windows_1252);
+}
+
+TEST(DetectEncoding, FindsABrokenByteBehindLongAscii) {
+    EXPECT_EQ(detect_encoding(std::string(1001, 'X') + '\xD8'), Encoding::windows_1252);
+}
+
+TEST(ToUtf8, ReadsLatin1Umlauts) { EXPECT_EQ(to_utf8("(K\xFChlung)", Encoding::windows_1252), "(Kühlung)"); }
+
+TEST(ToUtf8, ReadsTheBytesThatWindowsAdds) {
+    EXPECT_EQ(to_utf8("\x80 \x84 \x96", Encoding::windows_1252), "€ „ –");
+}
+
+TEST(ToUtf8, TurnsShiftJisIntoSomethingValid) {
+    const std::string_view drilling = "(\x8C\x8A\x96\xBE\x82\xAF)"; // 穴明け
+    EXPECT_EQ(detect_encoding(drilling), Encoding::windows_1252);
+    EXPECT_EQ(to_utf8(drilling, Encoding::windows_1252), "(ŒŠ–¾‚¯)");
+}
+
+TEST(ToUtf8, ReplacesASequenceThatASliceCut) {
+    const std::string_view text = "Ø8";
+    EXPECT_EQ(to_utf8(text.substr(1), Encoding::utf8), "\uFFFD8");
+    EXPECT_EQ(to_utf8(text.substr(0, 1), Encoding::utf8), "\uFFFD");
+}
+
+TEST(ToUtf8, NeverGivesInvalidUtf8WhateverTheBytes) {
+    std::mt19937 random(1);
+    for (int round = 0; round < 2000; ++round) {
+        std::string bytes;
+        for (std::size_t length = random() % 24; length > 0; --length)
+            bytes.push_back(static_cast<char>(random()));
+        for (const Encoding encoding : {Encoding::utf8, Encoding::windows_1252}) {
+            EXPECT_EQ(detect_encoding(to_utf8(bytes, encoding)), Encoding::utf8);
+        }
+        EXPECT_EQ(detect_encoding(printable(bytes)), Encoding::utf8);
+    }
+}
+
+TEST(Utf16Length, CountsCodeUnits) {
+    EXPECT_EQ(utf16_length("aØ€", Encoding::utf8), 3U);
+    EXPECT_EQ(utf16_length("\U0001F527", Encoding::utf8), 2U);
+    EXPECT_EQ(utf16_length("\xD8", Encoding::windows_1252), 1U);
+}
+
+TEST(Printable, LeavesTextAndTabsAlone) {
+    EXPECT_EQ(printable("G0\tX1 (Ø8 穴 \U0001F527)"), "G0\tX1 (Ø8 穴 \U0001F527)");
+}
+
+TEST(Printable, EscapesTerminalControlSequences) {
+    EXPECT_EQ(printable("(\x1B[2J\x07)"), "(\\x1B[2J\\x07)");
+    EXPECT_EQ(printable("\x7F"), "\\x7F");
+}
+
+TEST(Printable, EscapesC1Controls) { EXPECT_EQ(printable("\u009B2J"), "\\x9B2J"); }
+
+TEST(Printable, EscapesLineEndsSoThatNoLineCanBeForged) { EXPECT_EQ(printable("a\r\nb"), "a\\r\\nb"); }
+
+TEST(Printable, EscapesBidirectionalControls) {
+    EXPECT_EQ(printable("\u202EM30\u2069"), "\\u{202E}M30\\u{2069}");
+}
+
+TEST(Printable, EscapesInvisibleTags) { EXPECT_EQ(printable("\U000E0041"), "\\u{E0041}"); }
+
+TEST(Printable, EscapesNul) { EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00"); }
+
+TEST(Printable, ReplacesInvalidUtf8) { EXPECT_EQ(printable("a\xD8z"), "a\uFFFDz"); }
+
+} // namespace
+} // namespace maclint

@@ -1,0 +1,132 @@
+//! Reading from disk: what is read byte for byte, and what is refused with words that help.
+#include "analyzer/source/source.hpp"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace maclint {
+namespace {
+
+using testing::HasSubstr;
+
+/// An empty folder for one test.
+class ReadFile : public testing::Test {
+  protected:
+    ReadFile()
+        : folder_(std::filesystem::path(testing::TempDir()) /
+                  ("maclint-read-" + std::to_string(::getpid()))) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~ReadFile() override { std::filesystem::remove_all(folder_); }
+    ReadFile(const ReadFile&) = delete;
+    ReadFile& operator=(const ReadFile&) = delete;
+
+    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    [[nodiscard]] std::string write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(path(name), std::ios::binary) << bytes;
+        return path(name);
+    }
+
+  private:
+    std::filesystem::path folder_;
+};
+
+std::string message_of(const std::string& path) {
+    const auto result = Source::read_file(path);
+    const auto* const error = std::get_if<InputError>(&result);
+    return error == nullptr ? "was read" : error->message;
+}
+
+TEST_F(ReadFile, GivesTheBytesAndThePathAsTheyAre) {
+    const std::string bytes("\0%\r\nO1\n\xD8\r", 10);
+    const std::string path = write("O1.nc", bytes);
+    const auto result = Source::read_file(path);
+    ASSERT_TRUE(std::holds_alternative<Source>(result));
+    EXPECT_EQ(std::get<Source>(result).bytes(), bytes);
+    EXPECT_EQ(std::get<Source>(result).path(), path);
+}
+
+TEST_F(ReadFile, ReadsAnEmptyFile) {
+    const auto result = Source::read_file(write("empty.nc", ""));
+    ASSERT_TRUE(std::holds_alternative<Source>(result));
+    EXPECT_EQ(std::get<Source>(result).size(), 0U);
+}
+
+TEST_F(ReadFile, ReadsAPipeToItsEnd) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe(ends.data()), 0);
+    const std::string text(300'000, 'X');
+    std::thread writer([&text, out = ends[1]] {
+        EXPECT_EQ(::write(out, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+        ::close(out);
+    });
+    const auto result = Source::read_file("/dev/fd/" + std::to_string(ends[0]));
+    writer.join();
+    ::close(ends[0]);
+    ASSERT_TRUE(std::holds_alternative<Source>(result));
+    EXPECT_EQ(std::get<Source>(result).bytes(), text);
+}
+
+TEST_F(ReadFile, DoesNotWaitForAPipeThatNobodyWritesTo) {
+    const std::string pipe = path("pipe");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_TRUE(std::holds_alternative<Source>(Source::read_file(pipe)));
+}
+
+TEST_F(ReadFile, SaysThatAFileIsMissing) {
+    EXPECT_THAT(message_of(path("gone.nc")), HasSubstr("gone.nc' cannot be read: there is no such file"));
+}
+
+TEST_F(ReadFile, RefusesAFolder) { EXPECT_THAT(message_of(path("")), HasSubstr("it is a folder")); }
+
+TEST_F(ReadFile, RefusesADevice) { EXPECT_THAT(message_of("/dev/zero"), HasSubstr("it is a device")); }
+
+TEST_F(ReadFile, SaysThatPermissionIsMissing) {
+    if (::geteuid() == 0) GTEST_SKIP() << "the superuser may read every file";
+    const std::string locked = write("locked.nc", "M30");
+    std::filesystem::permissions(locked, std::filesystem::perms::none);
+    EXPECT_THAT(message_of(locked), HasSubstr("you have no permission"));
+}
+
+TEST_F(ReadFile, RefusesFourGibibytes) {
+    const std::string large = write("large.nc", "");
+    std::error_code error;
+    std::filesystem::resize_file(large, std::uintmax_t{1} << 32U, error); // takes no disk space
+    if (error) GTEST_SKIP() << "the file system has no sparse files";
+    EXPECT_THAT(message_of(large), HasSubstr("4 GiB or more"));
+}
+
+TEST_F(ReadFile, NamesAHostilePathWithoutItsControlCharacters) {
+    EXPECT_THAT(message_of(path("a\x1B[2Jb")), HasSubstr("a\\x1B[2Jb"));
+}
+
+TEST(SourceCopies, ShareBytesThatStayInPlace) {
+    auto original = std::make_unique<Source>(Source::from_bytes("O1.nc", "M30"));
+    const std::string_view view = original->bytes();
+    const Source copy = *original;
+    original.reset();
+    EXPECT_EQ(copy.bytes().data(), view.data());
+    EXPECT_EQ(copy.to_utf8(view), "M30");
+}
+
+TEST(SourceCopies, MayBeAskedForPositionsByManyThreads) {
+    const Source source = Source::from_bytes("O1.nc", std::string(100'000, '\n'));
+    std::vector<std::thread> threads;
+    for (int count = 0; count < 8; ++count) {
+        threads.emplace_back([copy = source] { EXPECT_EQ(copy.position(99'999).line, 100'000U); });
+    }
+    for (std::thread& thread : threads) thread.join();
+}
+
+} // namespace
+} // namespace maclint
