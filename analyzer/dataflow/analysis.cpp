@@ -11,7 +11,8 @@
 namespace maclint::dataflow {
 namespace {
 
-/// So many visits of a loop head before its bounds are widened, and of any node before its old state is kept in the join.
+/// So many visits of a loop head before its bounds are widened, and of any node before its old state is kept
+/// in the join.
 constexpr std::uint32_t visits_before_widening = 2;
 constexpr std::uint32_t visits_before_keeping = 12;
 constexpr std::size_t most_thresholds = 128;
@@ -23,7 +24,8 @@ std::vector<double> thresholds_of(const Program& program) {
         const auto* apply = std::get_if<Apply>(&expression.node);
         if (apply == nullptr || !is_comparison(apply->operation)) continue;
         for (const ExpressionId operand : program.operands_of(*apply))
-            if (const auto* literal = std::get_if<Literal>(&program.expressions[operand].node)) numbers.push_back(literal->value);
+            if (const auto* literal = std::get_if<Literal>(&program.expressions[operand].node))
+                numbers.push_back(literal->value);
         if (numbers.size() > most_thresholds) break;
     }
     std::ranges::sort(numbers);
@@ -31,20 +33,20 @@ std::vector<double> thresholds_of(const Program& program) {
     return numbers;
 }
 
-}  // namespace
+} // namespace
 
 /// Fills an Analysis.
 class Solver {
-public:
+  public:
     Solver(const Program& program, const flow::Graph& graph, const Callees& callees, Analysis& result)
-        : program_(program),
-          graph_(graph),
-          states_(*result.states_),
-          transfer_(program, graph, states_, callees),
-          result_(result),
-          thresholds_(thresholds_of(program)),
-          along_(graph.edges.size()),
-          visits_(graph.nodes.size(), 0) {}
+        : program_(program)
+        , graph_(graph)
+        , states_(*result.states_)
+        , transfer_(program, graph, states_, callees)
+        , result_(result)
+        , thresholds_(thresholds_of(program))
+        , along_(graph.edges.size())
+        , visits_(graph.nodes.size(), 0) {}
 
     void run() {
         result_.before_.resize(graph_.nodes.size());
@@ -57,7 +59,7 @@ public:
         summarise();
     }
 
-private:
+  private:
     void collect_heads() {
         head_.assign(graph_.nodes.size(), false);
         for (const flow::Edge& edge : graph_.edges) {
@@ -92,8 +94,10 @@ private:
             const State& old = result_.before_[node];
             const std::uint32_t visit = visits_[node]++;
             if (old.reached) {
-                if (head_[node] && visit >= visits_before_widening) state = states_.widen(old, state, node, thresholds_);
-                else if (visit >= visits_before_keeping) state = states_.join(old, state, node);
+                if (head_[node] && visit >= visits_before_widening)
+                    state = states_.widen(old, state, node, thresholds_);
+                else if (visit >= visits_before_keeping)
+                    state = states_.join(old, state, node);
                 if (state == old) continue;
             }
             result_.before_[node] = state;
@@ -101,7 +105,7 @@ private:
         }
     }
 
-    template <class Add>
+    template<class Add>
     void pass_on(flow::NodeId node, const State& state, const Add& add) {
         const State after = transfer_.run(node, state);
         for (const flow::EdgeId edge : graph_.out[node]) {
@@ -139,7 +143,8 @@ private:
             if (leaves[node]) after[node] = state;
         }
         transfer_.record_in(nullptr);
-        for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge) result_.passable_[edge] = along_[edge].reached;
+        for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge)
+            result_.passable_[edge] = along_[edge].reached;
         for (const flow::Exit& exit : graph_.exits) {
             if (!after[exit.node]) continue;
             result_.facts_.exits.push_back({exit, *after[exit.node]});
@@ -151,9 +156,11 @@ private:
         summary.known = true;
         State left;
         for (const ExitState& exit : result_.facts_.exits) {
-            if (exit.exit.kind != flow::ExitKind::returns && exit.exit.kind != flow::ExitKind::runs_off) continue;
+            if (exit.exit.kind != flow::ExitKind::returns && exit.exit.kind != flow::ExitKind::runs_off)
+                continue;
             left = states_.join(left, exit.state, static_cast<flow::NodeId>(graph_.nodes.size()));
-            if (exit.exit.effect) add_resume_label(std::get<Return>(program_.effects[*exit.exit.effect].what));
+            if (exit.exit.effect)
+                add_resume_label(std::get<Return>(program_.effects[*exit.exit.effect].what));
         }
         summary.returns = left.reached;
         if (!left.reached) return;
@@ -164,7 +171,8 @@ private:
                 const Value& value = states_.pool().values[id];
                 const Symbol& symbol = states_.pool().symbols[value.symbol];
                 if (symbol.kind == Symbol::Kind::entry && symbol.a == key) return;
-                summary.places.push_back({place_of(key), value.vacancy, value.low, value.high, value.integer, value.exactness});
+                summary.places.push_back(
+                    {place_of(key), value.vacancy, value.low, value.high, value.integer, value.exactness});
             } else if (is_group_key(key)) {
                 summary.groups.push_back(describe(static_cast<GroupId>(key), states_.pool().modals[id]));
             }
@@ -174,16 +182,20 @@ private:
     [[nodiscard]] GroupChange describe(GroupId group, const ModalValue& value) const {
         GroupChange change{group, false, {}, value.unknown};
         for (const ModalPart& part : value.parts) {
-            if (states_.pool().entry_group_of(part.symbol) == group) change.may_keep = true;
-            else if (const auto code = states_.pool().number_of(part.symbol)) change.codes.push_back(*code);
-            else change.other = true;
+            if (states_.pool().entry_group_of(part.symbol) == group)
+                change.may_keep = true;
+            else if (const auto code = states_.pool().number_of(part.symbol))
+                change.codes.push_back(*code);
+            else
+                change.other = true;
         }
         return change;
     }
 
     void add_resume_label(const Return& back) {
         if (!back.resume_label) return;
-        if (const auto label = flow::constant_target(program_, *back.resume_label)) result_.summary_.resume_labels.push_back(*label);
+        if (const auto label = flow::constant_target(program_, *back.resume_label))
+            result_.summary_.resume_labels.push_back(*label);
     }
 
     const Program& program_;
@@ -197,7 +209,8 @@ private:
     std::vector<bool> head_;
 };
 
-Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge, const Callees& callees)
+Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge,
+                   const Callees& callees)
     : states_(std::make_unique<States>(program, std::move(knowledge))) {
     Solver(program, graph, callees, *this).run();
 }
@@ -208,7 +221,9 @@ Analysis::~Analysis() = default;
 
 Entry Analysis::entry() const { return states_->entry(); }
 const Pool& Analysis::pool() const { return states_->pool(); }
-const ModalValue& Analysis::modal(const State& state, GroupId group) const { return states_->read(state, group); }
+const ModalValue& Analysis::modal(const State& state, GroupId group) const {
+    return states_->read(state, group);
+}
 Value Analysis::value(const State& state, Place place) const { return states_->read(state, place); }
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

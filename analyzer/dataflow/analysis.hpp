@@ -11,9 +11,10 @@
 namespace maclint::dataflow {
 
 class Analysis {
-public:
+  public:
     /// Solves at once. The references must outlive the analysis.
-    Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge, const Callees& callees);
+    Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge,
+             const Callees& callees);
     Analysis(Analysis&&) noexcept;
     Analysis& operator=(Analysis&&) noexcept;
     ~Analysis();
@@ -33,7 +34,7 @@ public:
     [[nodiscard]] Value value(const State& state, Place place) const;
     [[nodiscard]] const State& before(flow::NodeId node) const { return before_[node]; }
 
-private:
+  private:
     friend class Solver;
     std::unique_ptr<States> states_;
     std::vector<State> before_;
@@ -43,4 +44,4 @@ private:
     Summary summary_;
 };
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

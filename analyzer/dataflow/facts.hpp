@@ -16,16 +16,16 @@ struct Comparison {
     ExpressionId expression;
     Operation operation;
     ExpressionId left_expression;
-    ExpressionId right_expression;  ///< vacancy tests: the same as left
+    ExpressionId right_expression; ///< vacancy tests: the same as left
     Value left;
-    Value right;                    ///< vacancy tests: the same as left
+    Value right; ///< vacancy tests: the same as left
     Truth truth;
 };
 
 /// A whole condition of IF or WHILE that can be reached.
 struct Condition {
     flow::NodeId node;
-    EffectId effect;                ///< Guarded or Structure
+    EffectId effect; ///< Guarded or Structure
     ExpressionId expression;
     Truth truth;
 };
@@ -42,20 +42,28 @@ struct Read {
     Use use;
 };
 
+/// How a store changes the variable's own value: v = v + amount, v = v - amount.
+struct Step {
+    Operation operation;     ///< add or subtract
+    ExpressionId expression; ///< of the amount
+    Value amount;
+};
+
 struct Store {
     flow::NodeId node;
     EffectId effect;
     Place place;
     ExpressionId expression;
     Value value;
+    std::optional<Step> step;
 };
 
 /// A modal group set by a block that is not plain.
 struct ModalWrite {
     flow::NodeId node;
     EffectId effect;
-    std::optional<GroupId> group;   ///< as written, or as the value decides; empty: nobody knows
-    bool stated;                    ///< the word names the group (F#4); otherwise the value decides (G#3)
+    std::optional<GroupId> group; ///< as written, or as the value decides; empty: nobody knows
+    bool stated;                  ///< the word names the group (F#4); otherwise the value decides (G#3)
     ExpressionId expression;
     Value value;
 };
@@ -80,7 +88,7 @@ struct Facts {
     std::vector<Store> stores;
     std::vector<ModalWrite> modal_writes;
     std::vector<ComputedJump> computed_jumps;
-    std::vector<ExitState> exits;   ///< reached ones
+    std::vector<ExitState> exits; ///< reached ones
 };
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

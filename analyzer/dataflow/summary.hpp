@@ -19,21 +19,22 @@ struct PlaceChange {
 
 struct GroupChange {
     GroupId group;
-    bool may_keep;              ///< on some way the caller's code is in force again
-    std::vector<double> codes;  ///< codes that the program may leave behind
-    bool other;                 ///< it may leave something else behind
+    bool may_keep;             ///< on some way the caller's code is in force again
+    std::vector<double> codes; ///< codes that the program may leave behind
+    bool other;                ///< it may leave something else behind
 };
 
 struct Summary {
-    bool known = false;         ///< false: the program is not there, everything may change
-    bool returns = true;        ///< at least one way leads back to the caller
-    std::vector<PlaceChange> places;   ///< all that it may write and the caller can see (locals for calls that share them)
-    std::vector<SpaceId> forgotten;    ///< spaces of which anything may have changed
+    bool known = false;  ///< false: the program is not there, everything may change
+    bool returns = true; ///< at least one way leads back to the caller
+    std::vector<PlaceChange>
+        places; ///< all that it may write and the caller can see (locals for calls that share them)
+    std::vector<SpaceId> forgotten; ///< spaces of which anything may have changed
     std::vector<GroupChange> groups;
-    std::vector<std::int64_t> resume_labels;  ///< M99 P
+    std::vector<std::int64_t> resume_labels; ///< M99 P
 };
 
 /// The summary of the program that a call means; never null, an unknown program has Summary{}.
 using Callees = std::function<const Summary&(EffectId call)>;
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
@@ -16,7 +17,7 @@ constexpr double most_indexed_places = 64;
 constexpr double modal_call_code = 66;
 constexpr double no_modal_call_code = 67;
 
-}  // namespace
+} // namespace
 
 State Transfer::run(flow::NodeId node, State state) {
     node_ = node;
@@ -53,16 +54,19 @@ void Transfer::apply(State& state, const Effect& effect) {
                    [&](const Motion&) { move(state); },
                    [&](const Call& what) { call(state, what); },
                    [&](const EndModalCall&) {
-                       if (const auto group = modal_call_group()) set_code(state, *group, no_modal_call_code, states_.pool().origins(here()));
+                       if (const auto group = modal_call_group())
+                           set_code(state, *group, no_modal_call_code, states_.pool().origins(here()));
                    },
                    [&](const Guarded& what) {
                        const Truth truth = judge(state, what.condition);
-                       if (facts_ != nullptr) facts_->conditions.push_back({node_, effect_, what.condition, truth});
+                       if (facts_ != nullptr)
+                           facts_->conditions.push_back({node_, effect_, what.condition, truth});
                    },
                    [&](const Structure& what) {
                        if (!what.condition) return;
                        const Truth truth = judge(state, *what.condition);
-                       if (facts_ != nullptr) facts_->conditions.push_back({node_, effect_, *what.condition, truth});
+                       if (facts_ != nullptr)
+                           facts_->conditions.push_back({node_, effect_, *what.condition, truth});
                    },
                    [&](const Jump& what) {
                        const Value target = evaluate(state, what.target, Use::jump);
@@ -76,7 +80,8 @@ void Transfer::apply(State& state, const Effect& effect) {
                    [&](const UnreadableBlock& what) {
                        for (const Place place : what.may_write) {
                            Value value;
-                           value.symbol = states_.pool().symbols({Symbol::Kind::opaque, effect_, 4, static_cast<std::uint32_t>(place.number)});
+                           value.symbol = states_.pool().symbols(
+                               {Symbol::Kind::opaque, effect_, 4, static_cast<std::uint32_t>(place.number)});
                            states_.write(state, place, value);
                        }
                        if (what.may_call_or_return) forget_shared(state);
@@ -89,7 +94,8 @@ void Transfer::apply(State& state, const Effect& effect) {
                effect.what);
 }
 
-// ---- stores ------------------------------------------------------------------------------------------------------
+// ---- stores
+// ------------------------------------------------------------------------------------------------------
 
 void Transfer::assign(State& state, const Assign& assign) {
     const Value value = evaluate(state, assign.value, Use::copy);
@@ -102,7 +108,9 @@ void Transfer::assign(State& state, const Assign& assign) {
 }
 
 void Transfer::store(State& state, Place place, Value value, ExpressionId expression) {
-    if (facts_ != nullptr) facts_->stores.push_back({node_, effect_, place, expression, value});
+    if (facts_ != nullptr)
+        facts_->stores.push_back(
+            {node_, effect_, place, expression, value, step_of(state, place, expression)});
     value.origin = states_.pool().origins(here());
     states_.write(state, place, value);
 }
@@ -114,27 +122,55 @@ void Transfer::store_at(State& state, const StoreAt& target, const Value& value,
         const auto rounded = static_cast<std::int32_t>(std::lround(*number));
         const VariableRange* range = family.find(rounded);
         if (range == nullptr) return;
-        if (range->on_write == OnWrite::set_modal) set_group(state, range->group, value);
-        else if (range->meaning == Meaning::place) store(state, {range->space, rounded}, value, expression);
+        if (range->on_write == OnWrite::set_modal)
+            set_group(state, range->group, value);
+        else if (range->meaning == Meaning::place)
+            store(state, {range->space, rounded}, value, expression);
         return;
     }
     for (const VariableRange& range : family.ranges) {
-        if (range.meaning != Meaning::place || !(index.low <= range.last && range.first <= index.high)) continue;
+        if (range.meaning != Meaning::place || !(index.low <= range.last && range.first <= index.high))
+            continue;
         const double first = std::max<double>(index.low, range.first);
         const double last = std::min<double>(index.high, range.last);
         if (last - first > most_indexed_places) {
             states_.forget(state, range.space, here());
             continue;
         }
-        for (auto number = static_cast<std::int32_t>(std::lround(first)); number <= std::lround(last); ++number) {
+        for (auto number = static_cast<std::int32_t>(std::lround(first)); number <= std::lround(last);
+             ++number) {
             Value unknown;
-            unknown.symbol = states_.pool().symbols({Symbol::Kind::opaque, effect_, 5, static_cast<std::uint32_t>(number)});
+            unknown.symbol = states_.pool().symbols(
+                {Symbol::Kind::opaque, effect_, 5, static_cast<std::uint32_t>(number)});
             states_.write(state, {range.space, number}, unknown);
         }
     }
 }
 
-// ---- modal groups ------------------------------------------------------------------------------------------------
+/// Recognises v = v + amount, v = amount + v and v = v - amount.
+std::optional<Step> Transfer::step_of(const State& state, Place place, ExpressionId value) {
+    const auto* apply = std::get_if<Apply>(&program_.expressions[value].node);
+    if (apply == nullptr || (apply->operation != Operation::add && apply->operation != Operation::subtract))
+        return std::nullopt;
+    const auto operands = program_.operands_of(*apply);
+    const auto is_self = [&](ExpressionId id) {
+        const auto* load = std::get_if<Load>(&program_.expressions[id].node);
+        return load != nullptr && load->place == place;
+    };
+    std::optional<ExpressionId> amount;
+    if (is_self(operands[0]))
+        amount = operands[1];
+    else if (apply->operation == Operation::add && is_self(operands[1]))
+        amount = operands[0];
+    if (!amount) return std::nullopt;
+    Facts* const facts = std::exchange(facts_, nullptr); // its reads are recorded already
+    const Step step{apply->operation, *amount, evaluate(state, *amount, Use::arithmetic)};
+    facts_ = facts;
+    return step;
+}
+
+// ---- modal groups
+// ------------------------------------------------------------------------------------------------
 
 std::optional<GroupId> Transfer::modal_call_group() const {
     const auto& groups = program_.control->groups;
@@ -152,13 +188,17 @@ void Transfer::set_modal(State& state, const SetModal& set) {
         if (!group)
             if (const auto code = value.constant()) group = program_.control->group_of('G', *code);
     }
-    if (facts_ != nullptr) facts_->modal_writes.push_back({node_, effect_, group, set.group.has_value(), set.value, value});
-    if (group) set_group(state, *group, value);
-    else if (!value.constant() && value.vacancy != Vacancy::vacant) doubt_groups(state, 'G');
+    if (facts_ != nullptr)
+        facts_->modal_writes.push_back({node_, effect_, group, set.group.has_value(), set.value, value});
+    if (group)
+        set_group(state, *group, value);
+    else if (!value.constant() && value.vacancy != Vacancy::vacant)
+        doubt_groups(state, 'G');
 }
 
 void Transfer::set_group(State& state, GroupId group, const Value& value) {
-    if (value.vacancy == Vacancy::vacant) return;  // a word with a vacant variable is ignored [SEED-001:187-195]
+    if (value.vacancy == Vacancy::vacant)
+        return; // a word with a vacant variable is ignored [SEED-001:187-195]
     const OriginId origin = states_.pool().origins(here());
     if (value.vacancy == Vacancy::maybe) {
         ModalValue either = states_.read(state, group);
@@ -188,14 +228,18 @@ void Transfer::doubt_groups(State& state, char letter) {
     }
 }
 
-// ---- calls -------------------------------------------------------------------------------------------------------
+// ---- calls
+// -------------------------------------------------------------------------------------------------------
 
 void Transfer::call(State& state, const Call& call) {
-    for (const Argument& argument : program_.arguments_of(call)) (void)evaluate(state, argument.value, Use::argument);
+    for (const Argument& argument : program_.arguments_of(call))
+        (void)evaluate(state, argument.value, Use::argument);
     if (call.repeat) (void)evaluate(state, *call.repeat, Use::word);
-    if (const auto* number = std::get_if<ExpressionId>(&call.program)) (void)evaluate(state, *number, Use::word);
+    if (const auto* number = std::get_if<ExpressionId>(&call.program))
+        (void)evaluate(state, *number, Use::word);
     if (program_.control->calls[call.kind].when == When::once) return run_program(state, effect_, call);
-    if (const auto group = modal_call_group()) set_code(state, *group, modal_call_code, states_.pool().origins(here()));
+    if (const auto group = modal_call_group())
+        set_code(state, *group, modal_call_code, states_.pool().origins(here()));
 }
 
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
@@ -204,12 +248,15 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         forget_shared(state);
         if (program_.control->calls[call.kind].frame == Frame::shared)
             for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-                if (program_.control->spaces[i].scope == Scope::frame) states_.forget(state, static_cast<SpaceId>(i), here());
+                if (program_.control->spaces[i].scope == Scope::frame)
+                    states_.forget(state, static_cast<SpaceId>(i), here());
         for (const char letter : {'G', 'F', 'S', '#'}) doubt_groups(state, letter);
         return;
     }
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
-    const auto visible = [&](SpaceId space) { return shared_frame || program_.control->spaces[space].scope != Scope::frame; };
+    const auto visible = [&](SpaceId space) {
+        return shared_frame || program_.control->spaces[space].scope != Scope::frame;
+    };
     for (const SpaceId space : summary.forgotten)
         if (visible(space)) states_.forget(state, space, here());
     for (const PlaceChange& change : summary.places) {
@@ -217,7 +264,9 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         Value value;
         value.symbol = states_.pool().symbols({Symbol::Kind::opaque, key_of(change.place), 6, effect_});
         value.vacancy = change.vacancy;
-        value.doubt = change.vacancy == Vacancy::maybe || change.vacancy == Vacancy::vacant ? states_.pool().origins(here()) : 0;
+        value.doubt = change.vacancy == Vacancy::maybe || change.vacancy == Vacancy::vacant
+                          ? states_.pool().origins(here())
+                          : 0;
         value.low = change.low;
         value.high = change.high;
         value.integer = change.integer;
@@ -242,7 +291,8 @@ void Transfer::change_groups(State& state, const Summary& summary) {
 
 void Transfer::forget_shared(State& state) {
     for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-        if (program_.control->spaces[i].scope != Scope::frame) states_.forget(state, static_cast<SpaceId>(i), here());
+        if (program_.control->spaces[i].scope != Scope::frame)
+            states_.forget(state, static_cast<SpaceId>(i), here());
 }
 
 void Transfer::move(State& state) {
@@ -268,7 +318,8 @@ void Transfer::run_of_plain_blocks(State& state, flow::NodeId node) {
     const auto& run = std::get<Run>(program_.items[n.item]);
     if (run.moves) move(state);
     const auto set = [&](const ModalSetting& setting) {
-        set_code(state, setting.group, setting.value, states_.pool().origins({Origin::Kind::run, setting.group, node_}));
+        set_code(state, setting.group, setting.value,
+                 states_.pool().origins({Origin::Kind::run, setting.group, node_}));
     };
     if (n.part.begin == run.span.begin && n.part.end == run.span.end) {
         std::ranges::for_each(program_.net_of(run), set);
@@ -278,12 +329,14 @@ void Transfer::run_of_plain_blocks(State& state, flow::NodeId node) {
     program_.for_each_block(n.part, [&](const PlainBlock& block) {
         for (const ModalSetting& setting : block.settings) {
             const auto known = std::ranges::find(net, setting.group, &ModalSetting::group);
-            if (known == net.end()) net.push_back(setting);
-            else known->value = setting.value;
+            if (known == net.end())
+                net.push_back(setting);
+            else
+                known->value = setting.value;
         }
         return true;
     });
     std::ranges::for_each(net, set);
 }
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

@@ -8,21 +8,26 @@
 namespace maclint::dataflow {
 
 class Transfer {
-public:
+  public:
     Transfer(const Program& program, const flow::Graph& graph, States& states, const Callees& callees)
-        : program_(program), graph_(graph), states_(states), callees_(callees) {}
+        : program_(program)
+        , graph_(graph)
+        , states_(states)
+        , callees_(callees) {}
 
     /// From now on everything read, compared and set is written down there; nullptr ends it.
     void record_in(Facts* facts) { facts_ = facts; }
 
     /// The state after the node.
     [[nodiscard]] State run(flow::NodeId node, State state);
-    /// The state on an edge, given the state after the node it leaves; not reached when the edge cannot be taken.
+    /// The state on an edge, given the state after the node it leaves; not reached when the edge cannot be
+    /// taken.
     [[nodiscard]] State along(const flow::Edge& edge, State after);
 
-private:
+  private:
     [[nodiscard]] Value evaluate(const State& state, ExpressionId id, Use use);
-    [[nodiscard]] Value load_at(const State& state, FamilyId family, const Value& index, ExpressionId id, Use use);
+    [[nodiscard]] Value load_at(const State& state, FamilyId family, const Value& index, ExpressionId id,
+                                Use use);
     [[nodiscard]] Value load_modal(const State& state, GroupId group, ExpressionId id);
     [[nodiscard]] Value opaque(ExpressionId id);
     [[nodiscard]] Truth judge(const State& state, ExpressionId id);
@@ -34,6 +39,7 @@ private:
 
     void apply(State& state, const Effect& effect);
     void assign(State& state, const Assign& assign);
+    [[nodiscard]] std::optional<Step> step_of(const State& state, Place place, ExpressionId value);
     void store(State& state, Place place, Value value, ExpressionId expression);
     void store_at(State& state, const StoreAt& target, const Value& value, ExpressionId expression);
     void set_modal(State& state, const SetModal& set);
@@ -58,4 +64,4 @@ private:
     EffectId effect_ = 0;
 };
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

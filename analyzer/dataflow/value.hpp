@@ -1,4 +1,5 @@
-//! What is known of one value: vacant or not, how large, how exact, and which computation it is the result of.
+//! What is known of one value: vacant or not, how large, how exact, and which computation it is the result
+//! of.
 #pragma once
 
 #include "analyzer/program/model.hpp"
@@ -11,33 +12,35 @@
 
 namespace maclint::dataflow {
 
-/// `maybe` is known to be possible and has a reason (Value::doubt); `unknown` is ignorance and proves nothing.
+/// `maybe` is known to be possible and has a reason (Value::doubt); `unknown` is ignorance and proves
+/// nothing.
 enum class Vacancy : std::uint8_t { set, vacant, maybe, unknown };
 
 /// Whether rounding has touched a value. `rounded` has a place (Value::rounding).
 enum class Exactness : std::uint8_t { exact, unknown, rounded };
 
-using SymbolId = std::uint32_t;  ///< equal symbols at one point of the program are equal values
-using OriginId = std::uint32_t;  ///< 0: none
+using SymbolId = std::uint32_t; ///< equal symbols at one point of the program are equal values
+using OriginId = std::uint32_t; ///< 0: none
 
 /// Where something came from.
 struct Origin {
     enum class Kind : std::uint8_t { none, entry, effect, expression, run } kind;
-    std::uint32_t id;    ///< effect or expression; entry: the number of the place; run: the modal group that a plain block set
-    std::uint32_t node;  ///< flow node; entry: the space of the place
+    std::uint32_t id;   ///< effect or expression; entry: the number of the place; run: the modal group that a
+                        ///< plain block set
+    std::uint32_t node; ///< flow node; entry: the space of the place
     friend bool operator==(const Origin&, const Origin&) = default;
 };
 
 /// A computation, as a value number.
 struct Symbol {
     enum class Kind : std::uint8_t {
-        constant,     ///< a: the bits of the number
+        constant, ///< a: the bits of the number
         vacant,
-        entry,        ///< a: key; the value at the program's start
-        entry_group,  ///< a: group; the code in force when the program was called
-        opaque,       ///< a: expression or effect, b: what for; nothing more is known
-        joined,       ///< a: key, b: node where ways with different values meet
-        result,       ///< a: operation, b, c: operand symbols
+        entry,       ///< a: key; the value at the program's start
+        entry_group, ///< a: group; the code in force when the program was called
+        opaque,      ///< a: expression or effect, b: what for; nothing more is known
+        joined,      ///< a: key, b: node where ways with different values meet
+        result,      ///< a: operation, b, c: operand symbols
     } kind;
     std::uint64_t a;
     std::uint32_t b, c;
@@ -46,26 +49,30 @@ struct Symbol {
 
 struct Value {
     SymbolId symbol = 0;
-    OriginId origin = 0;    ///< the store that made it the content of its variable
-    OriginId doubt = 0;     ///< why it can be vacant
-    OriginId rounding = 0;  ///< where it was rounded
+    OriginId origin = 0;   ///< the store that made it the content of its variable
+    OriginId doubt = 0;    ///< why it can be vacant, or 0 because something else is vacant
+    OriginId rounding = 0; ///< where it was rounded
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     Vacancy vacancy = Vacancy::unknown;
     Exactness exactness = Exactness::unknown;
     bool integer = false;
+    bool nonzero = false; ///< known not to be 0 although the range holds it
 
     [[nodiscard]] std::optional<double> constant() const {
-        return low == high && vacancy != Vacancy::vacant && vacancy != Vacancy::maybe ? std::optional(low) : std::nullopt;
+        return low == high && vacancy != Vacancy::vacant && vacancy != Vacancy::maybe ? std::optional(low)
+                                                                                      : std::nullopt;
     }
-    [[nodiscard]] bool can_be(double number) const { return low <= number && number <= high; }
+    [[nodiscard]] bool can_be(double number) const {
+        return low <= number && number <= high && !(nonzero && number == 0);
+    }
     friend bool operator==(const Value&, const Value&) = default;
 };
 
 /// One way a modal group can be: a code, the caller's code, a value.
 struct ModalPart {
     SymbolId symbol;
-    OriginId origin;  ///< what set it; 0: nothing in this program
+    OriginId origin; ///< what set it; 0: nothing in this program
     friend bool operator==(const ModalPart&, const ModalPart&) = default;
 };
 
@@ -77,9 +84,9 @@ struct ModalValue {
 };
 
 /// Stores equal things once and names them by number.
-template <class T, class Hash>
+template<class T, class Hash>
 class Interner {
-public:
+  public:
     std::uint32_t operator()(const T& thing) {
         const auto [found, fresh] = ids_.try_emplace(thing, static_cast<std::uint32_t>(things_.size()));
         if (fresh) things_.push_back(thing);
@@ -87,15 +94,23 @@ public:
     }
     [[nodiscard]] const T& operator[](std::uint32_t id) const { return things_[id]; }
 
-private:
+  private:
     std::unordered_map<T, std::uint32_t, Hash> ids_;
     std::vector<T> things_;
 };
 
-struct HashValue { std::size_t operator()(const Value& value) const; };
-struct HashSymbol { std::size_t operator()(const Symbol& symbol) const; };
-struct HashOrigin { std::size_t operator()(const Origin& origin) const; };
-struct HashModal { std::size_t operator()(const ModalValue& value) const; };
+struct HashValue {
+    std::size_t operator()(const Value& value) const;
+};
+struct HashSymbol {
+    std::size_t operator()(const Symbol& symbol) const;
+};
+struct HashOrigin {
+    std::size_t operator()(const Origin& origin) const;
+};
+struct HashModal {
+    std::size_t operator()(const ModalValue& value) const;
+};
 
 /// The tables of one program's analysis.
 struct Pool {
@@ -114,4 +129,4 @@ struct Pool {
 [[nodiscard]] Value number_value(Pool& pool, double number);
 [[nodiscard]] Value vacant_value(Pool& pool, OriginId doubt);
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

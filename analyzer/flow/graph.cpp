@@ -20,7 +20,7 @@ constexpr std::size_t most_computed_edges = 20'000;
 /// What something in the program may jump to.
 struct Wanted {
     std::unordered_set<std::int64_t> numbers;
-    bool any = false;  ///< a computed jump: every sequence number
+    bool any = false; ///< a computed jump: every sequence number
 
     [[nodiscard]] bool operator()(std::int64_t number) const { return any || numbers.contains(number); }
     [[nodiscard]] bool nothing() const { return !any && numbers.empty(); }
@@ -35,9 +35,11 @@ struct Loose {
 };
 
 class Building {
-public:
+  public:
     Building(const Program& program, const Structures& structures, const ResumeLabels& resumes_at)
-        : program_(program), structures_(structures), resumes_at_(resumes_at) {
+        : program_(program)
+        , structures_(structures)
+        , resumes_at_(resumes_at) {
         for (StructureId id = 0; id < structures.all.size(); ++id) {
             const Paired& paired = structures.all[id];
             by_effect_.emplace(paired.open, id);
@@ -53,8 +55,7 @@ public:
             for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) take_item(i);
         }
         if (graph_.nodes.empty()) new_node(0, program_.span, {}, false);
-        for (const Loose& loose : loose_)
-            graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
+        for (const Loose& loose : loose_) graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
         resolve_jumps();
         resolve_resumes();
         index_edges();
@@ -62,8 +63,9 @@ public:
         return std::move(graph_);
     }
 
-private:
-    // ---- what is jumped to -------------------------------------------------------------------------------------
+  private:
+    // ---- what is jumped to
+    // -------------------------------------------------------------------------------------
 
     void collect_wanted() {
         for_each_effect(program_, [this](EffectId id) {
@@ -82,16 +84,20 @@ private:
     }
 
     void want(std::optional<std::int64_t> number) {
-        if (number) wanted_.numbers.insert(*number);
-        else wanted_.any = true;
+        if (number)
+            wanted_.numbers.insert(*number);
+        else
+            wanted_.any = true;
     }
 
-    // ---- nodes in text order -----------------------------------------------------------------------------------
+    // ---- nodes in text order
+    // -----------------------------------------------------------------------------------
 
     NodeId new_node(ItemId item, Span part, Slice effects, bool is_run) {
         const auto id = static_cast<NodeId>(graph_.nodes.size());
         graph_.nodes.push_back({item, part, effects, is_run});
-        for (const Loose& loose : loose_) add_edge({loose.from, id, loose.kind, loose.condition, loose.holds, {}, {}});
+        for (const Loose& loose : loose_)
+            add_edge({loose.from, id, loose.kind, loose.condition, loose.holds, {}, {}});
         loose_ = {{id, EdgeKind::next, {}, true}};
         return id;
     }
@@ -99,7 +105,8 @@ private:
     void add_edge(const Edge& edge) { graph_.edges.push_back(edge); }
 
     void take_item(ItemId item) {
-        std::visit(overloaded{[&](const Block& block) { take_block(item, block); }, [&](const Run& run) { take_run(item, run); }},
+        std::visit(overloaded{[&](const Block& block) { take_block(item, block); },
+                              [&](const Run& run) { take_run(item, run); }},
                    program_.items[item]);
     }
 
@@ -113,8 +120,8 @@ private:
             if (!block.sequence_number || !wanted_(*block.sequence_number)) return true;
             if (block.span.begin > begin) new_node(item, {begin, block.span.begin}, {}, true);
             begin = block.span.begin;
-            graph_.labels.push_back(Label{*block.sequence_number, static_cast<NodeId>(graph_.nodes.size()), block.sequence_number_span,
-                                           block.span});
+            graph_.labels.push_back(Label{*block.sequence_number, static_cast<NodeId>(graph_.nodes.size()),
+                                          block.sequence_number_span, block.span});
             return true;
         });
         new_node(item, {begin, run.span.end}, {}, true);
@@ -186,36 +193,38 @@ private:
         loose_.clear();
     }
 
-    // ---- structures --------------------------------------------------------------------------------------------
+    // ---- structures
+    // --------------------------------------------------------------------------------------------
 
     /// The open structure while its body is being built.
     struct Open {
         NodeId header;
         std::optional<ExpressionId> condition;
-        std::vector<Loose> to_close;   ///< ends of the branches of a choice
-        std::optional<Loose> otherwise;  ///< the way when the condition does not hold, until a middle or the close takes it
+        std::vector<Loose> to_close; ///< ends of the branches of a choice
+        std::optional<Loose>
+            otherwise; ///< the way when the condition does not hold, until a middle or the close takes it
     };
 
     void leave_structure(NodeId node, EffectId id, const Structure& structure) {
         const auto found = by_effect_.find(id);
-        if (found == by_effect_.end()) return;  // a stray END: the control goes on
+        if (found == by_effect_.end()) return; // a stray END: the control goes on
         const Paired& paired = structures_.all[found->second];
         switch (structure.part) {
-            case Structure::Part::open: {
-                if (!paired.close) return;  // without its END the loop is read as plain text
-                Open open{node, paired.condition, {}, {}};
-                loose_.clear();
-                if (paired.condition) {
-                    loose_.push_back({node, EdgeKind::branch, paired.condition, true});
-                    open.otherwise = Loose{node, EdgeKind::branch, paired.condition, false};
-                } else {
-                    loose_.push_back({node, EdgeKind::next, {}, true});
-                }
-                open_.emplace(found->second, std::move(open));
-                break;
+        case Structure::Part::open: {
+            if (!paired.close) return; // without its END the loop is read as plain text
+            Open open{node, paired.condition, {}, {}};
+            loose_.clear();
+            if (paired.condition) {
+                loose_.push_back({node, EdgeKind::branch, paired.condition, true});
+                open.otherwise = Loose{node, EdgeKind::branch, paired.condition, false};
+            } else {
+                loose_.push_back({node, EdgeKind::next, {}, true});
             }
-            case Structure::Part::middle: middle(found->second); break;
-            case Structure::Part::close: close(found->second, node); break;
+            open_.emplace(found->second, std::move(open));
+            break;
+        }
+        case Structure::Part::middle: middle(found->second); break;
+        case Structure::Part::close: close(found->second, node); break;
         }
     }
 
@@ -242,16 +251,19 @@ private:
         open_.erase(found);
     }
 
-    // ---- jumps -------------------------------------------------------------------------------------------------
+    // ---- jumps
+    // -------------------------------------------------------------------------------------------------
 
     void resolve_jumps() {
         index_labels();
-        const auto computed = static_cast<std::size_t>(std::ranges::count_if(graph_.jumps, [](const ResolvedJump& j) { return !j.number; }));
+        const auto computed = static_cast<std::size_t>(
+            std::ranges::count_if(graph_.jumps, [](const ResolvedJump& j) { return !j.number; }));
         const bool share = computed * graph_.labels.size() > most_computed_edges;
         std::optional<NodeId> shared;
         for (ResolvedJump& jump : graph_.jumps) {
             if (jump.number) {
-                if (const Label* label = graph_.find_label(*jump.number, graph_.nodes[jump.node].part.begin)) {
+                if (const Label* label =
+                        graph_.find_label(*jump.number, graph_.nodes[jump.node].part.begin)) {
                     jump.target = *label;
                     add_edge({jump.node, label->node, EdgeKind::jump, {}, true, jump.jump, {}});
                 }
@@ -271,7 +283,8 @@ private:
         Node node = graph_.nodes[like];
         node.effects.count = 0;
         graph_.nodes.push_back(node);
-        for (const Label& label : graph_.labels) add_edge({id, label.node, EdgeKind::computed, {}, true, {}, {}});
+        for (const Label& label : graph_.labels)
+            add_edge({id, label.node, EdgeKind::computed, {}, true, {}, {}});
         return id;
     }
 
@@ -298,9 +311,13 @@ private:
         }
     }
 
-    void index_labels() { std::ranges::stable_sort(graph_.labels, {}, [](const Label& l) { return std::pair(l.number, l.block.begin); }); }
+    void index_labels() {
+        std::ranges::stable_sort(graph_.labels, {},
+                                 [](const Label& l) { return std::pair(l.number, l.block.begin); });
+    }
 
-    // ---- after all edges are there -----------------------------------------------------------------------------
+    // ---- after all edges are there
+    // -----------------------------------------------------------------------------
 
     void index_edges() {
         graph_.out.resize(graph_.nodes.size());
@@ -347,16 +364,18 @@ private:
     Span part_{};
 };
 
-}  // namespace
+} // namespace
 
 const Label* Graph::find_label(std::int64_t number, Offset from) const {
     const auto key = [](const Label& label) { return std::pair(label.number, label.block.begin); };
     auto found = std::ranges::lower_bound(labels, std::pair(number, from), {}, key);
-    if (found == labels.end() || found->number != number) found = std::ranges::lower_bound(labels, std::pair(number, Offset{0}), {}, key);
+    if (found == labels.end() || found->number != number)
+        found = std::ranges::lower_bound(labels, std::pair(number, Offset{0}), {}, key);
     return found != labels.end() && found->number == number ? &*found : nullptr;
 }
 
-std::optional<std::vector<EdgeId>> Graph::way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable) const {
+std::optional<std::vector<EdgeId>> Graph::way(NodeId from, NodeId to,
+                                              const std::function<bool(EdgeId)>& usable) const {
     constexpr EdgeId none = 0xFFFFFFFF;
     std::vector<EdgeId> reached_by(nodes.size(), none);
     std::deque<NodeId> queue{from};
@@ -370,20 +389,24 @@ std::optional<std::vector<EdgeId>> Graph::way(NodeId from, NodeId to, const std:
             if (seen[next] || !usable(id)) continue;
             seen[next] = true;
             reached_by[next] = id;
-            if (next == to) { arrived = true; break; }
+            if (next == to) {
+                arrived = true;
+                break;
+            }
             queue.push_back(next);
         }
     }
     if (!arrived) return std::nullopt;
     std::vector<EdgeId> way;
-    for (NodeId node = to; way.empty() || node != from; node = edges[way.back()].from) way.push_back(reached_by[node]);
+    for (NodeId node = to; way.empty() || node != from; node = edges[way.back()].from)
+        way.push_back(reached_by[node]);
     std::ranges::reverse(way);
     return way;
 }
 
 std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target) {
     const auto* literal = std::get_if<Literal>(&program.expressions[target].node);
-    constexpr double most = 9e15;  // beyond it a double does not hold every whole number
+    constexpr double most = 9e15; // beyond it a double does not hold every whole number
     if (literal == nullptr) return std::nullopt;
     if (!(std::abs(literal->value) < most)) return std::numeric_limits<std::int64_t>::max();
     return std::llround(literal->value);
@@ -393,4 +416,4 @@ Graph build_graph(const Program& program, const Structures& structures, const Re
     return Building(program, structures, resumes_at).run();
 }
 
-}  // namespace maclint::flow
+} // namespace maclint::flow

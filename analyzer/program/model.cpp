@@ -9,8 +9,9 @@
 namespace maclint {
 
 const VariableRange* VariableFamily::find(std::int64_t number) const {
-    const auto after = std::upper_bound(ranges.begin(), ranges.end(), number,
-                                        [](std::int64_t n, const VariableRange& range) { return n < range.first; });
+    const auto after =
+        std::upper_bound(ranges.begin(), ranges.end(), number,
+                         [](std::int64_t n, const VariableRange& range) { return n < range.first; });
     if (after == ranges.begin()) return nullptr;
     const VariableRange& range = *std::prev(after);
     return number <= range.last ? &range : nullptr;
@@ -64,4 +65,4 @@ void Program::for_each_block(Span part, const std::function<bool(const PlainBloc
     decode(*this, part, visit);
 }
 
-}  // namespace maclint
+} // namespace maclint

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/analysis.hpp"
+#include "analyzer/dataflow/loops.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/flow/structure.hpp"
 #include "analyzer/program/model.hpp"
@@ -12,13 +13,13 @@
 
 namespace maclint {
 
-using ProgramIndex = std::uint32_t;  ///< place in Workspace::programs()
+using ProgramIndex = std::uint32_t; ///< place in Workspace::programs()
 
 /// One call in a program and the program of the workspace that it means.
 struct CallSite {
     EffectId effect;
-    std::optional<ProgramIndex> target;  ///< empty: computed, not in the workspace, or several equally near
-    std::size_t candidates;              ///< programs of that number or name in the workspace
+    std::optional<ProgramIndex> target; ///< empty: computed, not in the workspace, or several equally near
+    std::size_t candidates;             ///< programs of that number or name in the workspace
 };
 
 struct Caller {
@@ -33,9 +34,13 @@ struct CallDepth {
 };
 
 class ProgramAnalysis {
-public:
-    ProgramAnalysis(const Workspace& workspace, ProgramIndex index, const WorkspaceFile& file, const Program& program)
-        : workspace_(&workspace), index_(index), file_(&file), program_(&program) {}
+  public:
+    ProgramAnalysis(const Workspace& workspace, ProgramIndex index, const WorkspaceFile& file,
+                    const Program& program)
+        : workspace_(&workspace)
+        , index_(index)
+        , file_(&file)
+        , program_(&program) {}
 
     [[nodiscard]] const Workspace& workspace() const { return *workspace_; }
     [[nodiscard]] ProgramIndex index() const { return index_; }
@@ -47,6 +52,7 @@ public:
     [[nodiscard]] const flow::Graph& graph() const { return graph_; }
     [[nodiscard]] const dataflow::Analysis& data() const { return *data_; }
     [[nodiscard]] const dataflow::Facts& facts() const { return data_->facts(); }
+    [[nodiscard]] const std::vector<dataflow::Loop>& loops() const { return loops_; }
     [[nodiscard]] const dataflow::Summary& summary() const { return data_->summary(); }
 
     [[nodiscard]] const std::vector<CallSite>& calls() const { return calls_; }
@@ -54,7 +60,8 @@ public:
     [[nodiscard]] const std::vector<Caller>& callers() const { return callers_; }
     /// It runs on its own: nobody calls it, and it does not return to anybody.
     [[nodiscard]] bool is_main() const { return data_->entry() == dataflow::Entry::main; }
-    /// Whether a call of it gives it local variables of its own: a caller does so, or it reads arguments and its callers are unknown.
+    /// Whether a call of it gives it local variables of its own: a caller does so, or it reads arguments and
+    /// its callers are unknown.
     [[nodiscard]] bool is_macro() const { return is_macro_; }
     /// It calls itself, directly or through others.
     [[nodiscard]] bool is_recursive() const { return recursive_; }
@@ -63,7 +70,7 @@ public:
     /// The calls along that way for the limit, outermost first.
     [[nodiscard]] std::vector<Caller> chain_to(Counted counted) const;
 
-private:
+  private:
     friend class Workspace;
     friend class WorkspaceBuilder;
     const Workspace* workspace_;
@@ -73,6 +80,7 @@ private:
     flow::Structures structures_;
     flow::Graph graph_;
     std::optional<dataflow::Analysis> data_;
+    std::vector<dataflow::Loop> loops_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;
     bool is_macro_ = false;
@@ -81,4 +89,4 @@ private:
     std::optional<Caller> deepest_macro_caller_, deepest_subprogram_caller_;
 };
 
-}  // namespace maclint
+} // namespace maclint

@@ -13,7 +13,8 @@ namespace {
 /// Names are compared without case: controls store capitals, file systems do not.
 std::string folded(std::string_view name) {
     std::string result(name);
-    std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    std::ranges::transform(result, result.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return result;
 }
 
@@ -37,9 +38,10 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return depth_of(a) + depth_of(b) - 2 * depth_of(common);
 }
 
-}  // namespace
+} // namespace
 
-CallResolver::CallResolver(const std::deque<ProgramAnalysis>& programs) : programs_(programs) {
+CallResolver::CallResolver(const std::deque<ProgramAnalysis>& programs)
+    : programs_(programs) {
     for (const ProgramAnalysis& analysis : programs) {
         const Program& program = analysis.program();
         if (program.number) by_number_[*program.number].push_back(analysis.index());
@@ -76,11 +78,13 @@ CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) c
         const std::string_view there = programs_[index].file().source->path();
         const std::size_t steps = here == there ? 0 : 1 + distance(folder_of(here), folder_of(there));
         if (steps > nearest) continue;
-        if (steps == nearest) site.target.reset();
-        else site.target = index;
+        if (steps == nearest)
+            site.target.reset();
+        else
+            site.target = index;
         nearest = steps;
     }
     return site;
 }
 
-}  // namespace maclint
+} // namespace maclint

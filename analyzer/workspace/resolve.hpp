@@ -12,11 +12,11 @@
 namespace maclint {
 
 class CallResolver {
-public:
+  public:
     explicit CallResolver(const std::deque<ProgramAnalysis>& programs);
     [[nodiscard]] CallSite resolve(const ProgramAnalysis& caller, EffectId effect) const;
 
-private:
+  private:
     [[nodiscard]] const std::vector<ProgramIndex>* candidates(const Program& caller, const Call& call) const;
 
     const std::deque<ProgramAnalysis>& programs_;
@@ -24,4 +24,4 @@ private:
     std::unordered_map<std::string, std::vector<ProgramIndex>> by_name_;
 };
 
-}  // namespace maclint
+} // namespace maclint

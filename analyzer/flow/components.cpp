@@ -1,17 +1,20 @@
 //! Tarjan's algorithm with an explicit stack: a chain of calls may be as long as the workspace.
-#include "analyzer/workspace/call_graph.hpp"
+#include "analyzer/flow/components.hpp"
 
 #include <algorithm>
 
-namespace maclint {
+namespace maclint::flow {
 namespace {
 
 constexpr std::uint32_t unseen = 0xFFFFFFFF;
 
 class Tarjan {
-public:
+  public:
     explicit Tarjan(const Arrows& arrows)
-        : arrows_(arrows), index_(arrows.size(), unseen), low_(arrows.size(), 0), waiting_(arrows.size(), false) {
+        : arrows_(arrows)
+        , index_(arrows.size(), unseen)
+        , low_(arrows.size(), 0)
+        , waiting_(arrows.size(), false) {
         result_.of.assign(arrows.size(), unseen);
     }
 
@@ -21,7 +24,7 @@ public:
         return std::move(result_);
     }
 
-private:
+  private:
     struct Frame {
         std::uint32_t node;
         std::size_t next;
@@ -41,8 +44,10 @@ private:
             const std::uint32_t node = frame.node;
             if (frame.next < arrows_[node].size()) {
                 const std::uint32_t to = arrows_[node][frame.next++];
-                if (index_[to] == unseen) enter(to);
-                else if (waiting_[to]) low_[node] = std::min(low_[node], index_[to]);
+                if (index_[to] == unseen)
+                    enter(to);
+                else if (waiting_[to])
+                    low_[node] = std::min(low_[node], index_[to]);
                 continue;
             }
             frames_.pop_back();
@@ -74,7 +79,7 @@ private:
     Components result_;
 };
 
-}  // namespace
+} // namespace
 
 Components find_components(const Arrows& arrows) { return Tarjan(arrows).run(); }
 
@@ -84,11 +89,12 @@ std::vector<std::vector<std::uint32_t>> layers_of(const Arrows& arrows, const Co
     for (std::uint32_t component = 0; component < components.members.size(); ++component) {
         for (const std::uint32_t node : components.members[component])
             for (const std::uint32_t to : arrows[node])
-                if (components.of[to] != component) height[component] = std::max(height[component], height[components.of[to]] + 1);
+                if (components.of[to] != component)
+                    height[component] = std::max(height[component], height[components.of[to]] + 1);
         if (height[component] >= layers.size()) layers.resize(height[component] + 1);
         layers[height[component]].push_back(component);
     }
     return layers;
 }
 
-}  // namespace maclint
+} // namespace maclint::flow

@@ -1,0 +1,162 @@
+//! Natural loops of the reached part of the flow graph.
+#include "analyzer/dataflow/loops.hpp"
+
+#include "analyzer/program/overloaded.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+
+namespace maclint::dataflow {
+namespace {
+
+/// Nodes looked at for all loops of a program together, per node of the program; keeps the search linear.
+constexpr std::size_t work_per_node = 64;
+constexpr std::size_t work_at_least = 100'000;
+
+class LoopSearch {
+  public:
+    LoopSearch(const Program& program, const flow::Structures& structures, const flow::Graph& graph,
+               const Analysis& analysis)
+        : program_(program)
+        , graph_(graph)
+        , analysis_(analysis)
+        , budget_(std::max(work_at_least, work_per_node * graph.nodes.size()))
+        , mark_(graph.nodes.size(), 0) {
+        for (flow::StructureId id = 0; id < structures.all.size(); ++id)
+            by_open_.emplace(structures.all[id].open, id);
+        for (const flow::Exit& exit : graph.exits) exits_.push_back(exit.node);
+        std::ranges::sort(exits_);
+    }
+
+    std::vector<Loop> run() {
+        std::vector<Loop> loops;
+        for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge) {
+            if (!is_back(edge)) continue;
+            if (budget_ == 0) break;
+            loops.push_back(loop_of(edge));
+        }
+        std::ranges::sort(loops, {}, [this](const Loop& loop) {
+            return std::tuple(graph_.nodes[loop.head].part.begin, loop.head,
+                              graph_.nodes[loop.latch].part.begin, loop.back);
+        });
+        return loops;
+    }
+
+  private:
+    [[nodiscard]] bool is_back(flow::EdgeId id) const {
+        const flow::Edge& edge = graph_.edges[id];
+        return analysis_.passable(id) && graph_.order[edge.to] <= graph_.order[edge.from];
+    }
+
+    Loop loop_of(flow::EdgeId back) {
+        const flow::Edge& edge = graph_.edges[back];
+        Loop loop{edge.to, edge.from, back, {}, {}, {}, false, false};
+        collect_body(loop);
+        for (const flow::NodeId node : loop.body) {
+            for (const flow::EdgeId out : graph_.out[node])
+                if (analysis_.passable(out) && mark_[graph_.edges[out].to] != round_)
+                    loop.ways_out.push_back(out);
+            loop.can_stop |= std::ranges::binary_search(exits_, node);
+            look_at_effects(loop, node);
+        }
+        if (edge.kind == flow::EdgeKind::back) {
+            const Slice effects = graph_.nodes[loop.head].effects;
+            for (Id i = effects.first; i < effects.first + effects.count; ++i)
+                if (const auto found = by_open_.find(i); found != by_open_.end())
+                    loop.structure = found->second;
+        }
+        return loop;
+    }
+
+    /// Everything from which the latch is reached without passing the head.
+    void collect_body(Loop& loop) {
+        ++round_;
+        mark_[loop.head] = round_;
+        loop.body.push_back(loop.head);
+        std::vector<flow::NodeId> stack;
+        const auto add = [&](flow::NodeId node) {
+            if (mark_[node] == round_) return;
+            mark_[node] = round_;
+            loop.body.push_back(node);
+            stack.push_back(node);
+        };
+        add(loop.latch);
+        while (!stack.empty()) {
+            const flow::NodeId node = stack.back();
+            stack.pop_back();
+            budget_ -= std::min<std::size_t>(budget_, 1);
+            for (const flow::EdgeId in : graph_.in[node])
+                if (analysis_.passable(in)) add(graph_.edges[in].from);
+        }
+        std::ranges::sort(loop.body);
+    }
+
+    void look_at_effects(Loop& loop, flow::NodeId node) const {
+        for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects)) {
+            std::visit(
+                overloaded{
+                    [&](const Stop&) { loop.can_stop = true; },
+                    [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
+                    [&](const Call&) { loop.has_unknown_effects = true; },
+                    [&](const Exchange& exchange) { loop.has_unknown_effects |= !exchange.in.empty(); },
+                    [&](const Assign& assign) {
+                        loop.has_unknown_effects |= std::holds_alternative<StoreAt>(assign.target);
+                    },
+                    [](const auto&) {},
+                },
+                effect.what);
+        }
+    }
+
+    const Program& program_;
+    const flow::Graph& graph_;
+    const Analysis& analysis_;
+    std::size_t budget_;
+    std::vector<std::uint32_t> mark_;
+    std::uint32_t round_ = 0;
+    std::unordered_map<EffectId, flow::StructureId> by_open_;
+    std::vector<flow::NodeId> exits_;
+};
+
+void collect(const Program& program, ExpressionId id, ReadSet& set) {
+    std::visit(overloaded{
+                   [](const Literal&) {},
+                   [](const Text&) {},
+                   [](const Vacant&) {},
+                   [&](const Load& load) { set.places.push_back(load.place); },
+                   [&](const Apply& apply) {
+                       if (apply.operation == Operation::unknown) set.closed = false;
+                       for (const ExpressionId operand : program.operands_of(apply))
+                           collect(program, operand, set);
+                   },
+                   [&](const auto&) { set.closed = false; },
+               },
+               program.expressions[id].node);
+}
+
+} // namespace
+
+bool Loop::holds(flow::NodeId node) const { return std::ranges::binary_search(body, node); }
+
+std::vector<Loop> find_loops(const Program& program, const flow::Structures& structures,
+                             const flow::Graph& graph, const Analysis& analysis) {
+    return LoopSearch(program, structures, graph, analysis).run();
+}
+
+ReadSet variables_of(const Program& program, ExpressionId expression) {
+    ReadSet set{{}, true};
+    collect(program, expression, set);
+    return set;
+}
+
+std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place) {
+    std::vector<const Store*> stores;
+    // Facts are in the order of nodes: only those between the body's first and last node can be inside.
+    const auto first = std::ranges::lower_bound(facts.stores, loop.body.front(), {}, &Store::node);
+    for (auto store = first; store != facts.stores.end() && store->node <= loop.body.back(); ++store)
+        if (store->place == place && loop.holds(store->node)) stores.push_back(&*store);
+    return stores;
+}
+
+} // namespace maclint::dataflow

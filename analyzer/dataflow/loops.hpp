@@ -1,0 +1,43 @@
+//! The loops of a program as they run: WHILE and DO as well as cycles closed by a jump, with what they change
+//! and how they end.
+#pragma once
+
+#include "analyzer/dataflow/analysis.hpp"
+#include "analyzer/flow/structure.hpp"
+
+#include <vector>
+
+namespace maclint::dataflow {
+
+struct Loop {
+    flow::NodeId head;  ///< where every round begins
+    flow::NodeId latch; ///< the node that leads back to it
+    flow::EdgeId back;
+    std::optional<flow::StructureId> structure; ///< WHILE or DO; empty: closed by a jump
+    std::vector<flow::NodeId> body;             ///< sorted, head and latch included
+    std::vector<flow::EdgeId> ways_out;         ///< passable edges that leave the body
+    bool can_stop;                              ///< a return, program end, alarm or pause is inside
+    bool has_unknown_effects; ///< a call of an unknown program, an unreadable block, a store through an
+                              ///< unknown index
+
+    [[nodiscard]] bool holds(flow::NodeId node) const;
+};
+
+/// All loops that can be reached, in text order of their heads. A program with so many nested cycles that
+/// listing them would take more than a fixed amount of work gets only the first of them.
+[[nodiscard]] std::vector<Loop> find_loops(const Program& program, const flow::Structures& structures,
+                                           const flow::Graph& graph, const Analysis& analysis);
+
+/// The variables that an expression reads; empty when it also reads something that changes by itself or
+/// cannot be known.
+struct ReadSet {
+    std::vector<Place> places;
+    bool closed; ///< nothing but `places` and constants decides the value
+};
+[[nodiscard]] ReadSet variables_of(const Program& program, ExpressionId expression);
+
+/// The stores in the loop's body that change the variable; calls and indirect stores show in
+/// Loop::has_unknown_effects or here.
+[[nodiscard]] std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place);
+
+} // namespace maclint::dataflow
