@@ -23,10 +23,6 @@ std::string_view address_text(char letter, bool comma) {
     return comma ? words.substr(at, 2) : words.substr(at + 1, 1);
 }
 
-// Argument specification I, fanuc-custom-macro.md 5.2: the local variable of each letter, 0 for none.
-//                                            A  B  C  D  E  F  G  H  I  J  K  L   M  N  O  P   Q   R   S   T   U   V   W   X   Y   Z
-constexpr std::array<std::int32_t, 26> locals{1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
-
 /// Gives I, J and K their place: a letter that does not follow the last one in the alphabet begins a new set (5.3, 5.4).
 class SetCounter {
   public:
@@ -122,7 +118,7 @@ Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
     SetCounter sets;
     for (const NcWord& word : words) {
         if (word.comma || !word.value || word.letter < 'A' || word.letter > 'Z') continue;
-        std::int32_t local = locals[static_cast<std::size_t>(word.letter - 'A')];
+        std::int32_t local = local_of_letter[static_cast<std::size_t>(word.letter - 'A')];
         if (local == 0) continue;
         if (word.letter >= 'I' && word.letter <= 'K') {
             const std::optional<std::int32_t> place = sets.place_of(word.letter);
