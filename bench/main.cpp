@@ -2,17 +2,17 @@
 #include "bench/generate.hpp"
 #include "bench/pipeline.hpp"
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
 #include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <vector>
 
 namespace {
 
@@ -24,7 +24,8 @@ std::vector<std::string> a_thousand(const std::function<std::string(std::size_t)
     return std::vector<std::string>(1000, make(bytes / 1000));
 }
 
-void measure(benchmark::State& state, const std::vector<std::string>& files, const std::function<void()>& work) {
+void measure(benchmark::State& state, const std::vector<std::string>& files,
+             const std::function<void()>& work) {
     std::size_t bytes = 0;
     for (const std::string& file : files) bytes += file.size();
     for ([[maybe_unused]] auto round : state) work();
@@ -33,15 +34,16 @@ void measure(benchmark::State& state, const std::vector<std::string>& files, con
 
 void register_speed(const std::string& name, std::vector<std::string> files) {
     const auto work = [files] { benchmark::DoNotOptimize(lint(files)); };
-    benchmark::RegisterBenchmark((name + "/maclint").c_str(),
-                                 [files, work](benchmark::State& state) { measure(state, files, work); })
-        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((name + "/maclint").c_str(), [files, work](benchmark::State& state) {
+        measure(state, files, work);
+    })->Unit(benchmark::kMillisecond);
     const auto parse = [files] {
-        for (const std::string& file : files) benchmark::DoNotOptimize(maclint::bench::parse_in_one_piece(file));
+        for (const std::string& file : files)
+            benchmark::DoNotOptimize(maclint::bench::parse_in_one_piece(file));
     };
-    benchmark::RegisterBenchmark((name + "/parser_alone").c_str(),
-                                 [files, parse](benchmark::State& state) { measure(state, files, parse); })
-        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((name + "/parser_alone").c_str(), [files, parse](benchmark::State& state) {
+        measure(state, files, parse);
+    })->Unit(benchmark::kMillisecond);
 }
 
 /// Peak memory in bytes of a child process that does the work; 0 when there is no child to be had.
@@ -75,7 +77,8 @@ double seconds(const std::function<void()>& work) {
     for (int round = 0; round < 3; ++round) {
         const auto begin = std::chrono::steady_clock::now();
         work();
-        best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        best =
+            std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     }
     return best;
 }

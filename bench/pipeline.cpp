@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+
 #include <tree_sitter/api.h>
 
 extern "C" const TSLanguage* tree_sitter_fanuc();
@@ -19,9 +20,10 @@ std::size_t lint(const std::vector<std::string>& files) {
     const ControlModel& control = *find_control(dialect.default_control);
     std::vector<WorkspaceFile> workspace;
     for (std::size_t i = 0; i < files.size(); ++i) {
-        auto source =
-            std::make_shared<const Source>(Source::from_bytes("bench/" + std::to_string(i) + ".nc", files[i]));
-        workspace.push_back({std::make_shared<const ProgramFile>(dialect.read(std::move(source), control)), true});
+        auto source = std::make_shared<const Source>(
+            Source::from_bytes("bench/" + std::to_string(i) + ".nc", files[i]));
+        workspace.push_back(
+            {std::make_shared<const ProgramFile>(dialect.read(std::move(source), control)), true});
     }
     const auto analysed = Workspace::analyse(std::move(workspace), {.complete = false, .jobs = 1});
     Selection selection;

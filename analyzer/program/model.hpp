@@ -138,9 +138,16 @@ struct Stop {
 struct ToolChange {};
 
 enum class Construct : std::uint8_t { while_loop, endless_loop, choice, selection };
+/// Opens, divides or closes a construct. In a language whose loops have numbers, a number pairs open and
+/// close.
 struct Structure {
     Construct construct;
-    enum class Part : std::uint8_t { open, middle, close } part;
+    enum class Part : std::uint8_t {
+        open,
+        middle, ///< ELSE; CASE with its condition, DEFAULT without
+        leave,  ///< BREAK: on to the close
+        close,
+    } part;
     std::optional<std::int64_t>
         number; ///< m of DO m / END m; empty where the language pairs by nesting or the text lacks it
     std::optional<ExpressionId> condition;
