@@ -129,6 +129,11 @@ struct SetModal {
     ExpressionId value;
 };
 
+/// Values that words compute and that change nothing in the model: axis words, T, D, H.
+struct Values {
+    Slice values; ///< Program::operands
+};
+
 struct Motion {};      ///< axes move
 struct Synchronise {}; ///< look-ahead stops here
 struct Stop {
@@ -192,7 +197,7 @@ struct UnreadableBlock {
 };
 
 struct Effect {
-    std::variant<Assign, SetModal, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call, EndModalCall,
+    std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call, EndModalCall,
                  Return, Exchange, Guarded, UnreadableBlock>
         what;
     Span span;
@@ -283,6 +288,7 @@ class Program {
         return text.substr(span.begin, span.end - span.begin);
     }
     [[nodiscard]] std::span<const ExpressionId> operands_of(const Apply& apply) const;
+    [[nodiscard]] std::span<const ExpressionId> values_of(const Values& values) const;
     [[nodiscard]] std::span<const Effect> effects_in(Slice slice) const;
     [[nodiscard]] std::span<const Argument> arguments_of(const Call& call) const;
     [[nodiscard]] std::span<const ModalSetting> net_of(const Run& run) const;
