@@ -70,6 +70,14 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
         while (digits < written.size() && (written[digits] == ' ' || written[digits] == '\t')) ++digits;
         const Span whole = span(*inner);
         word.value = add({Literal{number.value, number.decimal_point}, {whole.begin + static_cast<Offset>(digits), whole.end}});
+    } else if (kind_of(*inner) == Kind::letter_o_word) {
+        std::string digits(written.substr(letter + 1)); // GO1 is G01
+        std::ranges::replace_if(digits, [](char c) { return c == 'O' || c == 'o'; }, '0');
+        const Number number = read_number(digits);
+        word.literal = number.value;
+        word.value = add({Literal{number.value, number.decimal_point}, span(*inner)});
+    } else if (kind_of(*inner) == Kind::malformed_word) {
+        word.value = unreadable(span(*inner));
     } else if (const Node* value = child(*inner, Field::value)) {
         incremental = child(*inner, Field::incremental) != nullptr;
         word.value = lower_expression(*value);
@@ -211,11 +219,13 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
                                           Span span, Effects& effects) {
     Call call{std::monostate{}, kind, {static_cast<Id>(program_.arguments.size()), 0}, std::nullopt};
     const NcWord* program = nullptr;
+    std::optional<ExpressionId> label;
     for (const NcWord& word : words) {
         if (word.comma) continue;
         if (word.letter == 0) call.program = Text{this->span(*word.node)};
         if (word.letter == 'P' && word.value) program = &word;
         if (word.letter == 'L' && word.value) call.repeat = word.value;
+        if (word.letter == 'Q' && word.value) label = word.value;
     }
     if (program != nullptr && !call.repeat && holds_repeats(*program)) {
         const Span where = program_.expressions[*program->value].span;
@@ -223,6 +233,11 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
         call.repeat = literal(std::floor(*program->literal / 10000), where);
     } else if (program != nullptr) {
         call.program = *program->value;
+    }
+    if (std::holds_alternative<std::monostate>(call.program) && label) {
+        // M98 Q100 runs the blocks from N100 to M99 of this program. They may run, and reading goes on here.
+        effects.push_back(guarded(unreadable(this->span(*code.node)), {{Jump{*label}, span}}, span));
+        call.program = unreadable(span);
     }
     if (std::holds_alternative<std::monostate>(call.program))
         report(Irregular::call_without_program, this->span(*code.node), "P");
@@ -242,7 +257,5 @@ void BlockLowering::set_local_offset(std::span<const NcWord> words, Span span, E
     if (!named) return;
     effects.push_back({SetModal{codes_.local_offset, literal(shifts ? 52 : 0, span)}, span});
 }
-
-void BlockLowering::check_parenthesis_for_value() {}
 
 } // namespace maclint::fanuc
