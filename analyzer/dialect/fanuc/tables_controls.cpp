@@ -19,10 +19,6 @@ struct ControlRow {
 };
 
 constexpr auto unknown = std::nullopt;
-
-/// Locals that a letter of argument specification I reaches, fanuc-custom-macro.md 5.2: A-C, I-K, D-F, H, M, Q-Z.
-constexpr std::array argument_locals{1,  2,  3,  4,  5,  6,  7,  8,  9,  11, 13,
-                                     17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 constexpr std::string_view lathe_suffix = "-lathe";
 
 // clang-format off
@@ -48,7 +44,8 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     control.families = {numbered_variables(groups)};
     control.groups = std::move(groups);
     control.calls = call_kinds();
-    for (const std::int32_t number : argument_locals) control.formals.push_back({spaces::local, number});
+    for (const std::int32_t local : local_of_letter)
+        if (local != 0) control.formals.push_back({spaces::local, local});
     control.vacant_equals_zero = false;
     return control;
 }
