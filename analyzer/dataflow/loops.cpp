@@ -4,6 +4,7 @@
 #include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
 #include <unordered_map>
 
@@ -13,6 +14,16 @@ namespace {
 /// Nodes looked at for all loops of a program together, per node of the program; keeps the search linear.
 constexpr std::size_t work_per_node = 64;
 constexpr std::size_t work_at_least = 100'000;
+
+/// Facts are in the order of nodes: only those between the body's first and last node can be inside.
+template<class Fact>
+std::vector<std::reference_wrapper<const Fact>> in_body(const Loop& loop, const std::vector<Fact>& facts) {
+    std::vector<std::reference_wrapper<const Fact>> inside;
+    for (auto fact = std::ranges::lower_bound(facts, loop.body.front(), {}, &Fact::node);
+         fact != facts.end() && fact->node <= loop.body.back(); ++fact)
+        if (loop.holds(fact->node)) inside.emplace_back(*fact);
+    return inside;
+}
 
 class LoopSearch {
   public:
@@ -60,6 +71,10 @@ class LoopSearch {
             loop.can_stop |= std::ranges::binary_search(exits_, node);
             look_at_effects(loop, node);
         }
+        for (const CallMade& call : in_body(loop, analysis_.facts().calls)) {
+            loop.can_stop |= call.may_stop;
+            loop.has_unknown_effects |= !call.known;
+        }
         if (edge.kind == flow::EdgeKind::back) {
             const Slice effects = graph_.nodes[loop.head].effects;
             for (Id i = effects.first; i < effects.first + effects.count; ++i)
@@ -98,11 +113,6 @@ class LoopSearch {
                 overloaded{
                     [&](const Stop&) { loop.can_stop = true; },
                     [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
-                    [&](const Call&) { loop.has_unknown_effects = true; },
-                    [&](const Exchange& exchange) { loop.has_unknown_effects |= !exchange.in.empty(); },
-                    [&](const Assign& assign) {
-                        loop.has_unknown_effects |= std::holds_alternative<StoreAt>(assign.target);
-                    },
                     [](const auto&) {},
                 },
                 effect.what);
@@ -152,11 +162,15 @@ ReadSet variables_of(const Program& program, ExpressionId expression) {
 
 std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place) {
     std::vector<const Store*> stores;
-    // Facts are in the order of nodes: only those between the body's first and last node can be inside.
-    const auto first = std::ranges::lower_bound(facts.stores, loop.body.front(), {}, &Store::node);
-    for (auto store = first; store != facts.stores.end() && store->node <= loop.body.back(); ++store)
-        if (store->place == place && loop.holds(store->node)) stores.push_back(&*store);
+    for (const Store& store : in_body(loop, facts.stores))
+        if (store.place == place) stores.push_back(&store);
     return stores;
+}
+
+bool disturbed_in(const Loop& loop, const Facts& facts, Place place) {
+    return std::ranges::any_of(in_body(loop, facts.disturbances), [place](const Disturbance& disturbance) {
+        return disturbance.place ? *disturbance.place == place : disturbance.space == place.space;
+    });
 }
 
 } // namespace maclint::dataflow

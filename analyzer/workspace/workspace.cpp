@@ -110,8 +110,9 @@ class WorkspaceBuilder {
             main ? dataflow::Entry::main : dataflow::Entry::called_unknown, {}, {}};
         for (const Caller& caller : analysis.callers_) {
             const Program& program = programs_[caller.program].program();
-            for (const Argument& argument :
-                 program.arguments_of(std::get<Call>(program.effects[caller.effect].what)))
+            const auto& call = std::get<Call>(program.effects[caller.effect].what);
+            entry.locals_are_callers |= program.control->calls[call.kind].frame == Frame::shared;
+            for (const Argument& argument : program.arguments_of(call))
                 entry.passed_somewhere.push_back(argument.formal);
         }
         if (workspace_.complete() && !analysis.callers_.empty()) entry.arguments = what_all_pass(analysis);
