@@ -12,8 +12,8 @@ namespace maclint::dataflow {
 namespace {
 
 /// Nodes looked at for all loops of a program together, per node of the program; keeps the search linear.
-constexpr std::size_t work_per_node = 64;
-constexpr std::size_t work_at_least = 100'000;
+constexpr std::size_t work_per_node = 16;
+constexpr std::size_t work_at_least = 20'000;
 
 /// Facts are in the order of nodes: only those between the body's first and last node can be inside.
 template<class Fact>
@@ -44,8 +44,9 @@ class LoopSearch {
         std::vector<Loop> loops;
         for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge) {
             if (!is_back(edge)) continue;
-            if (budget_ == 0) break;
-            loops.push_back(loop_of(edge));
+            Loop loop = loop_of(edge);
+            if (budget_ == 0) break; // its body is not complete
+            loops.push_back(std::move(loop));
         }
         std::ranges::sort(loops, {}, [this](const Loop& loop) {
             return std::tuple(graph_.nodes[loop.head].part.begin, loop.head,
@@ -97,10 +98,10 @@ class LoopSearch {
             stack.push_back(node);
         };
         add(loop.latch);
-        while (!stack.empty()) {
+        while (!stack.empty() && budget_ != 0) {
             const flow::NodeId node = stack.back();
             stack.pop_back();
-            budget_ -= std::min<std::size_t>(budget_, 1);
+            --budget_;
             for (const flow::EdgeId in : graph_.in[node])
                 if (analysis_.passable(in)) add(graph_.edges[in].from);
         }
@@ -109,13 +110,12 @@ class LoopSearch {
 
     void look_at_effects(Loop& loop, flow::NodeId node) const {
         for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects)) {
-            std::visit(
-                overloaded{
-                    [&](const Stop&) { loop.can_stop = true; },
-                    [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
-                    [](const auto&) {},
-                },
-                effect.what);
+            std::visit(overloaded{
+                           [&](const Stop&) { loop.can_stop = true; },
+                           [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
+                           [](const auto&) {},
+                       },
+                       effect.what);
         }
     }
 

@@ -16,7 +16,7 @@ struct Loop {
     std::optional<flow::StructureId> structure; ///< WHILE or DO; empty: closed by a jump
     std::vector<flow::NodeId> body;             ///< sorted, head and latch included
     std::vector<flow::EdgeId> ways_out;         ///< passable edges that leave the body
-    bool can_stop;            ///< a return, program end, alarm or pause is inside, or in a program called there
+    bool can_stop; ///< a return, program end, alarm or pause is inside, or in a program called there
     bool has_unknown_effects; ///< a call of an unknown program or an unreadable block is inside
 
     [[nodiscard]] bool holds(flow::NodeId node) const;
@@ -37,8 +37,8 @@ struct ReadSet {
 
 /// The assignments in the loop's body that change the variable.
 [[nodiscard]] std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place);
-/// Whether something in the loop's body that is no assignment may change the variable: a call, a store through
-/// an index.
+/// Whether something in the loop's body that is no assignment may change the variable: a call, a store
+/// through an index.
 [[nodiscard]] bool disturbed_in(const Loop& loop, const Facts& facts, Place place);
 
 } // namespace maclint::dataflow

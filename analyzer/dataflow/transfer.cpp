@@ -51,7 +51,9 @@ void Transfer::apply(State& state, const Effect& effect) {
     std::visit(overloaded{
                    [&](const Assign& what) { assign(state, what); },
                    [&](const SetModal& what) { set_modal(state, what); },
+                   // What changes nothing is only evaluated to be written down.
                    [&](const Values& what) {
+                       if (facts_ == nullptr) return;
                        for (const ExpressionId value : program_.values_of(what))
                            (void)evaluate(state, value, Use::word);
                    },
@@ -62,19 +64,19 @@ void Transfer::apply(State& state, const Effect& effect) {
                            set_code(state, *group, no_modal_call_code, states_.pool().origins(here()));
                    },
                    [&](const Guarded& what) {
+                       if (facts_ == nullptr) return;
                        const Truth truth = judge(state, what.condition);
-                       if (facts_ != nullptr)
-                           facts_->conditions.push_back({node_, effect_, what.condition, truth});
+                       facts_->conditions.push_back({node_, effect_, what.condition, truth});
                    },
                    [&](const Structure& what) {
-                       if (!what.condition) return;
+                       if (facts_ == nullptr || !what.condition) return;
                        const Truth truth = judge(state, *what.condition);
-                       if (facts_ != nullptr)
-                           facts_->conditions.push_back({node_, effect_, *what.condition, truth});
+                       facts_->conditions.push_back({node_, effect_, *what.condition, truth});
                    },
                    [&](const Jump& what) {
+                       if (facts_ == nullptr) return;
                        const Value target = evaluate(state, what.target, Use::jump);
-                       if (facts_ != nullptr && !flow::constant_target(program_, what.target))
+                       if (!flow::constant_target(program_, what.target))
                            facts_->computed_jumps.push_back({node_, effect_, target});
                    },
                    [&](const Exchange& what) {
@@ -86,15 +88,14 @@ void Transfer::apply(State& state, const Effect& effect) {
                        if (what.may_call_or_return) forget_shared(state);
                    },
                    [&](const Stop& what) {
-                       if (what.number) (void)evaluate(state, *what.number, Use::word);
+                       if (facts_ != nullptr && what.number) (void)evaluate(state, *what.number, Use::word);
                    },
                    [](const auto&) {},
                },
                effect.what);
 }
 
-// ---- stores
-// ------------------------------------------------------------------------------------------------------
+// ---- stores ----
 
 void Transfer::assign(State& state, const Assign& assign) {
     const Value value = evaluate(state, assign.value, Use::copy);
@@ -164,8 +165,7 @@ std::optional<Step> Transfer::step_of(const State& state, Place place, Expressio
     return step;
 }
 
-// ---- modal groups
-// ------------------------------------------------------------------------------------------------
+// ---- modal groups ----
 
 std::optional<GroupId> Transfer::modal_call_group() const {
     const auto& groups = program_.control->groups;
@@ -223,8 +223,7 @@ void Transfer::doubt_groups(State& state, char letter) {
     }
 }
 
-// ---- calls
-// -------------------------------------------------------------------------------------------------------
+// ---- calls ----
 
 void Transfer::call(State& state, const Call& call) {
     for (const Argument& argument : program_.arguments_of(call))
@@ -245,8 +244,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         forget_shared(state);
         if (program_.control->calls[call.kind].frame == Frame::shared)
             for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-                if (program_.control->spaces[i].scope == Scope::frame)
-                    forget(state, static_cast<SpaceId>(i));
+                if (program_.control->spaces[i].scope == Scope::frame) forget(state, static_cast<SpaceId>(i));
         for (const char letter : {'G', 'F', 'S', '#'}) doubt_groups(state, letter);
         return;
     }
@@ -288,8 +286,7 @@ void Transfer::change_groups(State& state, const Summary& summary) {
 
 void Transfer::forget_shared(State& state) {
     for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-        if (program_.control->spaces[i].scope != Scope::frame)
-            forget(state, static_cast<SpaceId>(i));
+        if (program_.control->spaces[i].scope != Scope::frame) forget(state, static_cast<SpaceId>(i));
 }
 
 /// Everything in the space may have changed here.
