@@ -200,13 +200,26 @@ class Reader {
             add_unreadable(block);
             return;
         }
-        syntax::parse(grammar, text_.substr(block.begin, block.length()), tree_);
+        const bool plausible = is_plausible(text_, block);
+        if (plausible)
+            syntax::parse(grammar, with_end_of_block(block), tree_);
+        else
+            tree_ = {.nodes = {}, .has_error = true};
         if (tree_.has_error) {
             if (!swallowed) diagnose(text_, block, tree_, file_.irregularities);
             add_unreadable(block);
             return;
         }
         BlockLowering(tree_, block, program(), file_.irregularities).lower();
+    }
+
+    /// The lexer that tree-sitter generates must not meet the end of the text inside `DPRNT[`: it would not return.
+    std::string_view with_end_of_block(Span block) {
+        const std::string_view text = text_.substr(block.begin, raw_.next - block.begin);
+        if (is_line_end(text.back()) || text.back() == ';') return text;
+        ended_ = text_.substr(block.begin, block.length());
+        ended_ += '\n';
+        return ended_;
     }
 
     /// Whether the block ends in a comment that nobody closed; what it swallowed explains any other error.
@@ -270,6 +283,7 @@ class Reader {
     RunTotals run_;
     RawBlock raw_;
     syntax::Tree tree_;
+    std::string ended_; ///< a copy of the last block, with an end of block
     std::size_t waiting_ = 0; ///< first comment without a next block
     bool tape_open_ = true;
     bool program_open_ = false;
