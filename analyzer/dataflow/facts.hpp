@@ -58,8 +58,8 @@ struct Store {
     std::optional<Step> step;
 };
 
-/// Something other than an assignment may have changed variables: a call, an unreadable block, a store through
-/// an index that can be many.
+/// Something other than an assignment may have changed variables: a call, an unreadable block, a store
+/// through an index that can be many.
 struct Disturbance {
     flow::NodeId node;
     EffectId effect;

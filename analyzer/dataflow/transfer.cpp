@@ -245,8 +245,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         forget_shared(state);
         if (program_.control->calls[call.kind].frame == Frame::shared)
             for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-                if (program_.control->spaces[i].scope == Scope::frame)
-                    forget(state, static_cast<SpaceId>(i));
+                if (program_.control->spaces[i].scope == Scope::frame) forget(state, static_cast<SpaceId>(i));
         for (const char letter : {'G', 'F', 'S', '#'}) doubt_groups(state, letter);
         return;
     }
@@ -288,8 +287,7 @@ void Transfer::change_groups(State& state, const Summary& summary) {
 
 void Transfer::forget_shared(State& state) {
     for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-        if (program_.control->spaces[i].scope != Scope::frame)
-            forget(state, static_cast<SpaceId>(i));
+        if (program_.control->spaces[i].scope != Scope::frame) forget(state, static_cast<SpaceId>(i));
 }
 
 /// Everything in the space may have changed here.
