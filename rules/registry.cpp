@@ -9,12 +9,50 @@
 
 namespace maclint {
 namespace rules {
-// Declarations, sorted by code.
+extern const Rule uninitialised_local;                   // MAC209
+extern const Rule zero_test_misses_vacant;               // MAC220
+extern const Rule vacant_in_relational_comparison;       // MAC221
+extern const Rule vacancy_lost_in_arithmetic;            // MAC222
+extern const Rule vacancy_test_never_true;               // MAC228
+extern const Rule infinite_loop_unchanged;               // MAC319
+extern const Rule infinite_loop_step;                    // MAC320
+extern const Rule modal_state_not_restored;              // MAC501
+extern const Rule compensation_or_transform_left_active; // MAC502
+extern const Rule feed_or_speed_not_restored;            // MAC503
+extern const Rule motion_mode_not_restored;              // MAC504
+extern const Rule restore_from_wrong_variable;           // MAC505
+extern const Rule saved_value_lost;                      // MAC506
+extern const Rule single_block_suppression_not_restored; // MAC515
+extern const Rule saved_after_change;                    // MAC517
+extern const Rule modal_state_forced;                    // MAC518
+extern const Rule float_equality;                        // MAC710
+extern const Rule float_loop_counter;                    // MAC711
+extern const Rule constant_condition;                    // MAC718
 } // namespace rules
 
 namespace {
 
-const std::array<const Rule*, 0> list{};
+const std::array list{
+    &rules::uninitialised_local,
+    &rules::zero_test_misses_vacant,
+    &rules::vacant_in_relational_comparison,
+    &rules::vacancy_lost_in_arithmetic,
+    &rules::vacancy_test_never_true,
+    &rules::infinite_loop_unchanged,
+    &rules::infinite_loop_step,
+    &rules::modal_state_not_restored,
+    &rules::compensation_or_transform_left_active,
+    &rules::feed_or_speed_not_restored,
+    &rules::motion_mode_not_restored,
+    &rules::restore_from_wrong_variable,
+    &rules::saved_value_lost,
+    &rules::single_block_suppression_not_restored,
+    &rules::saved_after_change,
+    &rules::modal_state_forced,
+    &rules::float_equality,
+    &rules::float_loop_counter,
+    &rules::constant_condition,
+};
 
 bool equal_without_case(std::string_view a, std::string_view b) {
     return std::ranges::equal(
