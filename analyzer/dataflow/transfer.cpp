@@ -51,6 +51,10 @@ void Transfer::apply(State& state, const Effect& effect) {
     std::visit(overloaded{
                    [&](const Assign& what) { assign(state, what); },
                    [&](const SetModal& what) { set_modal(state, what); },
+                   [&](const Values& what) {
+                       for (const ExpressionId value : program_.values_of(what))
+                           (void)evaluate(state, value, Use::word);
+                   },
                    [&](const Motion&) { move(state); },
                    [&](const Call& what) { call(state, what); },
                    [&](const EndModalCall&) {

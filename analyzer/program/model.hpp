@@ -129,6 +129,11 @@ struct SetModal {
     ExpressionId value;
 };
 
+/// Values that words compute and that change nothing in the model: axis words, T, D, H.
+struct Values {
+    Slice values; ///< Program::operands
+};
+
 struct Motion {};      ///< axes move
 struct Synchronise {}; ///< look-ahead stops here
 struct Stop {
@@ -138,9 +143,16 @@ struct Stop {
 struct ToolChange {};
 
 enum class Construct : std::uint8_t { while_loop, endless_loop, choice, selection };
+/// Opens, divides or closes a construct. In a language whose loops have numbers, a number pairs open and
+/// close.
 struct Structure {
     Construct construct;
-    enum class Part : std::uint8_t { open, middle, close } part;
+    enum class Part : std::uint8_t {
+        open,
+        middle, ///< ELSE; CASE with its condition, DEFAULT without
+        leave,  ///< BREAK: on to the close
+        close,
+    } part;
     std::optional<std::int64_t>
         number; ///< m of DO m / END m; empty where the language pairs by nesting or the text lacks it
     std::optional<ExpressionId> condition;
@@ -185,7 +197,7 @@ struct UnreadableBlock {
 };
 
 struct Effect {
-    std::variant<Assign, SetModal, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call, EndModalCall,
+    std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call, EndModalCall,
                  Return, Exchange, Guarded, UnreadableBlock>
         what;
     Span span;
@@ -276,6 +288,7 @@ class Program {
         return text.substr(span.begin, span.end - span.begin);
     }
     [[nodiscard]] std::span<const ExpressionId> operands_of(const Apply& apply) const;
+    [[nodiscard]] std::span<const ExpressionId> values_of(const Values& values) const;
     [[nodiscard]] std::span<const Effect> effects_in(Slice slice) const;
     [[nodiscard]] std::span<const Argument> arguments_of(const Call& call) const;
     [[nodiscard]] std::span<const ModalSetting> net_of(const Run& run) const;

@@ -52,6 +52,7 @@ enum class Concern : std::uint8_t {
     motion,      ///< the motion mode itself: MAC504
     suppression, ///< single block, feed hold, override switched off: MAC515
     modal_call,  ///< a macro called after every move: MAC413
+    own_rule,    ///< a rule of its own speaks of it, found by the group's name
 };
 
 /// One row of the modal-group table. Codes are numbers as written: 91, 54.1; feeds and speeds are plain
@@ -117,12 +118,12 @@ struct CallKind {
 
 /// Limits of a control. Levels are counted below the main program.
 struct Limits {
-    int macro_calls;                   ///< nested macro calls
-    int subprogram_calls;              ///< nested subprogram calls
-    std::optional<int> calls_together; ///< sum of both on one chain, where it is known
-    int loop_levels;                   ///< nested loops in one program
-    int first_loop_number, last_loop_number;
-    int bracket_levels; ///< brackets in one expression, those of functions included
+    int macro_calls;                         ///< nested macro calls
+    int subprogram_calls;                    ///< nested subprogram calls
+    std::optional<int> calls_together;       ///< sum of both on one chain, where it is known
+    int loop_levels;                         ///< nested loops in one program
+    int first_loop_number, last_loop_number; ///< both 0: loops have no numbers, they pair by nesting
+    int bracket_levels;                      ///< brackets in one expression, those of functions included
     std::string_view source;
 };
 

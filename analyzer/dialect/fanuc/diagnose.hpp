@@ -4,7 +4,7 @@
 #include "analyzer/program/model.hpp"
 #include "analyzer/syntax/tree.hpp"
 
-#include <span>
+#include <optional>
 #include <vector>
 
 namespace maclint::fanuc {
@@ -12,8 +12,10 @@ namespace maclint::fanuc {
 /// What a block that could not be read names: places that it may write, labels that it may jump to.
 [[nodiscard]] UnreadableBlock names_in(const Program& program, Span block);
 
-/// The cause of the errors in a block's tree, reported once.
-void diagnose(const Program& program, Span block, std::span<const Span> comments, const syntax::Tree& tree,
-              std::vector<Irregularity>& irregularities);
+/// Adds the cause of the errors in a block's tree; always one.
+void diagnose(std::string_view text, Span block, const syntax::Tree& tree, std::vector<Irregularity>& irregularities);
+
+/// A comment that stands where only a bracket makes sense: `X(#1+2)`, `SIN(30)`.
+[[nodiscard]] std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, Span block);
 
 } // namespace maclint::fanuc

@@ -29,6 +29,8 @@ constexpr std::pair<std::string_view, Kind> kinds[] = {
     {"comma_word", Kind::comma_word},
     {"empty_word", Kind::empty_word},
     {"bare_value", Kind::bare_value},
+    {"malformed_word", Kind::malformed_word},
+    {"letter_o_word", Kind::letter_o_word},
     {"stray_parenthesis", Kind::stray_parenthesis},
     {"address", Kind::address},
     {"incremental", Kind::incremental},

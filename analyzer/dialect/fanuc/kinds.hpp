@@ -16,7 +16,7 @@ enum class Kind : std::uint8_t {
     file, block, comment, tape_mark, skip,
     program_number, computed_program_number, named_program, program_name,
     sequence_number, computed_sequence_number,
-    literal_word, word, comma_word, empty_word, bare_value, stray_parenthesis, address, incremental,
+    literal_word, word, comma_word, empty_word, bare_value, malformed_word, letter_o_word, stray_parenthesis, address, incremental,
     assignment, goto_statement, label, if_statement, while_statement, do_statement, end_statement,
     output_statement, output_text, output_variable, naming_statement, variable_name, foreign_keyword,
     condition, compound_condition, unbracketed_condition,

@@ -1,6 +1,7 @@
 //! Lowering of blocks and macro statements.
 #include "analyzer/dialect/fanuc/lowering.hpp"
 
+#include "analyzer/dialect/fanuc/diagnose.hpp"
 #include "analyzer/dialect/fanuc/numbers.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 
@@ -15,6 +16,8 @@ bool is_word(Kind kind) {
     case Kind::word:
     case Kind::comma_word:
     case Kind::empty_word:
+    case Kind::malformed_word:
+    case Kind::letter_o_word:
     case Kind::program_name: return true;
     default: return false;
     }
@@ -297,6 +300,14 @@ void BlockLowering::check_tokens() {
     }
     check_depth(tree_.nodes.front(), 0);
     check_parenthesis_for_value();
+}
+
+/// `X(#1+2)`: an address without value, and a comment that would make one. Such a block parses.
+void BlockLowering::check_parenthesis_for_value() {
+    const auto is_empty = [](const Node& node) { return kind_of(node) == Kind::empty_word; };
+    if (std::ranges::none_of(tree_.nodes, is_empty)) return;
+    if (std::optional<Irregularity> found = find_parenthesis_as_bracket(program_.text, block_))
+        irregularities_.push_back(std::move(*found));
 }
 
 /// Reports the first bracket of the block that opens one level too many.

@@ -115,6 +115,8 @@ class Reader {
             tell_comments(raw_.span);
             take_head();
             lower(raw_.span);
+        } else {
+            report_open_comment();
         }
         record_comments(only_comments || is_sequence_number(code));
         return raw_.next;
@@ -191,11 +193,7 @@ class Reader {
 
     void lower(Span block) {
         close_run();
-        if (!raw_.comments.empty() && text_[raw_.comments.back().end - 1] != ')') {
-            const Span open = raw_.comments.back();
-            file_.irregularities.push_back(
-                {Irregular::unterminated_comment, open, std::string(text_.substr(open.begin, open.length())), ")"});
-        }
+        const bool swallowed = report_open_comment();
         if (block.length() > longest_block) {
             constexpr Offset shown = 60;
             file_.irregularities.push_back({Irregular::oversized_block, {block.begin, block.begin + shown}, "", ""});
@@ -204,11 +202,21 @@ class Reader {
         }
         syntax::parse(grammar, text_.substr(block.begin, block.length()), tree_);
         if (tree_.has_error) {
-            diagnose(program(), block, raw_.comments, tree_, file_.irregularities);
+            if (!swallowed) diagnose(text_, block, tree_, file_.irregularities);
             add_unreadable(block);
             return;
         }
         BlockLowering(tree_, block, program(), file_.irregularities).lower();
+    }
+
+    /// Whether the block ends in a comment that nobody closed; what it swallowed explains any other error.
+    bool report_open_comment() {
+        if (raw_.comments.empty()) return false;
+        const Span open = raw_.comments.back();
+        if (open.length() > 1 && text_[open.end - 1] == ')') return false;
+        file_.irregularities.push_back(
+            {Irregular::unterminated_comment, open, std::string(text_.substr(open.begin, open.length())), ")"});
+        return true;
     }
 
     void add_unreadable(Span span) {

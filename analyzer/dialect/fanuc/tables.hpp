@@ -3,6 +3,8 @@
 
 #include "analyzer/program/tables.hpp"
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -34,6 +36,12 @@ constexpr std::string_view feed = "feed", speed = "spindle speed", local_offset 
 /// What `#n` is; `groups` gives the rows that #4001 and the like read.
 [[nodiscard]] VariableFamily numbered_variables(std::span<const ModalGroup> groups);
 [[nodiscard]] std::vector<CallKind> call_kinds();
+
+// Argument specification I, fanuc-custom-macro.md 5.2: the local variable of each letter from A to Z, 0 for none.
+// clang-format off
+//                                                     A  B  C  D  E  F  G  H   I  J  K  L  M   N  O  P  Q   R   S   T   U   V   W   X   Y   Z
+constexpr std::array<std::int32_t, 26> local_of_letter{1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+// clang-format on
 
 /// All controls of the family.
 [[nodiscard]] std::span<const ControlModel> fanuc_controls();

@@ -44,6 +44,8 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     control.families = {numbered_variables(groups)};
     control.groups = std::move(groups);
     control.calls = call_kinds();
+    for (const std::int32_t local : local_of_letter)
+        if (local != 0) control.formals.push_back({spaces::local, local});
     control.vacant_equals_zero = false;
     return control;
 }
