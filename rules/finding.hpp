@@ -28,6 +28,9 @@ struct Edit {
     std::string text;
 };
 
+/// `text` with {0}, {1} … replaced.
+[[nodiscard]] std::string fill(std::string_view text, const std::vector<std::string>& arguments);
+
 struct Finding {
     const Rule* rule;
     Severity severity; ///< the rule's, or what the configuration made of it

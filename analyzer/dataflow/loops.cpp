@@ -4,6 +4,7 @@
 #include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
 #include <unordered_map>
 
@@ -11,8 +12,18 @@ namespace maclint::dataflow {
 namespace {
 
 /// Nodes looked at for all loops of a program together, per node of the program; keeps the search linear.
-constexpr std::size_t work_per_node = 64;
-constexpr std::size_t work_at_least = 100'000;
+constexpr std::size_t work_per_node = 16;
+constexpr std::size_t work_at_least = 20'000;
+
+/// Facts are in the order of nodes: only those between the body's first and last node can be inside.
+template<class Fact>
+std::vector<std::reference_wrapper<const Fact>> in_body(const Loop& loop, const std::vector<Fact>& facts) {
+    std::vector<std::reference_wrapper<const Fact>> inside;
+    for (auto fact = std::ranges::lower_bound(facts, loop.body.front(), {}, &Fact::node);
+         fact != facts.end() && fact->node <= loop.body.back(); ++fact)
+        if (loop.holds(fact->node)) inside.emplace_back(*fact);
+    return inside;
+}
 
 class LoopSearch {
   public:
@@ -33,8 +44,9 @@ class LoopSearch {
         std::vector<Loop> loops;
         for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge) {
             if (!is_back(edge)) continue;
-            if (budget_ == 0) break;
-            loops.push_back(loop_of(edge));
+            Loop loop = loop_of(edge);
+            if (budget_ == 0) break; // its body is not complete
+            loops.push_back(std::move(loop));
         }
         std::ranges::sort(loops, {}, [this](const Loop& loop) {
             return std::tuple(graph_.nodes[loop.head].part.begin, loop.head,
@@ -60,6 +72,10 @@ class LoopSearch {
             loop.can_stop |= std::ranges::binary_search(exits_, node);
             look_at_effects(loop, node);
         }
+        for (const CallMade& call : in_body(loop, analysis_.facts().calls)) {
+            loop.can_stop |= call.may_stop;
+            loop.has_unknown_effects |= !call.known;
+        }
         if (edge.kind == flow::EdgeKind::back) {
             const Slice effects = graph_.nodes[loop.head].effects;
             for (Id i = effects.first; i < effects.first + effects.count; ++i)
@@ -82,10 +98,10 @@ class LoopSearch {
             stack.push_back(node);
         };
         add(loop.latch);
-        while (!stack.empty()) {
+        while (!stack.empty() && budget_ != 0) {
             const flow::NodeId node = stack.back();
             stack.pop_back();
-            budget_ -= std::min<std::size_t>(budget_, 1);
+            --budget_;
             for (const flow::EdgeId in : graph_.in[node])
                 if (analysis_.passable(in)) add(graph_.edges[in].from);
         }
@@ -94,18 +110,12 @@ class LoopSearch {
 
     void look_at_effects(Loop& loop, flow::NodeId node) const {
         for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects)) {
-            std::visit(
-                overloaded{
-                    [&](const Stop&) { loop.can_stop = true; },
-                    [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
-                    [&](const Call&) { loop.has_unknown_effects = true; },
-                    [&](const Exchange& exchange) { loop.has_unknown_effects |= !exchange.in.empty(); },
-                    [&](const Assign& assign) {
-                        loop.has_unknown_effects |= std::holds_alternative<StoreAt>(assign.target);
-                    },
-                    [](const auto&) {},
-                },
-                effect.what);
+            std::visit(overloaded{
+                           [&](const Stop&) { loop.can_stop = true; },
+                           [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
+                           [](const auto&) {},
+                       },
+                       effect.what);
         }
     }
 
@@ -152,11 +162,15 @@ ReadSet variables_of(const Program& program, ExpressionId expression) {
 
 std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place) {
     std::vector<const Store*> stores;
-    // Facts are in the order of nodes: only those between the body's first and last node can be inside.
-    const auto first = std::ranges::lower_bound(facts.stores, loop.body.front(), {}, &Store::node);
-    for (auto store = first; store != facts.stores.end() && store->node <= loop.body.back(); ++store)
-        if (store->place == place && loop.holds(store->node)) stores.push_back(&*store);
+    for (const Store& store : in_body(loop, facts.stores))
+        if (store.place == place) stores.push_back(&store);
     return stores;
+}
+
+bool disturbed_in(const Loop& loop, const Facts& facts, Place place) {
+    return std::ranges::any_of(in_body(loop, facts.disturbances), [place](const Disturbance& disturbance) {
+        return disturbance.place ? *disturbance.place == place : disturbance.space == place.space;
+    });
 }
 
 } // namespace maclint::dataflow

@@ -16,9 +16,8 @@ struct Loop {
     std::optional<flow::StructureId> structure; ///< WHILE or DO; empty: closed by a jump
     std::vector<flow::NodeId> body;             ///< sorted, head and latch included
     std::vector<flow::EdgeId> ways_out;         ///< passable edges that leave the body
-    bool can_stop;                              ///< a return, program end, alarm or pause is inside
-    bool has_unknown_effects; ///< a call of an unknown program, an unreadable block, a store through an
-                              ///< unknown index
+    bool can_stop; ///< a return, program end, alarm or pause is inside, or in a program called there
+    bool has_unknown_effects; ///< a call of an unknown program or an unreadable block is inside
 
     [[nodiscard]] bool holds(flow::NodeId node) const;
 };
@@ -36,8 +35,10 @@ struct ReadSet {
 };
 [[nodiscard]] ReadSet variables_of(const Program& program, ExpressionId expression);
 
-/// The stores in the loop's body that change the variable; calls and indirect stores show in
-/// Loop::has_unknown_effects or here.
+/// The assignments in the loop's body that change the variable.
 [[nodiscard]] std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place);
+/// Whether something in the loop's body that is no assignment may change the variable: a call, a store
+/// through an index.
+[[nodiscard]] bool disturbed_in(const Loop& loop, const Facts& facts, Place place);
 
 } // namespace maclint::dataflow

@@ -47,6 +47,7 @@ State States::at_entry() const {
 
 Vacancy States::vacancy_at_entry(Place place) const {
     if (knowledge_.entry == Entry::main) return Vacancy::vacant;
+    if (knowledge_.locals_are_callers) return Vacancy::unknown;
     if (knowledge_.arguments) {
         const auto known = std::ranges::find(*knowledge_.arguments, place, &std::pair<Place, Vacancy>::first);
         return known == knowledge_.arguments->end() ? Vacancy::vacant : known->second;

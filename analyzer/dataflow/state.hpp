@@ -26,6 +26,8 @@ struct EntryKnowledge {
     /// All callers are known: whether each argument is passed by all, some or none of them. Absent: there may
     /// be other callers.
     std::optional<std::vector<std::pair<Place, Vacancy>>> arguments;
+    /// Some caller shares its locals with the program: what they hold at the start, nobody knows.
+    bool locals_are_callers = false;
 };
 
 [[nodiscard]] constexpr Key key_of(Place place) {

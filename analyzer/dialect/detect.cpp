@@ -57,7 +57,7 @@ std::string_view behind_number(std::string_view line) {
     return digits == 0 ? line : trim(rest.substr(digits));
 }
 
-// ---- one line of each language; lines come in capitals and trimmed -------------------------------------------------
+// ---- one line of each language; lines come in capitals and trimmed ----
 
 bool is_klartext(std::string_view line) {
     static constexpr std::string_view heads[] = {"BEGIN PGM",  "END PGM", "TOOL CALL", "TOOL DEF", "CYCL DEF",
@@ -143,7 +143,7 @@ bool is_block(std::string_view line) {
     return values.find(code[value]) != std::string_view::npos;
 }
 
-// ---- other kinds of text --------------------------------------------------------------------------------------------
+// ---- other kinds of text ----
 
 std::optional<std::string> other_text(std::string_view text) {
     const std::string_view head = trim(text.substr(0, text.find_first_of("\r\n")));

@@ -64,8 +64,7 @@ class Building {
     }
 
   private:
-    // ---- what is jumped to
-    // -------------------------------------------------------------------------------------
+    // ---- what is jumped to ----
 
     void collect_wanted() {
         for_each_effect(program_, [this](EffectId id) {
@@ -90,8 +89,7 @@ class Building {
             wanted_.any = true;
     }
 
-    // ---- nodes in text order
-    // -----------------------------------------------------------------------------------
+    // ---- nodes in text order ----
 
     NodeId new_node(ItemId item, Span part, Slice effects, bool is_run) {
         const auto id = static_cast<NodeId>(graph_.nodes.size());
@@ -195,8 +193,7 @@ class Building {
         loose_.clear();
     }
 
-    // ---- structures
-    // --------------------------------------------------------------------------------------------
+    // ---- structures ----
 
     /// The open structure while its body is being built.
     struct Open {
@@ -285,8 +282,7 @@ class Building {
         open_.erase(found);
     }
 
-    // ---- jumps
-    // -------------------------------------------------------------------------------------------------
+    // ---- jumps ----
 
     void resolve_jumps() {
         index_labels();
@@ -350,8 +346,7 @@ class Building {
                                  [](const Label& l) { return std::pair(l.number, l.block.begin); });
     }
 
-    // ---- after all edges are there
-    // -----------------------------------------------------------------------------
+    // ---- after all edges are there ----
 
     void index_edges() {
         graph_.out.resize(graph_.nodes.size());

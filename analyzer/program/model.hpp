@@ -26,8 +26,7 @@ struct Slice {
     Id count = 0;
 };
 
-// ---- expressions
-// -------------------------------------------------------------------------------------------------
+// ---- expressions ----
 
 /// What an operator or function does; the analysis has one row of semantics for each.
 enum class Operation : std::uint8_t {
@@ -107,8 +106,7 @@ struct Expression {
     Span span; ///< brackets around it included
 };
 
-// ---- effects
-// -----------------------------------------------------------------------------------------------------
+// ---- effects ----
 
 struct StoreAt {
     FamilyId family;
@@ -203,8 +201,7 @@ struct Effect {
     Span span;
 };
 
-// ---- blocks
-// ------------------------------------------------------------------------------------------------------
+// ---- blocks ----
 
 /// One word of a block: address and value as written.
 struct Word {
@@ -299,8 +296,7 @@ class Program {
     void for_each_block(Span part, const std::function<bool(const PlainBlock&)>& visit) const;
 };
 
-// ---- files
-// -------------------------------------------------------------------------------------------------------
+// ---- files ----
 
 /// What is wrong with a text before any flow is looked at. Rules of the families 0xx and 1xx report these.
 enum class Irregular : std::uint8_t {

@@ -3,31 +3,13 @@
 #include "analyzer/workspace/workspace.hpp"
 
 #include "analyzer/flow/components.hpp"
+#include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/resolve.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <functional>
-#include <thread>
 
 namespace maclint {
-namespace {
-
-/// Calls `work(0) … work(count - 1)`, on up to `jobs` threads.
-void for_each_parallel(std::size_t count, unsigned jobs, const std::function<void(std::size_t)>& work) {
-    const auto threads = std::min<std::size_t>(jobs, count);
-    std::atomic<std::size_t> next{0};
-    const auto take = [&] {
-        for (std::size_t i = next++; i < count; i = next++) work(i);
-    };
-    std::vector<std::jthread> crew;
-    for (std::size_t i = 1; i < threads; ++i) crew.emplace_back(take);
-    take();
-}
-
-} // namespace
-
 class WorkspaceBuilder {
   public:
     WorkspaceBuilder(Workspace& workspace, std::deque<ProgramAnalysis>& programs, unsigned jobs)
@@ -110,8 +92,9 @@ class WorkspaceBuilder {
             main ? dataflow::Entry::main : dataflow::Entry::called_unknown, {}, {}};
         for (const Caller& caller : analysis.callers_) {
             const Program& program = programs_[caller.program].program();
-            for (const Argument& argument :
-                 program.arguments_of(std::get<Call>(program.effects[caller.effect].what)))
+            const auto& call = std::get<Call>(program.effects[caller.effect].what);
+            entry.locals_are_callers |= program.control->calls[call.kind].frame == Frame::shared;
+            for (const Argument& argument : program.arguments_of(call))
                 entry.passed_somewhere.push_back(argument.formal);
         }
         if (workspace_.complete() && !analysis.callers_.empty()) entry.arguments = what_all_pass(analysis);

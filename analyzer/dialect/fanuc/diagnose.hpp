@@ -13,7 +13,8 @@ namespace maclint::fanuc {
 [[nodiscard]] UnreadableBlock names_in(const Program& program, Span block);
 
 /// Adds the cause of the errors in a block's tree; always one.
-void diagnose(std::string_view text, Span block, const syntax::Tree& tree, std::vector<Irregularity>& irregularities);
+void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
+              std::vector<Irregularity>& irregularities);
 
 /// A comment that stands where only a bracket makes sense: `X(#1+2)`, `SIN(30)`.
 [[nodiscard]] std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, Span block);

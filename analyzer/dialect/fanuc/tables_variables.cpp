@@ -21,7 +21,8 @@ GroupId row_of(std::span<const ModalGroup> groups, std::string_view name) {
 void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::string_view what) {
     for (GroupId group = 0; group < modal_groups; ++group) {
         const std::int32_t number = first + group;
-        ranges.push_back({number, number, modal, spaces::machine, group, forbidden, false, what, "SEED-001:1340-1357"});
+        ranges.push_back(
+            {number, number, modal, spaces::machine, group, forbidden, false, what, "SEED-001:1340-1357"});
     }
 }
 
@@ -47,8 +48,8 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups) {
     const GroupId feed_hold = row_of(groups, "feed-hold suppression");
     std::vector<VariableRange> ranges;
     const auto add = [&](const VariableRange& range) { ranges.push_back(range); };
-    // Ranges that exist only as an option, or on one series, are taken to exist. What has no row here and lies from
-    // #1000 upward is a machine value of unknown meaning.
+    // Ranges that exist only as an option, or on one series, are taken to exist. What has no row here and
+    // lies from #1000 upward is a machine value of unknown meaning.
     // clang-format off
     //   first    last   meaning  space             group         on write   by itself what                                    source
     add({    0,      0,  null,    here,             0,            forbidden, false, "null variable",                           "SEED-001:160,198"});

@@ -1,0 +1,12 @@
+//! Independent pieces of work on several threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace maclint {
+
+/// Calls `work(0) … work(count - 1)`, on up to `jobs` threads; returns when all are done.
+void for_each_parallel(std::size_t count, unsigned jobs, const std::function<void(std::size_t)>& work);
+
+} // namespace maclint
