@@ -239,5 +239,6 @@ const ModalValue& Analysis::modal(const State& state, GroupId group) const {
     return states_->read(state, group);
 }
 Value Analysis::value(const State& state, Place place) const { return states_->read(state, place); }
+Value Analysis::value_at_entry(Place place) const { return states_->read(states_->at_entry(), place); }
 
 } // namespace maclint::dataflow

@@ -224,6 +224,10 @@ Value compute(Pool& pool, Operation operation, std::span<const Value> operands, 
     return result;
 }
 
+bool is_inexact(const Value& value) {
+    return value.exactness == Exactness::rounded || is_inexact_constant(value);
+}
+
 bool is_comparison(Operation operation) {
     return operation >= Operation::equal && operation <= Operation::greater_equal;
 }

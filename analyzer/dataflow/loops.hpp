@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/analysis.hpp"
 #include "analyzer/flow/structure.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -40,5 +41,25 @@ struct ReadSet {
 /// Whether something in the loop's body that is no assignment may change the variable: a call, a store
 /// through an index.
 [[nodiscard]] bool disturbed_in(const Loop& loop, const Facts& facts, Place place);
+
+/// One way out of a loop that a counter decides.
+struct CounterTest {
+    const Comparison* comparison;
+    Operation stays;    ///< the loop goes on as long as counter `stays` bound: less for WHILE[#1LT10]
+    ExpressionId bound; ///< does not change in the loop
+    const Value* bound_value;
+};
+
+/// A variable that alone decides when a loop ends.
+struct Counter {
+    Place place;
+    std::vector<CounterTest> tests;   ///< one for every way out, at least one
+    std::vector<const Store*> steps;  ///< v = v + amount, at least one
+    std::vector<const Store*> clamps; ///< other assignments, each guarded by a condition on the variable
+};
+
+/// The counter of the loop; nothing when something else has a say in its end.
+[[nodiscard]] std::optional<Counter> counter_of(const Program& program, const flow::Graph& graph,
+                                                const Facts& facts, const Loop& loop);
 
 } // namespace maclint::dataflow

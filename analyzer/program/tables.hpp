@@ -48,6 +48,8 @@ enum class Concern : std::uint8_t {
     none,        ///< nothing: no custom asks to put it back
     state,       ///< a way of reading words (plane, distance, units): MAC501
     operation,   ///< something that acts on every later move until cancelled: MAC502
+    cycle,       ///< a canned cycle, which every later position runs until cancelled, at most to the program's
+                 ///< end: MAC502
     value,       ///< feed or speed: MAC503
     motion,      ///< the motion mode itself: MAC504
     suppression, ///< single block, feed hold, override switched off: MAC515

@@ -329,6 +329,24 @@ void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
     irregularities.push_back(unreadable(text, block, tree));
 }
 
+bool is_plausible(std::string_view text, Span block) {
+    constexpr Offset farthest = 48;
+    Offset without_digit = 0;
+    for (Offset at = block.begin; at < block.end; ++at) {
+        const char c = text[at];
+        if (c == '(')
+            while (at < block.end && text[at] != ')' && text[at] != '\n' && text[at] != '\r') ++at;
+        else if (c >= '0' && c <= '9')
+            without_digit = 0;
+        else if (c != ' ' && c != '\t' && ++without_digit > farthest)
+            break;
+    }
+    if (without_digit <= farthest) return true;
+    // The words of an output or naming statement are free text.
+    const std::string capitals = in_capitals(text.substr(block.begin, block.length()));
+    return capitals.find("PRNT") != std::string::npos || capitals.find("SETVN") != std::string::npos;
+}
+
 UnreadableBlock names_in(const Program& program, Span block) {
     const Clues clues(program.text, block);
     const std::span<const Token> tokens = clues.tokens();
