@@ -18,7 +18,7 @@ extern const Rule float_equality{
     .name = "float-equality",
     .aliases = "DIN327",
     .summary = "A result that has been rounded is compared with EQ or NE: 0.002*1000 need not be "
-               "2.",
+               "2",
     .why = "The comparison fails although both numbers look the same on the display: the last "
            "pass is left out, or the loop goes on.",
     .severity = Severity::warning,

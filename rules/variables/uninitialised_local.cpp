@@ -1,4 +1,5 @@
 //! MAC209: a local variable is read although nothing can have set it.
+#include "analyzer/dataflow/ways.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -15,10 +16,10 @@ extern const Rule uninitialised_local{
     .code = "MAC209",
     .name = "uninitialised-local",
     .aliases = "DIN301",
-    .summary = "A local variable is read before anything has set it, and no argument can have done so.",
+    .summary = "A local variable is read before anything has set it, and no argument can have done so",
     .why = "Such a variable is vacant: a word that uses it is ignored (the axis stays where it is, the feed "
            "does "
-           "not change), and arithmetic takes it for 0. The control raises no alarm.",
+           "not change), and arithmetic takes it for 0. The control raises no alarm",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,
@@ -66,6 +67,16 @@ bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read
            analysis.data().value_at_entry(read.place).vacancy == dataflow::Vacancy::vacant;
 }
 
+/// Whether the program can get here without setting the variable. A range test on the way takes care of
+/// vacancy.
+bool can_be_reached_unset(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (read.value.vacancy == dataflow::Vacancy::vacant) return true;
+    return read.use != dataflow::Use::comparison &&
+           dataflow::way_without_assignment(analysis.program(), analysis.graph(), analysis.data(), read.place,
+                                            read.node)
+               .has_value();
+}
+
 std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     if (read.value.vacancy == dataflow::Vacancy::maybe) return "some-ways";
     if (analysis.is_main()) return "main";
@@ -81,6 +92,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Read& read : analysis.facts().reads) {
         if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
         if (std::ranges::find(known, read.place) != known.end()) continue;
+        if (!can_be_reached_unset(analysis, read)) continue;
         known.push_back(read.place);
         const Span span = program.expressions[read.expression].span;
         const std::string name = program.spell(read.place);
