@@ -1,5 +1,4 @@
-//! Finds the cause of a syntax error in a block's text; the parser's recovery is only asked where the text
-//! ran out.
+//! Finds the cause of a syntax error in a block's text; the parser's recovery is only asked where the text ran out.
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 
 #include "analyzer/dialect/fanuc/kinds.hpp"
@@ -55,8 +54,7 @@ class Clues {
     [[nodiscard]] bool looks_like_expression(const Token& comment) const;
     [[nodiscard]] bool is_known(const Token& token, const Token* next, int depth) const;
     [[nodiscard]] bool has_word(std::string_view keyword) const;
-    [[nodiscard]] Irregularity make(Irregular kind, Span span, std::string_view subject,
-                                    std::string cure) const {
+    [[nodiscard]] Irregularity make(Irregular kind, Span span, std::string_view subject, std::string cure) const {
         return {kind, span, shown(subject), std::move(cure)};
     }
 
@@ -113,8 +111,7 @@ bool Clues::looks_like_expression(const Token& comment) const {
         case TokenKind::number:
         case TokenKind::variable: operand = true; break;
         case TokenKind::letters:
-            if (split_keywords(in_capitals(text_.substr(token.span.begin, token.span.length()))).empty())
-                return false;
+            if (split_keywords(in_capitals(text_.substr(token.span.begin, token.span.length()))).empty()) return false;
             break;
         case TokenKind::other:
         case TokenKind::comma: return false;
@@ -134,21 +131,18 @@ std::optional<Irregularity> Clues::parenthesis_as_bracket() const {
         const bool sign_follows = next != nullptr && next->kind == TokenKind::sign;
         if (gives_value(next) && !(is_function(word) && sign_follows)) continue;
         const bool touches = before.span.end == comment.span.begin;
-        const bool certain =
-            is_function(word) || ((word == "IF" || word == "WHILE") && looks_like_expression(comment));
-        const bool operand = wants_value(before) && looks_like_expression(comment);
-        const bool address =
-            word.size() == 1 && touches && looks_like_expression(comment) && word != "N" && word != "O";
+        const bool certain = is_function(word) || ((word == "IF" || word == "WHILE") && looks_like_expression(comment));
+        const bool operand = (wants_value(before) || before.kind == TokenKind::sharp || word == "GOTO" ||
+                              word == "DO" || word == "END") &&
+                             looks_like_expression(comment);
+        const bool address = word.size() == 1 && touches && looks_like_expression(comment) && word != "N" && word != "O";
         if (!certain && !operand && !address) continue;
-        std::string cure =
-            text_[comment.span.end - 1] == ')' && comment.span.length() <= longest_shown
-                ? '[' + std::string(text_.substr(comment.span.begin + 1, comment.span.length() - 2)) + ']'
-                : std::string("[");
+        std::string cure = text_[comment.span.end - 1] == ')' && comment.span.length() <= longest_shown
+                               ? '[' + std::string(text_.substr(comment.span.begin + 1, comment.span.length() - 2)) + ']'
+                               : std::string("[");
         const std::string_view subject = text(before);
         return make(Irregular::parenthesis_as_bracket, comment.span,
-                    word.empty() ? subject
-                                 : subject.substr(subject.size() - std::min(word.size(), subject.size())),
-                    cure);
+                    word.empty() ? subject : subject.substr(subject.size() - std::min(word.size(), subject.size())), cure);
     }
     return std::nullopt;
 }
@@ -158,8 +152,7 @@ std::optional<Irregularity> Clues::bracket_mismatch() const {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
         if (tokens_[i].kind == TokenKind::open) open.push_back(i);
         if (tokens_[i].kind != TokenKind::close) continue;
-        if (open.empty())
-            return make(Irregular::bracket_mismatch, tokens_[i].span, "]", "a '[' is missing before it");
+        if (open.empty()) return make(Irregular::bracket_mismatch, tokens_[i].span, "]", "a '[' is missing before it");
         open.pop_back();
     }
     if (open.empty()) return std::nullopt;
@@ -182,8 +175,7 @@ bool Clues::is_known(const Token& token, const Token* next, int depth) const {
     if (depth > 0) return false;
     // Letters before a keyword or behind one are addresses when a value follows: THENG1, XSIN[30].
     const bool value_follows = gives_value(next);
-    if (value_follows && !split_keywords(std::string_view(word).substr(0, word.size() - 1)).empty())
-        return true;
+    if (value_follows && !split_keywords(std::string_view(word).substr(0, word.size() - 1)).empty()) return true;
     if (is_function(std::string_view(word).substr(1))) return true;
     // Abbreviations of functions, and addresses left without a value.
     return word.size() == 2;
@@ -199,7 +191,12 @@ std::optional<Irregularity> Clues::unknown_keyword() const {
         if (i > 0 && tokens_[i - 1].kind == TokenKind::sharp) continue; // a name
         const std::string word = capitals(token);
         if (word == "DPRNT" || word == "BPRNT" || word == "SETVN") return std::nullopt; // free text follows
-        if (is_known(token, at(i + 1), depth)) continue;
+        const Token* next = at(i + 1);
+        if (is_operator_word(word) && next != nullptr && next->kind == TokenKind::letters &&
+            (capitals(*next) == "THEN" || capitals(*next) == "GOTO"))
+            return make(Irregular::unknown_keyword, join(token.span, next->span),
+                        text_.substr(token.span.begin, next->span.end - token.span.begin), capitals(*next));
+        if (is_known(token, next, depth)) continue;
         return make(Irregular::unknown_keyword, token.span, text(token), explain(word).meant);
     }
     return std::nullopt;
@@ -246,13 +243,11 @@ std::optional<Irregularity> Clues::missing_value() const {
                 expected = "a loop number 1 to 3 after '" + word + "'";
             if ((word == "IF" || word == "WHILE") && !gives_value(next))
                 expected = "a condition in [ ] after '" + word + "'";
-            if (!expected.empty())
-                return make(Irregular::unreadable, token.span, text(token), std::move(expected));
+            if (!expected.empty()) return make(Irregular::unreadable, token.span, text(token), std::move(expected));
         }
         if (!wants_value(token) || gives_value(next)) continue;
         if (next != nullptr && next->kind == TokenKind::other) continue;
-        return make(Irregular::unreadable, token.span, text(token),
-                    "a value after '" + shown(text(token)) + "'");
+        return make(Irregular::unreadable, token.span, text(token), "a value after '" + shown(text(token)) + "'");
     }
     return std::nullopt;
 }
@@ -275,14 +270,11 @@ std::optional<Irregularity> Clues::remark() const {
             const bool plain = word.size() > 2 && split_keywords(word).empty() && !explain(word).known;
             (plain ? words : code) += 1;
         }
-        if (token.kind == TokenKind::variable || token.kind == TokenKind::open ||
-            token.kind == TokenKind::equals)
-            code += 2;
+        if (token.kind == TokenKind::variable || token.kind == TokenKind::open || token.kind == TokenKind::equals) code += 2;
     }
     if (words < 2 || words * 2 < code) return std::nullopt;
     const Span all{tokens_.front().span.begin, tokens_.back().span.end};
-    return make(Irregular::unreadable, all, text_.substr(all.begin, all.length()),
-                "a remark must stand in ( )");
+    return make(Irregular::unreadable, all, text_.substr(all.begin, all.length()), "a remark must stand in ( )");
 }
 
 /// The first node of the tree that stands for an error.
@@ -292,12 +284,20 @@ const syntax::Node* first_error(const syntax::Tree& tree) {
     return nullptr;
 }
 
+/// What the parser put in, in the user's words.
+std::string expected_word(const syntax::Node& node) {
+    if (kind_of(node) == Kind::variable) return "a variable";
+    if (kind_of(node) == Kind::number) return "a number";
+    const std::string name(syntax::symbol_name(grammar, node.symbol));
+    return node.named ? name : "'" + name + "'";
+}
+
 Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& tree) {
     Span span = block;
     std::string expected;
     if (const syntax::Node* error = first_error(tree)) {
         if (error->missing)
-            expected = "'" + std::string(syntax::symbol_name(grammar, error->symbol)) + "'";
+            expected = expected_word(*error);
         else if (!error->span.empty())
             span = {block.begin + error->span.begin, block.begin + error->span.end};
     }
@@ -316,11 +316,10 @@ std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, S
     return Clues(text, block).parenthesis_as_bracket();
 }
 
-void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
-              std::vector<Irregularity>& irregularities) {
+void diagnose(std::string_view text, Span block, const syntax::Tree& tree, std::vector<Irregularity>& irregularities) {
     const Clues clues(text, block);
-    for (const auto cause : {&Clues::remark, &Clues::parenthesis_as_bracket, &Clues::bracket_mismatch,
-                             &Clues::unknown_keyword, &Clues::symbolic_comparison, &Clues::missing_value}) {
+    for (const auto cause : {&Clues::remark, &Clues::parenthesis_as_bracket, &Clues::bracket_mismatch, &Clues::unknown_keyword,
+                             &Clues::symbolic_comparison, &Clues::missing_value}) {
         if (std::optional<Irregularity> found = (clues.*cause)()) {
             irregularities.push_back(std::move(*found));
             return;
@@ -357,8 +356,7 @@ UnreadableBlock names_in(const Program& program, Span block) {
         const Token& token = tokens[i];
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
         if (token.kind == TokenKind::variable && next != nullptr && next->kind == TokenKind::equals)
-            if (const std::optional<std::int64_t> number = read_integer(clues.text(token)))
-                written.push_back(*number);
+            if (const std::optional<std::int64_t> number = read_integer(clues.text(token))) written.push_back(*number);
         if (token.kind != TokenKind::letters) continue;
         const std::string word = clues.capitals(token);
         const Token* value = next;
@@ -371,13 +369,11 @@ UnreadableBlock names_in(const Program& program, Span block) {
         const std::string meant = words.empty() ? explain(word).meant : std::string();
         words.push_back(meant);
         for (const std::string_view keyword : words)
-            names.may_open_or_close |=
-                keyword == "IF" || keyword == "WHILE" || keyword == "DO" || keyword == "END";
+            names.may_open_or_close |= keyword == "IF" || keyword == "WHILE" || keyword == "DO" || keyword == "END";
         names.may_open_or_close |= word == "ELSE" || word == "ENDIF";
         if (next == nullptr || next->kind != TokenKind::number) continue;
         const double code = read_number(clues.text(*next)).value;
-        if (word.back() == 'G')
-            names.may_call_or_return |= std::floor(code) == 65 || std::floor(code) == 66 || code == 67;
+        if (word.back() == 'G') names.may_call_or_return |= std::floor(code) == 65 || std::floor(code) == 66 || code == 67;
         if (word.back() == 'M')
             names.may_call_or_return |= code == 2 || code == 30 || (code >= 96 && code <= 99) || code == 198;
     }
