@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 
 namespace maclint {
 
@@ -29,6 +30,15 @@ std::string Finding::message() const {
     const auto found = std::ranges::find(rule->messages, message_id, &Message::id);
     assert(found != rule->messages.end());
     return found == rule->messages.end() ? std::string(rule->summary) : fill(found->text, arguments);
+}
+
+// Position before everything else: the order does not depend on who found what first.
+bool comes_before(const Finding& a, const Finding& b) {
+    const auto key = [](const Finding& f) {
+        return std::tie(f.file->source->path(), f.span.begin, f.rule->code, f.span.end);
+    };
+    if (key(a) != key(b)) return key(a) < key(b);
+    return a.arguments < b.arguments;
 }
 
 } // namespace maclint

@@ -47,4 +47,7 @@ struct Finding {
     [[nodiscard]] std::string message() const;
 };
 
+/// The order of reports: path, line, column, code.
+[[nodiscard]] bool comes_before(const Finding& a, const Finding& b);
+
 } // namespace maclint

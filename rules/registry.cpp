@@ -1,5 +1,4 @@
-//! The explicit list of all rules, in the order of their codes. A new rule is one declaration and one line
-//! here.
+//! The explicit list of all rules, in the order of their codes. A new rule is one line here.
 #include "rules/rule.hpp"
 
 #include <algorithm>
@@ -7,52 +6,48 @@
 #include <cctype>
 #include <string>
 
+// One row a rule, in the order of their codes.
+// clang-format off
+#define MACLINT_RULES(RULE) \
+    RULE(unused_suppression)                    /* MAC001 */ \
+    RULE(unknown_rule_in_suppression)           /* MAC002 */ \
+    RULE(unreadable_file)                       /* MAC003 */ \
+    RULE(oversized_block)                       /* MAC004 */ \
+    RULE(uninitialised_local)                   /* MAC209 */ \
+    RULE(zero_test_misses_vacant)               /* MAC220 */ \
+    RULE(vacant_in_relational_comparison)       /* MAC221 */ \
+    RULE(vacancy_lost_in_arithmetic)            /* MAC222 */ \
+    RULE(vacancy_test_never_true)               /* MAC228 */ \
+    RULE(infinite_loop_unchanged)               /* MAC319 */ \
+    RULE(infinite_loop_step)                    /* MAC320 */ \
+    RULE(modal_state_not_restored)              /* MAC501 */ \
+    RULE(compensation_or_transform_left_active) /* MAC502 */ \
+    RULE(feed_or_speed_not_restored)            /* MAC503 */ \
+    RULE(motion_mode_not_restored)              /* MAC504 */ \
+    RULE(restore_from_wrong_variable)           /* MAC505 */ \
+    RULE(saved_value_lost)                      /* MAC506 */ \
+    RULE(single_block_suppression_not_restored) /* MAC515 */ \
+    RULE(saved_after_change)                    /* MAC517 */ \
+    RULE(modal_state_forced)                    /* MAC518 */ \
+    RULE(float_equality)                        /* MAC710 */ \
+    RULE(float_loop_counter)                    /* MAC711 */ \
+    RULE(constant_condition)                    /* MAC718 */
+// clang-format on
+
 namespace maclint {
 namespace rules {
-extern const Rule uninitialised_local;                   // MAC209
-extern const Rule zero_test_misses_vacant;               // MAC220
-extern const Rule vacant_in_relational_comparison;       // MAC221
-extern const Rule vacancy_lost_in_arithmetic;            // MAC222
-extern const Rule vacancy_test_never_true;               // MAC228
-extern const Rule infinite_loop_unchanged;               // MAC319
-extern const Rule infinite_loop_step;                    // MAC320
-extern const Rule modal_state_not_restored;              // MAC501
-extern const Rule compensation_or_transform_left_active; // MAC502
-extern const Rule feed_or_speed_not_restored;            // MAC503
-extern const Rule motion_mode_not_restored;              // MAC504
-extern const Rule restore_from_wrong_variable;           // MAC505
-extern const Rule saved_value_lost;                      // MAC506
-extern const Rule single_block_suppression_not_restored; // MAC515
-extern const Rule saved_after_change;                    // MAC517
-extern const Rule modal_state_forced;                    // MAC518
-extern const Rule float_equality;                        // MAC710
-extern const Rule float_loop_counter;                    // MAC711
-extern const Rule constant_condition;                    // MAC718
+
+#define MACLINT_DECLARE(name) extern const Rule name;
+MACLINT_RULES(MACLINT_DECLARE)
+#undef MACLINT_DECLARE
+
 } // namespace rules
 
 namespace {
 
-const std::array list{
-    &rules::uninitialised_local,
-    &rules::zero_test_misses_vacant,
-    &rules::vacant_in_relational_comparison,
-    &rules::vacancy_lost_in_arithmetic,
-    &rules::vacancy_test_never_true,
-    &rules::infinite_loop_unchanged,
-    &rules::infinite_loop_step,
-    &rules::modal_state_not_restored,
-    &rules::compensation_or_transform_left_active,
-    &rules::feed_or_speed_not_restored,
-    &rules::motion_mode_not_restored,
-    &rules::restore_from_wrong_variable,
-    &rules::saved_value_lost,
-    &rules::single_block_suppression_not_restored,
-    &rules::saved_after_change,
-    &rules::modal_state_forced,
-    &rules::float_equality,
-    &rules::float_loop_counter,
-    &rules::constant_condition,
-};
+#define MACLINT_ADDRESS(name) &rules::name,
+constexpr auto list = std::to_array<const Rule*>({MACLINT_RULES(MACLINT_ADDRESS)});
+#undef MACLINT_ADDRESS
 
 bool equal_without_case(std::string_view a, std::string_view b) {
     return std::ranges::equal(

@@ -1,5 +1,4 @@
 //! Runs rules over a workspace, files in parallel.
-#include "analyzer/program/overloaded.hpp"
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
@@ -7,7 +6,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 
 namespace maclint {
 namespace {
@@ -22,15 +20,6 @@ void run_checks(const Selection& selection, const Thing& thing, std::vector<Find
         (*check)(thing, reporter);
         std::ranges::move(reporter.take(), std::back_inserter(findings));
     }
-}
-
-/// Position before everything else: the order does not depend on who found what first.
-bool comes_before(const Finding& a, const Finding& b) {
-    const auto key = [](const Finding& f) {
-        return std::tie(f.file->source->path(), f.span.begin, f.rule->code, f.span.end);
-    };
-    if (key(a) != key(b)) return key(a) < key(b);
-    return a.arguments < b.arguments;
 }
 
 } // namespace
@@ -54,9 +43,8 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
 
     std::vector<Finding> findings;
     for (auto& part : parts) std::ranges::move(part, std::back_inserter(findings));
-    std::erase_if(findings, [&](const Finding& finding) {
-        return std::ranges::find(files, finding.file) == files.end();
-    });
+    std::ranges::sort(files);
+    std::erase_if(findings, [&](const Finding& finding) { return !std::ranges::binary_search(files, finding.file); });
     std::ranges::stable_sort(findings, comes_before);
     return findings;
 }

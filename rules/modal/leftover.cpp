@@ -21,7 +21,7 @@ Span span_of(const ProgramAnalysis& analysis, const dataflow::ModalPart& part) {
 
 std::optional<Leftover> leftover_of(const ProgramAnalysis& analysis, GroupId group, const IsFault& is_fault) {
     std::optional<Leftover> last;
-    bool on_every_way = true;
+    bool elsewhere_right = false;
     for (const dataflow::ExitState& exit : analysis.facts().exits) {
         if (exit.exit.kind == flow::ExitKind::alarm) continue;
         const dataflow::ModalValue& value = analysis.data().modal(exit.state, group);
@@ -29,12 +29,13 @@ std::optional<Leftover> leftover_of(const ProgramAnalysis& analysis, GroupId gro
         for (const dataflow::ModalPart& part : value.parts) {
             const bool fault = part.origin != 0 && !is_from_call(analysis, part) &&
                                is_fault(analysis.control().groups[group], group, exit, part);
-            on_every_way &= fault;
+            // A way on which nothing sets the group, as when a word is ignored, puts nothing back.
+            elsewhere_right |= part.origin != 0 && !fault;
             if (fault && (!last || span_of(analysis, last->part).begin < span_of(analysis, part).begin))
                 last = Leftover{group, part, &exit, true};
         }
     }
-    if (last) last->on_every_way = on_every_way;
+    if (last) last->on_every_way = !elsewhere_right;
     return last;
 }
 

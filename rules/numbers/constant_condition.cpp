@@ -66,7 +66,7 @@ bool depends_on_settings(const ProgramAnalysis& analysis, const dataflow::ReadSe
 
 struct Sides {
     bool constant = true; ///< all are known numbers
-    bool may_be_vacant = false;
+    bool vacant = false;  ///< one has never been set
 };
 
 Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
@@ -75,7 +75,7 @@ Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condi
         if (comparison.node != condition.node || comparison.effect != condition.effect) continue;
         for (const dataflow::Value* value : {&comparison.left, &comparison.right}) {
             sides.constant &= value->constant().has_value();
-            sides.may_be_vacant |= value->doubt != 0;
+            sides.vacant |= value->vacancy == dataflow::Vacancy::vacant;
         }
     }
     return sides;
@@ -90,7 +90,7 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
     if (sides.constant)
         return !depends_on_settings(analysis, dataflow::variables_of(program, condition.expression));
     // What is left over after all other cases were tested may be tested once more.
-    return !always && !sides.may_be_vacant;
+    return !always && !sides.vacant;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
