@@ -9,10 +9,10 @@
 namespace maclint {
 namespace {
 
+using ::testing::ElementsAre;
 using testing::lower;
 using testing::read;
 using testing::read_as;
-using ::testing::ElementsAre;
 
 // ---- variables
 
@@ -192,7 +192,8 @@ TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
               "unreadable jumps 5 opens-or-closes\n! bracket-mismatch '[' -> a ']' is missing before 'GOTO'");
     EXPECT_EQ(lower("WHLE[#1LT5]DO1"), "unreadable opens-or-closes\n! unknown-keyword 'WHLE' -> WHILE");
     EXPECT_EQ(lower("IF[#1LTE2]GOTO5"), "unreadable jumps 5 opens-or-closes\n! unknown-keyword 'LTE' -> LE");
-    EXPECT_EQ(lower("G65P9010A["), "unreadable calls-or-returns\n! bracket-mismatch '[' -> its ']' is missing");
+    EXPECT_EQ(lower("G65P9010A["),
+              "unreadable calls-or-returns\n! bracket-mismatch '[' -> its ']' is missing");
     EXPECT_EQ(lower("#1="), "unreadable writes #1\n! unreadable '=' -> a value after '='");
     EXPECT_EQ(lower("Increment pass counter"),
               "unreadable\n! unreadable 'Increment pass counter' -> a remark must stand in ( )");
@@ -222,7 +223,8 @@ TEST(FanucIrregular, SymbolsInConditions) {
 // ---- programs
 
 TEST(FanucProgram, NumberNameAndFileNameAreItsNames) {
-    const ProgramFile file = read_as("fanuc", "parts/holder.nc", "%\nO0100(HOLDER)\nM99\nO<PART-2>\nM99\n:7\nM99\n%");
+    const ProgramFile file =
+        read_as("fanuc", "parts/holder.nc", "%\nO0100(HOLDER)\nM99\nO<PART-2>\nM99\n:7\nM99\n%");
     ASSERT_EQ(file.programs.size(), 3U);
     EXPECT_EQ(file.programs[0].name, "O0100");
     EXPECT_EQ(file.programs[0].number, 100);
