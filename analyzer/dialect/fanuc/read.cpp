@@ -224,7 +224,8 @@ class Reader {
         return trees.parse(block, shape_);
     }
 
-    /// The lexer that tree-sitter generates must not meet the end of the text inside `DPRNT[`: it would not return.
+    /// The lexer that tree-sitter generates must not meet the end of the text inside `DPRNT[`: it would not
+    /// return.
     std::string_view with_end_of_block(Span block) {
         const std::string_view text = text_.substr(block.begin, raw_.next - block.begin);
         if (is_line_end(text.back()) || text.back() == ';') return text;
@@ -294,7 +295,7 @@ class Reader {
     RunTotals run_;
     RawBlock raw_;
     std::string shape_;
-    std::string ended_; ///< a copy of the last block, with an end of block
+    std::string ended_;       ///< a copy of the last block, with an end of block
     std::size_t waiting_ = 0; ///< first comment without a next block
     bool tape_open_ = true;
     bool program_open_ = false;
