@@ -5,6 +5,8 @@
 #include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -83,6 +85,61 @@ bool contradict(const Program& program, Atom a, Atom b) {
 
 } // namespace
 
+namespace {
+
+/// What is left of the numbers that an expression can be, as far as whole numbers go.
+struct WholeNumbers {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    std::vector<double> excluded;
+
+    void apply(Operation operation, double number) {
+        switch (operation) {
+        case Operation::less: high = std::min(high, std::ceil(number) - 1); break;
+        case Operation::less_equal: high = std::min(high, std::floor(number)); break;
+        case Operation::equal:
+            low = std::max(low, number);
+            high = std::min(high, number);
+            break;
+        case Operation::greater_equal: low = std::max(low, std::ceil(number)); break;
+        case Operation::greater: low = std::max(low, std::floor(number) + 1); break;
+        default: excluded.push_back(number); break;
+        }
+    }
+
+    [[nodiscard]] bool none_left() const {
+        if (low > high) return true;
+        if (high - low >= static_cast<double>(excluded.size())) return false;
+        for (double number = low; number <= high; ++number)
+            if (std::ranges::find(excluded, number) == excluded.end()) return false;
+        return true;
+    }
+};
+
+bool is_bit(const Program& program, ExpressionId id) {
+    const auto* load = std::get_if<LoadMachine>(&program.expressions[id].node);
+    if (load == nullptr) return false;
+    const VariableRange* range = program.control->families[load->family].find(load->number);
+    return range != nullptr && range->is_bit;
+}
+
+/// Whether the comparisons of this expression with whole numbers leave it no whole number. Those who count
+/// through the cases of a variable, #7EQ1, #7EQ2 …, mean whole numbers.
+bool exhausted(const Program& program, const std::vector<Atom>& atoms, ExpressionId expression) {
+    WholeNumbers left;
+    if (is_bit(program, expression)) left = {0, 1, {}};
+    for (const Atom& atom : atoms) {
+        if (!is_comparison(atom.operation) || !same_expression(program, atom.left, expression)) continue;
+        const auto* literal = std::get_if<Literal>(&program.expressions[atom.right].node);
+        if (literal == nullptr) continue;
+        if (std::floor(literal->value) != literal->value) return false;
+        left.apply(atom.operation, literal->value);
+    }
+    return left.none_left();
+}
+
+} // namespace
+
 std::optional<Place> plain_place(const Program& program, ExpressionId expression) {
     const auto* load = std::get_if<Load>(&program.expressions[expression].node);
     return load == nullptr ? std::nullopt : std::optional(load->place);
@@ -136,14 +193,18 @@ bool tests_any_vacancy(const Program& program, ExpressionId expression) {
 }
 
 std::optional<std::size_t> first_contradiction(const Program& program, std::span<const Decision> decisions) {
+    constexpr std::size_t most_decisions = 256;
     std::vector<Atom> known;
-    for (std::size_t i = 0; i < decisions.size(); ++i) {
+    const std::size_t first = decisions.size() > most_decisions ? decisions.size() - most_decisions : 0;
+    for (std::size_t i = first; i < decisions.size(); ++i) {
         std::vector<Atom> now;
         collect_atoms(program, decisions[i].condition, decisions[i].holds, now);
         for (const Atom& atom : now)
             for (const Atom& earlier : known)
                 if (contradict(program, earlier, atom)) return i;
         known.insert(known.end(), now.begin(), now.end());
+        for (const Atom& atom : now)
+            if (exhausted(program, known, atom.left)) return i;
     }
     return std::nullopt;
 }

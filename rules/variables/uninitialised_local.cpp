@@ -1,8 +1,8 @@
 //! MAC209: a local variable is read although nothing can have set it.
 #include "analyzer/dataflow/ways.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
 #include "rules/rule.hpp"
-#include "rules/trace.hpp"
 
 #include <algorithm>
 
@@ -67,14 +67,13 @@ bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read
            analysis.data().value_at_entry(read.place).vacancy == dataflow::Vacancy::vacant;
 }
 
-/// Whether the program can get here without setting the variable. A range test on the way takes care of
-/// vacancy.
-bool can_be_reached_unset(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    if (read.value.vacancy == dataflow::Vacancy::vacant) return true;
-    return read.use != dataflow::Use::comparison &&
-           dataflow::way_without_assignment(analysis.program(), analysis.graph(), analysis.data(), read.place,
-                                            read.node)
-               .has_value();
+/// How the program can get here without setting the variable; nothing when it cannot. A comparison may be the
+/// very test that takes care of vacancy.
+std::optional<std::vector<flow::EdgeId>> way_to(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (read.value.vacancy == dataflow::Vacancy::maybe && read.use == dataflow::Use::comparison)
+        return std::nullopt;
+    return dataflow::way_without_assignment(analysis.program(), analysis.graph(), analysis.data(), read.place,
+                                            read.node);
 }
 
 std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Read& read) {
@@ -92,13 +91,17 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Read& read : analysis.facts().reads) {
         if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
         if (std::ranges::find(known, read.place) != known.end()) continue;
-        if (!can_be_reached_unset(analysis, read)) continue;
+        const auto way = way_to(analysis, read);
+        if (!way && read.value.vacancy != dataflow::Vacancy::vacant) continue;
         known.push_back(read.place);
         const Span span = program.expressions[read.expression].span;
         const std::string name = program.spell(read.place);
         Finding& finding = reporter.report(analysis.file(), span, message_for(analysis, read), {name});
-        trace(finding, analysis, read.value.doubt, name + " is vacant when the program begins", read.node,
-              name + " is read");
+        finding.path.push_back(
+            remark_at(analysis, read.value.doubt, name + " is vacant when the program begins"));
+        for (Remark& step : way ? steps_along(analysis, *way) : way_between(analysis, 0, read.node))
+            finding.path.push_back(std::move(step));
+        finding.path.push_back({&analysis.file(), span, name + " is read"});
     }
 }
 
