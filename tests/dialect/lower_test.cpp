@@ -101,18 +101,18 @@ TEST(FanucJump, TakesNumbersVariablesAndExpressions) {
 // ---- words
 
 TEST(FanucWords, SetModalGroupsThenMove) {
-    EXPECT_EQ(lower("G90G1X#1F200"), "distance mode=90; motion mode=1; feed=200; move");
-    EXPECT_EQ(lower("X[#1+2]Y-#3"), "move");
+    EXPECT_EQ(lower("G90G1X#1F200"), "distance mode=90; motion mode=1; feed=200; values #1; move");
+    EXPECT_EQ(lower("X[#1+2]Y-#3"), "values add(#1, 2) negate(#3); move");
     EXPECT_EQ(lower("G#3"), "modal=#3");
     EXPECT_EQ(lower("S#19M3"), "spindle speed=#19");
-    EXPECT_EQ(lower("ZI-[#2]"), "move");
+    EXPECT_EQ(lower("ZI-[#2]"), "values negate(#2); move");
 }
 
 TEST(FanucWords, ThatAreNoTargetsDoNotMove) {
-    EXPECT_EQ(lower("G4X#1"), "synchronise");
-    EXPECT_EQ(lower("G10L2P1X0Y#1"), "synchronise");
-    EXPECT_EQ(lower("G68X0Y0R#1"), "rotation=68");
-    EXPECT_EQ(lower("G92S#1"), "");
+    EXPECT_EQ(lower("G4X#1"), "values #1; synchronise");
+    EXPECT_EQ(lower("G10L2P1X0Y#1"), "values #1; synchronise");
+    EXPECT_EQ(lower("G68X0Y0R#1"), "rotation=68; values #1");
+    EXPECT_EQ(lower("G92S#1"), "values #1");
 }
 
 TEST(FanucWords, ThatMoveOnTheirOwnAccordAlsoStopLookAhead) {
@@ -122,7 +122,7 @@ TEST(FanucWords, ThatMoveOnTheirOwnAccordAlsoStopLookAhead) {
 }
 
 TEST(FanucWords, LocalOffsetIsOnUntilItIsZero) {
-    EXPECT_EQ(lower("G52X#24Y0"), "local offset=52");
+    EXPECT_EQ(lower("G52X#24Y0"), "local offset=52; values #24");
     EXPECT_EQ(lower("G52X0Y0"), "local offset=0");
 }
 
@@ -131,7 +131,7 @@ TEST(FanucWords, EndStopAndToolChange) {
     EXPECT_EQ(lower("M01"), "synchronise; pause");
     EXPECT_EQ(lower("T5M6"), "synchronise; tool change");
     EXPECT_EQ(lower("M99"), "return");
-    EXPECT_EQ(lower("M99P#1"), "return to #1");
+    EXPECT_EQ(lower("M99P#1"), "values #1; return to #1");
 }
 
 TEST(FanucSkip, LeadingMarkIsTheBlocksAndALaterOneGuardsTheRest) {
@@ -201,7 +201,7 @@ TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
 
 TEST(FanucIrregular, OpenCommentSwallowsWhatFollows) {
     EXPECT_EQ(lower("G0X#1(TO THE EDGE\nG1X#2"),
-              "motion mode=0; move\nmotion mode=1; move\n! unterminated-comment '(TO THE EDGE' -> )");
+              "motion mode=0; values #1; move\nmotion mode=1; values #2; move\n! unterminated-comment '(TO THE EDGE' -> )");
     EXPECT_EQ(lower("#1=(NOT CLOSED"), "unreadable writes #1\n! unterminated-comment '(NOT CLOSED' -> )");
 }
 
@@ -243,7 +243,7 @@ TEST(FanucProgram, WithoutNumberIsNamedAfterItsFile) {
 
 TEST(FanucProgram, NctHeadAndTailStandOnOneLineWithTheTapeMarks) {
     const ProgramFile file = read("%O9601(POCKET)\nG0X#1\nM99%\nREST OF TAPE");
-    EXPECT_EQ(describe(file), "O9601:\n\nmotion mode=0; move\nreturn\n");
+    EXPECT_EQ(describe(file), "O9601:\n\nmotion mode=0; values #1; move\nreturn\n");
 }
 
 TEST(FanucProgram, LatheTextTakesTheLatheTwinOfTheControl) {
