@@ -44,7 +44,8 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
     std::vector<Finding> findings;
     for (auto& part : parts) std::ranges::move(part, std::back_inserter(findings));
     std::ranges::sort(files);
-    std::erase_if(findings, [&](const Finding& finding) { return !std::ranges::binary_search(files, finding.file); });
+    std::erase_if(findings,
+                  [&](const Finding& finding) { return !std::ranges::binary_search(files, finding.file); });
     std::ranges::stable_sort(findings, comes_before);
     return findings;
 }

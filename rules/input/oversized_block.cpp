@@ -29,8 +29,9 @@ extern const Rule oversized_block{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"oversized", "This block is longer than 4 KiB, so maclint skips it. Check the file for lost "
-                               "line ends, or divide the block."}},
+    .messages = {{"oversized",
+                  "This block is longer than 4 KiB, so maclint skips it. Check the file for lost "
+                  "line ends, or divide the block."}},
     .bad = {{"fanuc", long_block()}},
     .also = {},
     .good = {{"fanuc", "O0004(SHORT BLOCKS)\n"

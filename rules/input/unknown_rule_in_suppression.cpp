@@ -8,7 +8,8 @@ extern const Rule unknown_rule_in_suppression{
     .name = "unknown-rule-in-suppression",
     .aliases = "",
     .summary = "A suppression or the configuration names a rule that does not exist",
-    .why = "A mistyped code allows nothing: the finding it was meant for comes back, or, in the configuration, a "
+    .why = "A mistyped code allows nothing: the finding it was meant for comes back, or, in the "
+           "configuration, a "
            "rule that the shop relies on is never switched on.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
@@ -18,8 +19,9 @@ extern const Rule unknown_rule_in_suppression{
     .messages = {{"unknown", "There is no rule '{0}'. See 'maclint rules' for the list."},
                  {"similar", "There is no rule '{0}'. Did you mean '{1}'?"},
                  {"no-rule", "This comment names no rule. Write '{0}'."},
-                 {"no-verb", "'{0}' is nothing that maclint understands here. Write ALLOW, ALLOW-FILE, OFF or ON "
-                             "before the rule's code."}},
+                 {"no-verb",
+                  "'{0}' is nothing that maclint understands here. Write ALLOW, ALLOW-FILE, OFF or ON "
+                  "before the rule's code."}},
     .bad = {{"fanuc", "O0002(MISTYPED CODE)\n"
                       "G0 X10. (MACLINT ALLOW MAC004X - HOUSE RULE)\n"
                       "M30\n"}},

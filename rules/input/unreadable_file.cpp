@@ -8,8 +8,9 @@ extern const Rule unreadable_file{
     .name = "unreadable-file",
     .aliases = "",
     .summary = "The file holds no NC text, but binary or something else",
-    .why = "A file that was damaged in transfer, or is no program at all, reaches the control all the same: it "
-           "stops at the first character that it does not know, or it reads noise as words.",
+    .why =
+        "A file that was damaged in transfer, or is no program at all, reaches the control all the same: it "
+        "stops at the first character that it does not know, or it reads noise as words.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .on_by_default = true,
