@@ -3,6 +3,7 @@
 
 #include "analyzer/program/tables.hpp"
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,8 @@ constexpr std::string_view feed = "feed", speed = "spindle speed", local_offset 
 [[nodiscard]] std::vector<ModalGroup> lathe_groups();
 [[nodiscard]] std::vector<VariableSpace> variable_spaces();
 /// What `#n` is; `groups` gives the rows that #4001 and the like read.
-[[nodiscard]] VariableFamily numbered_variables(std::span<const ModalGroup> groups);
+/// `group_twelve` is the row that #4012 reads, where that is known.
+[[nodiscard]] VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optional<GroupId> group_twelve);
 [[nodiscard]] std::vector<CallKind> call_kinds();
 
 /// All controls of the family.
