@@ -11,14 +11,15 @@ namespace maclint {
 
 struct Rule;
 
-/// note = style or portability; warning = likely wrong; error = the control will raise an alarm or the program cannot mean what it says.
+/// note = style or portability; warning = likely wrong; error = the control will raise an alarm or the
+/// program cannot mean what it says.
 enum class Severity : std::uint8_t { note, warning, error };
 
 /// A place with a sentence about it: a related location or a step of a path.
 struct Remark {
     const ProgramFile* file;
     Span span;
-    std::string text;  ///< UTF-8, starts lower case, no full stop: "N20 is here, inside DO1 … END1"
+    std::string text; ///< UTF-8, starts lower case, no full stop: "N20 is here, inside DO1 … END1"
 };
 
 /// Replace the bytes of `span` by `text`.
@@ -27,19 +28,26 @@ struct Edit {
     std::string text;
 };
 
+/// `text` with {0}, {1} … replaced.
+[[nodiscard]] std::string fill(std::string_view text, const std::vector<std::string>& arguments);
+
 struct Finding {
     const Rule* rule;
-    Severity severity;              ///< the rule's, or what the configuration made of it
+    Severity severity; ///< the rule's, or what the configuration made of it
     const ProgramFile* file;
     Span span;
-    std::string_view message_id;    ///< one of the rule's messages
-    std::vector<std::string> arguments;  ///< for {0}, {1} … of the message, UTF-8
+    std::string_view message_id;        ///< one of the rule's messages
+    std::vector<std::string> arguments; ///< for {0}, {1} … of the message, UTF-8
     std::vector<Remark> related;
-    std::vector<Remark> path;       ///< in execution order, the finding's own place last; empty: no data flow involved
-    std::vector<Edit> fix;          ///< empty: none
+    std::vector<Remark>
+        path;              ///< in execution order, the finding's own place last; empty: no data flow involved
+    std::vector<Edit> fix; ///< empty: none
 
     /// The message with its arguments filled in.
     [[nodiscard]] std::string message() const;
 };
 
-}  // namespace maclint
+/// The order of reports: path, line, column, code.
+[[nodiscard]] bool comes_before(const Finding& a, const Finding& b);
+
+} // namespace maclint

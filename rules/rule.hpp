@@ -24,9 +24,9 @@ struct Message {
 
 /// An alarm of a control that the rule prevents.
 struct Alarm {
-    std::string_view control;  ///< "FANUC 16i/18i/21i"
-    std::string_view number;   ///< "124"
-    std::string_view text;     ///< "MISSING END STATEMENT"
+    std::string_view control; ///< "FANUC 16i/18i/21i"
+    std::string_view number;  ///< "124"
+    std::string_view text;    ///< "MISSING END STATEMENT"
 };
 
 /// A program that shows the rule. `dialect` as --dialect takes it.
@@ -42,20 +42,21 @@ using ProgramCheck = void (*)(const ProgramAnalysis&, Reporter&);
 using WorkspaceCheck = void (*)(const Workspace&, Reporter&);
 
 struct Rule {
-    std::string_view code;      ///< "MAC303"
-    std::string_view name;      ///< "jump-into-loop"
-    std::string_view aliases;   ///< further codes, separated by blanks; "" for none
-    std::string_view summary;   ///< one line
-    std::string_view why;       ///< why it matters at the machine
+    std::string_view code;    ///< "MAC303"
+    std::string_view name;    ///< "jump-into-loop"
+    std::string_view aliases; ///< further codes, separated by blanks; "" for none
+    std::string_view summary; ///< one line
+    std::string_view why;     ///< why it matters at the machine
     Severity severity;
     Precision precision;
-    bool on_by_default;         ///< very_high and high are on; `off_reason` says why another choice was made
+    bool on_by_default; ///< very_high and high are on; `off_reason` says why another choice was made
     std::string_view off_reason;
-    bool data_flow;             ///< findings carry a path (SARIF codeFlows); a test demands it of the bad example
+    bool data_flow; ///< findings carry a path (SARIF codeFlows); a test demands it of the bad example
     std::vector<Message> messages;
-    std::vector<Example> bad;   ///< raises exactly this rule under --select CODE
-    std::vector<std::string_view> also;  ///< codes that the bad example raises beside it under the default selection
-    std::vector<Example> good;  ///< raises nothing
+    std::vector<Example> bad; ///< raises exactly this rule under --select CODE
+    std::vector<std::string_view>
+        also;                  ///< codes that the bad example raises beside it under the default selection
+    std::vector<Example> good; ///< raises nothing
     std::vector<Alarm> alarms;
     std::vector<std::string_view> sources;
     std::variant<RaisedByCommand, FileCheck, ProgramCheck, WorkspaceCheck> check;
@@ -63,14 +64,16 @@ struct Rule {
 
 /// Takes the findings of one rule.
 class Reporter {
-public:
-    explicit Reporter(const Rule& rule) : rule_(&rule) {}
+  public:
+    explicit Reporter(const Rule& rule)
+        : rule_(&rule) {}
 
     /// Adds a finding and gives it back, to be filled with related places, a path or a fix.
-    Finding& report(const ProgramFile& file, Span span, std::string_view message_id, std::vector<std::string> arguments);
+    Finding& report(const ProgramFile& file, Span span, std::string_view message_id,
+                    std::vector<std::string> arguments);
     [[nodiscard]] std::vector<Finding> take() { return std::move(findings_); }
 
-private:
+  private:
     const Rule* rule_;
     std::vector<Finding> findings_;
 };
@@ -87,6 +90,7 @@ struct Selection {
 
 /// Runs the selected rules over the workspace on up to `jobs` threads. The order of the findings is that of
 /// path, line, column, code, whatever `jobs` is.
-[[nodiscard]] std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection, unsigned jobs);
+[[nodiscard]] std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection,
+                                             unsigned jobs);
 
-}  // namespace maclint
+} // namespace maclint

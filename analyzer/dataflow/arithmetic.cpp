@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
@@ -28,13 +29,15 @@ Range hull(std::initializer_list<double> ends) {
 double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
 Range multiply(const Value& a, const Value& b) {
-    return hull({product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)});
+    return hull(
+        {product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)});
 }
 
 Range divide(const Value& a, const Value& b) {
     if (b.low <= 0 && b.high >= 0) return {-infinity, infinity};
     const auto quotient = [](double x, double y) { return std::isinf(y) ? 0 : x / y; };
-    return hull({quotient(a.low, b.low), quotient(a.low, b.high), quotient(a.high, b.low), quotient(a.high, b.high)});
+    return hull(
+        {quotient(a.low, b.low), quotient(a.low, b.high), quotient(a.high, b.low), quotient(a.high, b.high)});
 }
 
 Range absolute(const Value& a) {
@@ -46,22 +49,23 @@ Range absolute(const Value& a) {
 Range range_of(Operation operation, std::span<const Value> v) {
     const auto monotone = [&](auto f) { return hull({f(v[0].low), f(v[0].high)}); };
     switch (operation) {
-        case Operation::add: return hull({v[0].low + v[1].low, v[0].high + v[1].high});
-        case Operation::subtract: return hull({v[0].low - v[1].high, v[0].high - v[1].low});
-        case Operation::multiply: return multiply(v[0], v[1]);
-        case Operation::divide: return divide(v[0], v[1]);
-        case Operation::negate: return {-v[0].high, -v[0].low};
-        case Operation::absolute: return absolute(v[0]);
-        case Operation::round: return monotone([](double x) { return std::round(x); });
-        case Operation::truncate: return monotone([](double x) { return std::trunc(x); });
-        case Operation::round_up: return monotone([](double x) { return x < 0 ? std::floor(x) : std::ceil(x); });
-        case Operation::square_root: return v[0].low < 0 ? Range{0, infinity} : monotone([](double x) { return std::sqrt(x); });
-        case Operation::sine:
-        case Operation::cosine: return {-1, 1};
-        case Operation::exponential: return {0, infinity};
-        case Operation::modulo:
-            return v[0].low >= 0 && v[1].low > 0 ? Range{0, v[1].high} : Range{-infinity, infinity};
-        default: return {-infinity, infinity};
+    case Operation::add: return hull({v[0].low + v[1].low, v[0].high + v[1].high});
+    case Operation::subtract: return hull({v[0].low - v[1].high, v[0].high - v[1].low});
+    case Operation::multiply: return multiply(v[0], v[1]);
+    case Operation::divide: return divide(v[0], v[1]);
+    case Operation::negate: return {-v[0].high, -v[0].low};
+    case Operation::absolute: return absolute(v[0]);
+    case Operation::round: return monotone([](double x) { return std::round(x); });
+    case Operation::truncate: return monotone([](double x) { return std::trunc(x); });
+    case Operation::round_up: return monotone([](double x) { return x < 0 ? std::floor(x) : std::ceil(x); });
+    case Operation::square_root:
+        return v[0].low < 0 ? Range{0, infinity} : monotone([](double x) { return std::sqrt(x); });
+    case Operation::sine:
+    case Operation::cosine: return {-1, 1};
+    case Operation::exponential: return {0, infinity};
+    case Operation::modulo:
+        return v[0].low >= 0 && v[1].low > 0 ? Range{0, v[1].high} : Range{-infinity, infinity};
+    default: return {-infinity, infinity};
     }
 }
 
@@ -118,6 +122,26 @@ bool is_dyadic(double number) {
     return std::abs(number) < 1e9 && std::floor(number * grid) == number * grid;
 }
 
+/// Operations whose result is 0 when an operand is.
+bool keeps_zero(Operation operation) {
+    switch (operation) {
+    case Operation::negate:
+    case Operation::absolute:
+    case Operation::multiply:
+    case Operation::round:
+    case Operation::truncate:
+    case Operation::round_up:
+    case Operation::add_point: return true;
+    default: return false;
+    }
+}
+
+OriginId doubt_of(std::span<const Value> v) {
+    const auto doubtful =
+        std::ranges::find_if(v, [](const Value& value) { return value.doubt != 0 && value.can_be(0); });
+    return doubtful == v.end() ? 0 : doubtful->doubt;
+}
+
 bool all_whole(std::span<const Value> v) {
     return std::ranges::all_of(v, [](const Value& value) { return value.integer; });
 }
@@ -139,7 +163,8 @@ Exactness worst(std::span<const Value> v) {
 Exactness division(std::span<const Value> v) {
     if (const auto divisor = v[1].constant(); divisor && *divisor != 0) {
         if (is_power_of_two(*divisor)) return v[0].exactness;
-        if (const auto dividend = v[0].constant(); dividend && is_dyadic(*dividend / *divisor)) return worst(v);
+        if (const auto dividend = v[0].constant(); dividend && is_dyadic(*dividend / *divisor))
+            return worst(v);
     }
     return Exactness::rounded;
 }
@@ -148,32 +173,48 @@ Exactness sum_or_product(std::span<const Value> v) {
     const Exactness operands = worst(v);
     if (operands == Exactness::rounded || all_whole(v)) return operands;
     if (std::ranges::any_of(v, is_inexact_constant)) return Exactness::rounded;
-    const bool dyadic = std::ranges::all_of(v, [](const Value& x) { return x.integer || (x.low == x.high && is_dyadic(x.low)); });
+    const bool dyadic = std::ranges::all_of(
+        v, [](const Value& x) { return x.integer || (x.low == x.high && is_dyadic(x.low)); });
     return dyadic ? operands : std::max(operands, Exactness::unknown);
 }
 
 Exactness exactness_of(R rounds, std::span<const Value> v) {
     switch (rounds) {
-        case R::never: return worst(v);
-        case R::unless_whole: return sum_or_product(v);
-        case R::always: return Exactness::rounded;
-        case R::by_divisor: return division(v);
-        case R::forgets: return Exactness::exact;
+    case R::never: return worst(v);
+    case R::unless_whole: return sum_or_product(v);
+    case R::always: return Exactness::rounded;
+    case R::by_divisor: return division(v);
+    case R::forgets: return Exactness::exact;
     }
     return Exactness::unknown;
 }
 
-Symbol symbol_of(Operation operation, std::span<const Value> v, const Origin& here) {
-    const bool fits = v.size() <= 2 && operation != Operation::unknown;
-    if (!fits) return {Symbol::Kind::opaque, here.id, 1, here.node};
-    return {Symbol::Kind::result, static_cast<std::uint64_t>(operation), v.empty() ? 0 : v[0].symbol, v.size() < 2 ? 0 : v[1].symbol};
+/// a+b and b+a are one value.
+bool is_commutative(Operation operation) {
+    switch (operation) {
+    case Operation::add:
+    case Operation::multiply:
+    case Operation::bit_and:
+    case Operation::bit_or:
+    case Operation::bit_xor: return true;
+    default: return false;
+    }
 }
 
-}  // namespace
+Symbol symbol_of(Operation operation, std::span<const Value> v, const Origin& here) {
+    const bool fits = !v.empty() && v.size() <= 2 && operation != Operation::unknown;
+    if (!fits) return {Symbol::Kind::opaque, here.id, 1, here.node};
+    SymbolId first = v[0].symbol;
+    SymbolId second = v.size() < 2 ? 0 : v[1].symbol;
+    if (is_commutative(operation) && second < first) std::swap(first, second);
+    return {Symbol::Kind::result, static_cast<std::uint64_t>(operation), first, second};
+}
+
+} // namespace
 
 Value compute(Pool& pool, Operation operation, std::span<const Value> operands, const Origin& here) {
     Value result;
-    result.vacancy = Vacancy::set;  // arithmetic takes vacant for 0 [NCT-173, MITSU-326]
+    result.vacancy = Vacancy::set; // arithmetic takes vacant for 0 [NCT-173, MITSU-326]
     const Semantics* row = find_semantics(operation);
     const Range range = row == nullptr ? Range{-infinity, infinity} : range_of(operation, operands);
     result.low = range.low;
@@ -183,40 +224,50 @@ Value compute(Pool& pool, Operation operation, std::span<const Value> operands, 
         result.exactness = exactness_of(row->rounds, operands);
         if (result.exactness == Exactness::rounded) {
             const auto rounded = std::ranges::find(operands, Exactness::rounded, &Value::exactness);
-            result.rounding = rounded != operands.end() && row->rounds != R::always ? rounded->rounding : pool.origins(here);
+            result.rounding = rounded != operands.end() && row->rounds != R::always ? rounded->rounding
+                                                                                    : pool.origins(here);
         }
     }
     if (result.low == result.high && std::isfinite(result.low) && std::floor(result.low) == result.low &&
         result.exactness == Exactness::exact) {
         return number_value(pool, result.low);
     }
+    if (keeps_zero(operation)) result.doubt = doubt_of(operands);
+    if (operation == Operation::negate || operation == Operation::absolute)
+        result.nonzero = !operands[0].can_be(0);
     result.symbol = pool.symbols(symbol_of(operation, operands, here));
     return result;
 }
 
-bool is_comparison(Operation operation) { return operation >= Operation::equal && operation <= Operation::greater_equal; }
+bool is_inexact(const Value& value) {
+    return value.exactness == Exactness::rounded || is_inexact_constant(value);
+}
+
+bool is_comparison(Operation operation) {
+    return operation >= Operation::equal && operation <= Operation::greater_equal;
+}
 
 Operation opposite(Operation operation) {
     switch (operation) {
-        case Operation::equal: return Operation::not_equal;
-        case Operation::not_equal: return Operation::equal;
-        case Operation::less: return Operation::greater_equal;
-        case Operation::less_equal: return Operation::greater;
-        case Operation::greater: return Operation::less_equal;
-        case Operation::greater_equal: return Operation::less;
-        case Operation::is_vacant: return Operation::is_set;
-        case Operation::is_set: return Operation::is_vacant;
-        default: return operation;
+    case Operation::equal: return Operation::not_equal;
+    case Operation::not_equal: return Operation::equal;
+    case Operation::less: return Operation::greater_equal;
+    case Operation::less_equal: return Operation::greater;
+    case Operation::greater: return Operation::less_equal;
+    case Operation::greater_equal: return Operation::less;
+    case Operation::is_vacant: return Operation::is_set;
+    case Operation::is_set: return Operation::is_vacant;
+    default: return operation;
     }
 }
 
 Operation mirrored(Operation operation) {
     switch (operation) {
-        case Operation::less: return Operation::greater;
-        case Operation::less_equal: return Operation::greater_equal;
-        case Operation::greater: return Operation::less;
-        case Operation::greater_equal: return Operation::less_equal;
-        default: return operation;
+    case Operation::less: return Operation::greater;
+    case Operation::less_equal: return Operation::greater_equal;
+    case Operation::greater: return Operation::less;
+    case Operation::greater_equal: return Operation::less_equal;
+    default: return operation;
     }
 }
 
@@ -229,12 +280,15 @@ Truth equal(const Value& a, const Value& b, bool vacant_equals_zero) {
     const bool known = a.vacancy == Vacancy::set && b.vacancy == Vacancy::set;
     if (a.symbol == b.symbol) return {true, false};
     if (!vacant_equals_zero) {
-        const auto one_vacant = [](const Value& x, const Value& y) { return x.vacancy == Vacancy::vacant && y.vacancy == Vacancy::set; };
+        const auto one_vacant = [](const Value& x, const Value& y) {
+            return x.vacancy == Vacancy::vacant && y.vacancy == Vacancy::set;
+        };
         if (one_vacant(a, b) || one_vacant(b, a)) return {false, true};
     }
     if (a.high < b.low || b.high < a.low) truth.can_hold = false;
     const bool same_point = a.low == a.high && b.low == b.high && a.low == b.low;
-    if (same_point && known && a.exactness == Exactness::exact && b.exactness == Exactness::exact) truth.can_fail = false;
+    if (same_point && known && a.exactness == Exactness::exact && b.exactness == Exactness::exact)
+        truth.can_fail = false;
     return truth;
 }
 
@@ -243,17 +297,17 @@ Truth less(const Value& a, const Value& b) {
     return {a.low < b.high, a.high >= b.low};
 }
 
-}  // namespace
+} // namespace
 
 Truth compare(Operation operation, const Value& left, const Value& right, bool vacant_equals_zero) {
     switch (operation) {
-        case Operation::equal: return equal(left, right, vacant_equals_zero);
-        case Operation::not_equal: return negated(equal(left, right, vacant_equals_zero));
-        case Operation::less: return less(left, right);
-        case Operation::greater: return less(right, left);
-        case Operation::less_equal: return negated(less(right, left));
-        case Operation::greater_equal: return negated(less(left, right));
-        default: return {};
+    case Operation::equal: return equal(left, right, vacant_equals_zero);
+    case Operation::not_equal: return negated(equal(left, right, vacant_equals_zero));
+    case Operation::less: return less(left, right);
+    case Operation::greater: return less(right, left);
+    case Operation::less_equal: return negated(less(right, left));
+    case Operation::greater_equal: return negated(less(left, right));
+    default: return {};
     }
 }
 
@@ -262,4 +316,4 @@ Truth test_vacancy(Operation operation, const Value& operand) {
     return operation == Operation::is_vacant ? vacant : negated(vacant);
 }
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

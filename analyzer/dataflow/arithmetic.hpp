@@ -14,11 +14,17 @@ struct Truth {
 };
 
 /// The result of an operator or function. `here` is the expression, for values that are rounded by it.
-[[nodiscard]] Value compute(Pool& pool, Operation operation, std::span<const Value> operands, const Origin& here);
+[[nodiscard]] Value compute(Pool& pool, Operation operation, std::span<const Value> operands,
+                            const Origin& here);
 
 /// The outcome of a comparison or vacancy test; `vacant_equals_zero` is the control's.
-[[nodiscard]] Truth compare(Operation operation, const Value& left, const Value& right, bool vacant_equals_zero);
+[[nodiscard]] Truth compare(Operation operation, const Value& left, const Value& right,
+                            bool vacant_equals_zero);
 [[nodiscard]] Truth test_vacancy(Operation operation, const Value& operand);
+
+/// Whether sums of this value collect errors: it was rounded, or is a number that binary arithmetic cannot
+/// hold.
+[[nodiscard]] bool is_inexact(const Value& value);
 
 [[nodiscard]] bool is_comparison(Operation operation);
 /// LT for GE and so on; what holds when the comparison fails.
@@ -26,4 +32,4 @@ struct Truth {
 /// GT for LT and so on; the same comparison with its sides exchanged.
 [[nodiscard]] Operation mirrored(Operation operation);
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

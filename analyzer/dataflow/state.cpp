@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
 
 Vacancy join_vacancy(Vacancy a, Vacancy b) {
     if (a == b) return a;
-    const bool evidence = a == Vacancy::maybe || b == Vacancy::maybe || a == Vacancy::vacant || b == Vacancy::vacant;
+    const bool evidence =
+        a == Vacancy::maybe || b == Vacancy::maybe || a == Vacancy::vacant || b == Vacancy::vacant;
     return evidence ? Vacancy::maybe : Vacancy::unknown;
 }
 
@@ -21,14 +23,18 @@ void add_part(ModalValue& value, const ModalPart& part) {
     value.parts.insert(place, part);
 }
 
-}  // namespace
+} // namespace
 
-States::States(const Program& program, Entry entry) : program_(program), entry_(entry) {
+States::States(const Program& program, EntryKnowledge knowledge)
+    : program_(program)
+    , knowledge_(std::move(knowledge)) {
     for (std::size_t i = 0; i < program.control->groups.size(); ++i) {
         const ModalGroup& group = program.control->groups[i];
         ModalValue value;
-        if (entry == Entry::main && group.reset) value.parts = {{pool_.constant(*group.reset), 0}};
-        else value.parts = {{pool_.symbols({Symbol::Kind::entry_group, i, 0, 0}), 0}};
+        if (knowledge_.entry == Entry::main && group.reset)
+            value.parts = {{pool_.constant(*group.reset), 0}};
+        else
+            value.parts = {{pool_.symbols({Symbol::Kind::entry_group, i, 0, 0}), 0}};
         entry_modals_.push_back(pool_.modals(value));
     }
 }
@@ -39,21 +45,31 @@ State States::at_entry() const {
     return state;
 }
 
+Vacancy States::vacancy_at_entry(Place place) const {
+    if (knowledge_.entry == Entry::main) return Vacancy::vacant;
+    if (knowledge_.locals_are_callers) return Vacancy::unknown;
+    if (knowledge_.arguments) {
+        const auto known = std::ranges::find(*knowledge_.arguments, place, &std::pair<Place, Vacancy>::first);
+        return known == knowledge_.arguments->end() ? Vacancy::vacant : known->second;
+    }
+    const auto& formals = program_.control->formals;
+    const auto& passed = knowledge_.passed_somewhere;
+    const bool argument = std::ranges::find(formals, place) != formals.end() ||
+                          std::ranges::find(passed, place) != passed.end();
+    return argument ? Vacancy::maybe : Vacancy::vacant;
+}
+
 Value States::entry_value(Place place) {
     const VariableSpace& space = program_.control->spaces[place.space];
-    const OriginId origin = pool_.origins({Origin::Kind::entry, static_cast<std::uint32_t>(place.number), place.space});
+    const OriginId origin =
+        pool_.origins({Origin::Kind::entry, static_cast<std::uint32_t>(place.number), place.space});
     Value value;
     value.symbol = pool_.symbols({Symbol::Kind::entry, key_of(place), 0, 0});
     if (space.scope == Scope::frame) {
-        const auto& formals = program_.control->formals;
-        const bool argument = std::ranges::find(formals, place) != formals.end();
-        if (space.unset == Unset::vacant) {
-            if (entry_ == Entry::main || !argument) return vacant_value(pool_, origin);
-            value.vacancy = Vacancy::maybe;
-            value.doubt = origin;
-        } else if (space.unset == Unset::zero && (entry_ == Entry::main || !argument)) {
-            return number_value(pool_, 0);
-        }
+        value.vacancy = vacancy_at_entry(place);
+        if (value.vacancy == Vacancy::vacant)
+            return space.unset == Unset::zero ? number_value(pool_, 0) : vacant_value(pool_, origin);
+        if (value.vacancy == Vacancy::maybe) value.doubt = origin;
     } else if (space.scope == Scope::machine) {
         value.vacancy = Vacancy::set;
     }
@@ -105,18 +121,28 @@ void States::forget(State& state, SpaceId space, const Origin& site) {
     state.forgotten[space] = pool_.symbols({Symbol::Kind::opaque, site.id, 2, site.node});
 }
 
+/// That the variable itself was vacant at the start says more than that another one was.
+bool States::is_entry_of(OriginId doubt, Key key) const {
+    const Origin& origin = pool_.origins[doubt];
+    const Place place = place_of(key);
+    return origin.kind == Origin::Kind::entry && origin.id == static_cast<std::uint32_t>(place.number) &&
+           origin.node == place.space;
+}
+
 Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t node) {
     if (a == b) return a;
     Value joined;
     joined.symbol = a.symbol == b.symbol ? a.symbol : pool_.symbols({Symbol::Kind::joined, key, node, 0});
     joined.origin = a.origin == b.origin ? a.origin : 0;
     joined.vacancy = join_vacancy(a.vacancy, b.vacancy);
-    joined.doubt = a.doubt != 0 ? a.doubt : b.doubt;
+    joined.doubt = a.doubt != 0 && !is_entry_of(b.doubt, key) ? a.doubt : b.doubt;
+    if (joined.doubt == 0) joined.doubt = a.doubt;
     joined.exactness = std::max(a.exactness, b.exactness);
     joined.rounding = a.rounding != 0 ? a.rounding : b.rounding;
     joined.low = std::min(a.low, b.low);
     joined.high = std::max(a.high, b.high);
     joined.integer = a.integer && b.integer;
+    joined.nonzero = !a.can_be(0) && !b.can_be(0);
     return joined;
 }
 
@@ -135,7 +161,7 @@ State States::merge(const State& a, const State& b, std::uint32_t node, Widening
     if (!b.reached || a == b) return a;
     State joined;
     joined.reached = true;
-    constexpr std::uint32_t nothing = 0;  // the constant symbol of no code: "not known"
+    constexpr std::uint32_t nothing = 0; // the constant symbol of no code: "not known"
     const auto join_keyed = [&](Key key, std::uint32_t x, std::uint32_t y) {
         if (is_group_key(key)) return join_modals(x, y);
         if (!is_place_key(key)) return x == y ? x : nothing;
@@ -150,11 +176,13 @@ State States::merge(const State& a, const State& b, std::uint32_t node, Widening
         return pool_.values(absent(lacking, key));
     };
     joined.root = trees_.merge(
-        a.root, b.root, join_keyed, [&](Key key, std::uint32_t x) { return join_keyed(key, x, otherwise(b, key)); },
+        a.root, b.root, join_keyed,
+        [&](Key key, std::uint32_t x) { return join_keyed(key, x, otherwise(b, key)); },
         [&](Key key, std::uint32_t y) { return join_keyed(key, otherwise(a, key), y); });
     for (std::size_t space = 0; space < most_spaces; ++space) {
         const bool same = a.forgotten[space] == b.forgotten[space];
-        joined.forgotten[space] = same ? a.forgotten[space] : pool_.symbols({Symbol::Kind::opaque, space, 3, node});
+        joined.forgotten[space] =
+            same ? a.forgotten[space] : pool_.symbols({Symbol::Kind::opaque, space, 3, node});
     }
     return joined;
 }
@@ -163,7 +191,8 @@ State States::join(const State& a, const State& b, std::uint32_t node) {
     return merge(a, b, node, [](const Value&, Value&) {});
 }
 
-State States::widen(const State& old, const State& now, std::uint32_t node, std::span<const double> thresholds) {
+State States::widen(const State& old, const State& now, std::uint32_t node,
+                    std::span<const double> thresholds) {
     return merge(old, now, node, [thresholds](const Value& before, Value& after) {
         if (after.high > before.high) {
             const auto next = std::ranges::lower_bound(thresholds, after.high);
@@ -171,9 +200,10 @@ State States::widen(const State& old, const State& now, std::uint32_t node, std:
         }
         if (after.low < before.low) {
             const auto next = std::ranges::upper_bound(thresholds, after.low);
-            after.low = next == thresholds.begin() ? -std::numeric_limits<double>::infinity() : *std::prev(next);
+            after.low =
+                next == thresholds.begin() ? -std::numeric_limits<double>::infinity() : *std::prev(next);
         }
     });
 }
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

@@ -6,17 +6,33 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace maclint::dataflow {
 
 /// How a program is entered.
 enum class Entry : std::uint8_t {
-    main,            ///< nobody calls it: locals vacant, modal groups at their reset codes
-    called_unknown,  ///< callers unknown: arguments may be missing, modal groups are the caller's
+    main,           ///< nobody calls it: locals vacant, modal groups at their reset codes
+    called_unknown, ///< callers unknown: arguments may be missing, modal groups are the caller's
 };
 
-[[nodiscard]] constexpr Key key_of(Place place) { return (Key{place.space} + 1) << 32U | static_cast<std::uint32_t>(place.number); }
+/// What the callers tell of a program's local variables.
+struct EntryKnowledge {
+    Entry entry;
+    std::vector<Place> passed_somewhere; ///< arguments that some known caller passes, sorted
+    /// All callers are known: whether each argument is passed by all, some or none of them. Absent: there may
+    /// be other callers.
+    std::optional<std::vector<std::pair<Place, Vacancy>>> arguments;
+    /// Some caller shares its locals with the program: what they hold at the start, nobody knows.
+    bool locals_are_callers = false;
+};
+
+[[nodiscard]] constexpr Key key_of(Place place) {
+    return (Key{place.space} + 1) << 32U | static_cast<std::uint32_t>(place.number);
+}
 constexpr Key group_keys = Key{0x100} << 32U;
 constexpr Key entry_code_keys = Key{0x200} << 32U;
 [[nodiscard]] constexpr Key key_of(GroupId group) { return group_keys | group; }
@@ -25,14 +41,16 @@ constexpr Key entry_code_keys = Key{0x200} << 32U;
 [[nodiscard]] constexpr bool is_place_key(Key key) { return key < group_keys; }
 [[nodiscard]] constexpr bool is_group_key(Key key) { return key >= group_keys && key < entry_code_keys; }
 [[nodiscard]] constexpr Place place_of(Key key) {
-    return {static_cast<SpaceId>((key >> 32U) - 1), static_cast<std::int32_t>(static_cast<std::uint32_t>(key))};
+    return {static_cast<SpaceId>((key >> 32U) - 1),
+            static_cast<std::int32_t>(static_cast<std::uint32_t>(key))};
 }
 
-constexpr std::size_t most_spaces = 16;
+constexpr std::size_t most_spaces = 8;
 
 struct State {
     Root root = 0;
-    /// For each space: 0, or the opaque symbol of what made all its variables unknown that the tree does not hold.
+    /// For each space: 0, or the opaque symbol of what made all its variables unknown that the tree does not
+    /// hold.
     std::array<SymbolId, most_spaces> forgotten{};
     bool reached = false;
     friend bool operator==(const State&, const State&) = default;
@@ -40,8 +58,8 @@ struct State {
 
 /// The operations on states of one program's analysis.
 class States {
-public:
-    States(const Program& program, Entry entry);
+  public:
+    States(const Program& program, EntryKnowledge knowledge);
 
     [[nodiscard]] State at_entry() const;
     [[nodiscard]] Value read(const State& state, Place place);
@@ -56,24 +74,27 @@ public:
     /// Both ways meet at `node`.
     [[nodiscard]] State join(const State& a, const State& b, std::uint32_t node);
     /// As join, but bounds that grow jump to the next number of `thresholds` (sorted) or to infinity.
-    [[nodiscard]] State widen(const State& old, const State& now, std::uint32_t node, std::span<const double> thresholds);
+    [[nodiscard]] State widen(const State& old, const State& now, std::uint32_t node,
+                              std::span<const double> thresholds);
 
     [[nodiscard]] Pool& pool() { return pool_; }
     [[nodiscard]] const Pool& pool() const { return pool_; }
     [[nodiscard]] Trees& trees() { return trees_; }
-    [[nodiscard]] Entry entry() const { return entry_; }
+    [[nodiscard]] Entry entry() const { return knowledge_.entry; }
 
-private:
+  private:
     using Widening = const std::function<void(const Value& old, Value& now)>;
     [[nodiscard]] State merge(const State& a, const State& b, std::uint32_t node, Widening& widening);
     [[nodiscard]] Value entry_value(Place place);
+    [[nodiscard]] Vacancy vacancy_at_entry(Place place) const;
     [[nodiscard]] Value absent(const State& state, Key key);
     [[nodiscard]] std::uint32_t absent_modal(Key key);
+    [[nodiscard]] bool is_entry_of(OriginId doubt, Key key) const;
     [[nodiscard]] Value join_values(const Value& a, const Value& b, Key key, std::uint32_t node);
     [[nodiscard]] std::uint32_t join_modals(std::uint32_t a, std::uint32_t b);
 
     const Program& program_;
-    Entry entry_;
+    EntryKnowledge knowledge_;
     Pool pool_;
     Trees trees_;
     std::vector<std::uint32_t> entry_modals_;
@@ -82,4 +103,4 @@ private:
 /// Beyond so many ways a modal group counts as unknown.
 constexpr std::size_t most_modal_parts = 12;
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

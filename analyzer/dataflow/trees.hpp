@@ -1,5 +1,5 @@
-//! Persistent maps from 64-bit keys to ids: copies share what they have in common, so a state costs what changed.
-//! Big-endian Patricia trees after Okasaki and Gill, "Fast Mergeable Integer Maps" (1998).
+//! Persistent maps from 64-bit keys to ids: copies share what they have in common, so a state costs what
+//! changed. Big-endian Patricia trees after Okasaki and Gill, "Fast Mergeable Integer Maps" (1998).
 #pragma once
 
 #include <bit>
@@ -10,11 +10,12 @@
 namespace maclint::dataflow {
 
 using Key = std::uint64_t;
-using Root = std::uint32_t;  ///< 0: the empty map
+using Root = std::uint32_t; ///< 0: the empty map
 
 class Trees {
-public:
-    Trees() : nodes_(1) {}
+  public:
+    Trees()
+        : nodes_(1) {}
 
     [[nodiscard]] std::optional<std::uint32_t> find(Root root, Key key) const {
         while (root != 0) {
@@ -50,7 +51,7 @@ public:
         return branch(root, without(node.left, first, last), without(node.right, first, last));
     }
 
-    template <class Visit>
+    template<class Visit>
     void for_each(Root root, const Visit& visit) const {
         if (root == 0) return;
         const Node& node = nodes_[root];
@@ -59,8 +60,9 @@ public:
         for_each(node.right, visit);
     }
 
-    /// Every key of both: `both(key, a, b)` where the values differ, `only_a(key, a)`, `only_b(key, b)` where one lacks the key.
-    template <class Both, class OnlyA, class OnlyB>
+    /// Every key of both: `both(key, a, b)` where the values differ, `only_a(key, a)`, `only_b(key, b)` where
+    /// one lacks the key.
+    template<class Both, class OnlyA, class OnlyB>
     [[nodiscard]] Root merge(Root a, Root b, const Both& both, const OnlyA& only_a, const OnlyB& only_b) {
         if (a == b) return a;
         if (a == 0) return map(b, only_b);
@@ -96,11 +98,11 @@ public:
         return link(s.key, left, t.key, map(b, only_b));
     }
 
-private:
+  private:
     struct Node {
-        Key key = 0;             ///< leaf: the key; branch: the bits above `bit`
-        Key bit = 0;             ///< 0: leaf
-        std::uint32_t left = 0;  ///< leaf: the value
+        Key key = 0;            ///< leaf: the key; branch: the bits above `bit`
+        Key bit = 0;            ///< 0: leaf
+        std::uint32_t left = 0; ///< leaf: the value
         std::uint32_t right = 0;
     };
 
@@ -129,7 +131,7 @@ private:
         return add({prefix(p, bit), bit, a_left ? a : b, a_left ? b : a});
     }
 
-    template <class Change>
+    template<class Change>
     Root map(Root root, const Change& change) {
         if (root == 0) return 0;
         const Node node = nodes_[root];
@@ -144,4 +146,4 @@ private:
     std::vector<Node> nodes_;
 };
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

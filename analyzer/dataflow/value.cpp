@@ -16,7 +16,7 @@ void mix(std::size_t& hash, std::uint64_t value) {
     hash = static_cast<std::size_t>(value ^ (value >> 31U));
 }
 
-}  // namespace
+} // namespace
 
 std::size_t HashValue::operator()(const Value& v) const {
     std::size_t hash = 0;
@@ -24,7 +24,9 @@ std::size_t HashValue::operator()(const Value& v) const {
     mix(hash, (std::uint64_t{v.doubt} << 32U) | v.rounding);
     mix(hash, std::bit_cast<std::uint64_t>(v.low));
     mix(hash, std::bit_cast<std::uint64_t>(v.high));
-    mix(hash, (static_cast<std::uint64_t>(v.vacancy) << 16U) | (static_cast<std::uint64_t>(v.exactness) << 8U) | (v.integer ? 1U : 0U));
+    mix(hash, (static_cast<std::uint64_t>(v.vacancy) << 16U) |
+                  (static_cast<std::uint64_t>(v.exactness) << 8U) | (v.integer ? 1U : 0U) |
+                  (v.nonzero ? 2U : 0U));
     return hash;
 }
 
@@ -55,7 +57,7 @@ Pool::Pool() {
 }
 
 SymbolId Pool::constant(double number) {
-    if (number == 0) number = 0;  // no negative zero: it is the same number
+    if (number == 0) number = 0; // no negative zero: it is the same number
     return symbols({Symbol::Kind::constant, std::bit_cast<std::uint64_t>(number), 0, 0});
 }
 
@@ -82,7 +84,7 @@ Value number_value(Pool& pool, double number) {
 Value vacant_value(Pool& pool, OriginId doubt) {
     Value value;
     value.symbol = pool.symbols({Symbol::Kind::vacant, 0, 0, 0});
-    value.low = value.high = 0;  // what arithmetic and comparisons other than EQ and NE take it for
+    value.low = value.high = 0; // what arithmetic and comparisons other than EQ and NE take it for
     value.vacancy = Vacancy::vacant;
     value.exactness = Exactness::exact;
     value.integer = true;
@@ -90,4 +92,4 @@ Value vacant_value(Pool& pool, OriginId doubt) {
     return value;
 }
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

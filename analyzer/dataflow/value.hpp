@@ -1,43 +1,47 @@
-//! What is known of one value: vacant or not, how large, how exact, and which computation it is the result of.
+//! What is known of one value: vacant or not, how large, how exact, and which computation it is the result
+//! of.
 #pragma once
 
 #include "analyzer/program/model.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace maclint::dataflow {
 
-/// `maybe` is known to be possible and has a reason (Value::doubt); `unknown` is ignorance and proves nothing.
+/// `maybe` is known to be possible and has a reason (Value::doubt); `unknown` is ignorance and proves
+/// nothing.
 enum class Vacancy : std::uint8_t { set, vacant, maybe, unknown };
 
 /// Whether rounding has touched a value. `rounded` has a place (Value::rounding).
 enum class Exactness : std::uint8_t { exact, unknown, rounded };
 
-using SymbolId = std::uint32_t;  ///< equal symbols at one point of the program are equal values
-using OriginId = std::uint32_t;  ///< 0: none
+using SymbolId = std::uint32_t; ///< equal symbols at one point of the program are equal values
+using OriginId = std::uint32_t; ///< 0: none
 
 /// Where something came from.
 struct Origin {
-    enum class Kind : std::uint8_t { none, entry, effect, expression } kind;
-    std::uint32_t id;    ///< effect or expression; entry: the key's number
-    std::uint32_t node;  ///< flow node; entry: 0
+    enum class Kind : std::uint8_t { none, entry, effect, expression, run } kind;
+    std::uint32_t id;   ///< effect or expression; entry: the number of the place; run: the modal group that a
+                        ///< plain block set
+    std::uint32_t node; ///< flow node; entry: the space of the place
     friend bool operator==(const Origin&, const Origin&) = default;
 };
 
 /// A computation, as a value number.
 struct Symbol {
     enum class Kind : std::uint8_t {
-        constant,     ///< a: the bits of the number
+        constant, ///< a: the bits of the number
         vacant,
-        entry,        ///< a: key; the value at the program's start
-        entry_group,  ///< a: group; the code in force when the program was called
-        opaque,       ///< a: expression or effect, b: what for; nothing more is known
-        joined,       ///< a: key, b: node where ways with different values meet
-        result,       ///< a: operation, b, c: operand symbols
+        entry,       ///< a: key; the value at the program's start
+        entry_group, ///< a: group; the code in force when the program was called
+        opaque,      ///< a: expression or effect, b: what for; nothing more is known
+        joined,      ///< a: key, b: node where ways with different values meet
+        result,      ///< a: operation, b, c: operand symbols
     } kind;
     std::uint64_t a;
     std::uint32_t b, c;
@@ -46,26 +50,30 @@ struct Symbol {
 
 struct Value {
     SymbolId symbol = 0;
-    OriginId origin = 0;    ///< the store that made it the content of its variable
-    OriginId doubt = 0;     ///< why it can be vacant
-    OriginId rounding = 0;  ///< where it was rounded
+    OriginId origin = 0;   ///< the store that made it the content of its variable
+    OriginId doubt = 0;    ///< why it can be vacant, or 0 because something else is vacant
+    OriginId rounding = 0; ///< where it was rounded
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     Vacancy vacancy = Vacancy::unknown;
     Exactness exactness = Exactness::unknown;
     bool integer = false;
+    bool nonzero = false; ///< known not to be 0 although the range holds it
 
     [[nodiscard]] std::optional<double> constant() const {
-        return low == high && vacancy != Vacancy::vacant && vacancy != Vacancy::maybe ? std::optional(low) : std::nullopt;
+        return low == high && vacancy != Vacancy::vacant && vacancy != Vacancy::maybe ? std::optional(low)
+                                                                                      : std::nullopt;
     }
-    [[nodiscard]] bool can_be(double number) const { return low <= number && number <= high; }
+    [[nodiscard]] bool can_be(double number) const {
+        return low <= number && number <= high && !(nonzero && number == 0);
+    }
     friend bool operator==(const Value&, const Value&) = default;
 };
 
 /// One way a modal group can be: a code, the caller's code, a value.
 struct ModalPart {
     SymbolId symbol;
-    OriginId origin;  ///< what set it; 0: nothing in this program
+    OriginId origin; ///< what set it; 0: nothing in this program
     friend bool operator==(const ModalPart&, const ModalPart&) = default;
 };
 
@@ -76,26 +84,54 @@ struct ModalValue {
     friend bool operator==(const ModalValue&, const ModalValue&) = default;
 };
 
-/// Stores equal things once and names them by number.
-template <class T, class Hash>
+/// Stores equal things once and names them by number. Open addressing: most programs are small, and every one
+/// has four.
+template<class T, class Hash>
 class Interner {
-public:
+  public:
     std::uint32_t operator()(const T& thing) {
-        const auto [found, fresh] = ids_.try_emplace(thing, static_cast<std::uint32_t>(things_.size()));
-        if (fresh) things_.push_back(thing);
-        return found->second;
+        if (2 * things_.size() >= slots_.size()) grow();
+        std::uint32_t& slot = slots_[place_of(thing)];
+        if (slot == 0) {
+            things_.push_back(thing);
+            slot = static_cast<std::uint32_t>(things_.size());
+        }
+        return slot - 1;
     }
     [[nodiscard]] const T& operator[](std::uint32_t id) const { return things_[id]; }
 
-private:
-    std::unordered_map<T, std::uint32_t, Hash> ids_;
+  private:
+    /// The slot that holds the thing, or the free one where it belongs.
+    [[nodiscard]] std::size_t place_of(const T& thing) const {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t place = Hash{}(thing)&mask;
+        while (slots_[place] != 0 && !(things_[slots_[place] - 1] == thing)) place = (place + 1) & mask;
+        return place;
+    }
+
+    void grow() {
+        constexpr std::size_t fewest = 64;
+        slots_.assign(std::max(fewest, 2 * slots_.size()), 0);
+        for (std::size_t i = 0; i < things_.size(); ++i)
+            slots_[place_of(things_[i])] = static_cast<std::uint32_t>(i + 1);
+    }
+
     std::vector<T> things_;
+    std::vector<std::uint32_t> slots_; ///< 0: free; otherwise one more than the thing's number
 };
 
-struct HashValue { std::size_t operator()(const Value& value) const; };
-struct HashSymbol { std::size_t operator()(const Symbol& symbol) const; };
-struct HashOrigin { std::size_t operator()(const Origin& origin) const; };
-struct HashModal { std::size_t operator()(const ModalValue& value) const; };
+struct HashValue {
+    std::size_t operator()(const Value& value) const;
+};
+struct HashSymbol {
+    std::size_t operator()(const Symbol& symbol) const;
+};
+struct HashOrigin {
+    std::size_t operator()(const Origin& origin) const;
+};
+struct HashModal {
+    std::size_t operator()(const ModalValue& value) const;
+};
 
 /// The tables of one program's analysis.
 struct Pool {
@@ -114,4 +150,4 @@ struct Pool {
 [[nodiscard]] Value number_value(Pool& pool, double number);
 [[nodiscard]] Value vacant_value(Pool& pool, OriginId doubt);
 
-}  // namespace maclint::dataflow
+} // namespace maclint::dataflow

@@ -12,10 +12,10 @@ namespace maclint {
 
 /// One dialect: how its files are recognised and turned into programs.
 struct Dialect {
-    std::string_view name;             ///< what --dialect takes
+    std::string_view name; ///< what --dialect takes
     std::string_view description;
-    std::string_view default_control;  ///< the control assumed when nobody names one
-    std::string_view comment_open, comment_close;  ///< for suppressions and examples
+    std::string_view default_control;             ///< the control assumed when nobody names one
+    std::string_view comment_open, comment_close; ///< for suppressions and examples
     ProgramFile (*read)(std::shared_ptr<const Source>, const ControlModel&);
 };
 
@@ -29,12 +29,13 @@ struct Dialect {
 /// What a file's extension and content say. Without a dialect the file is not ours: `reason` says what it is.
 struct Detection {
     const Dialect* dialect;
-    std::string reason;   ///< "extension .nc", "HEIDENHAIN Klartext (BEGIN PGM in line 1)"
-    bool not_nc_text;     ///< no NC program of any kind (binary, C, JSON, noise): MAC003 when the user named the file
+    std::string reason; ///< "extension .nc", "HEIDENHAIN Klartext (BEGIN PGM in line 1)"
+    bool not_nc_text; ///< no NC program of any kind (binary, C, JSON, noise): MAC003 when the user named the
+                      ///< file
 };
 [[nodiscard]] Detection detect_dialect(const Source& source);
 
 /// Whether a file with this name is worth opening when a folder is searched.
 [[nodiscard]] bool has_nc_extension(std::string_view path);
 
-}  // namespace maclint
+} // namespace maclint

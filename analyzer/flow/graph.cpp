@@ -20,7 +20,7 @@ constexpr std::size_t most_computed_edges = 20'000;
 /// What something in the program may jump to.
 struct Wanted {
     std::unordered_set<std::int64_t> numbers;
-    bool any = false;  ///< a computed jump: every sequence number
+    bool any = false; ///< a computed jump: every sequence number
 
     [[nodiscard]] bool operator()(std::int64_t number) const { return any || numbers.contains(number); }
     [[nodiscard]] bool nothing() const { return !any && numbers.empty(); }
@@ -35,13 +35,15 @@ struct Loose {
 };
 
 class Building {
-public:
+  public:
     Building(const Program& program, const Structures& structures, const ResumeLabels& resumes_at)
-        : program_(program), structures_(structures), resumes_at_(resumes_at) {
+        : program_(program)
+        , structures_(structures)
+        , resumes_at_(resumes_at) {
         for (StructureId id = 0; id < structures.all.size(); ++id) {
             const Paired& paired = structures.all[id];
             by_effect_.emplace(paired.open, id);
-            for (const EffectId middle : paired.middles) by_effect_.emplace(middle, id);
+            for (const EffectId middle : paired.parts) by_effect_.emplace(middle, id);
             if (paired.close) by_effect_.emplace(*paired.close, id);
         }
         collect_wanted();
@@ -53,8 +55,7 @@ public:
             for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) take_item(i);
         }
         if (graph_.nodes.empty()) new_node(0, program_.span, {}, false);
-        for (const Loose& loose : loose_)
-            graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
+        for (const Loose& loose : loose_) graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
         resolve_jumps();
         resolve_resumes();
         index_edges();
@@ -62,8 +63,8 @@ public:
         return std::move(graph_);
     }
 
-private:
-    // ---- what is jumped to -------------------------------------------------------------------------------------
+  private:
+    // ---- what is jumped to ----
 
     void collect_wanted() {
         for_each_effect(program_, [this](EffectId id) {
@@ -72,8 +73,8 @@ private:
                            [this](const UnreadableBlock& block) {
                                wanted_.numbers.insert(block.may_jump.begin(), block.may_jump.end());
                            },
-                           [this](const Call& call) {
-                               for (const std::int64_t label : resumes_at_(call)) wanted_.numbers.insert(label);
+                           [this, id](const Call&) {
+                               for (const std::int64_t label : resumes_at_(id)) wanted_.numbers.insert(label);
                            },
                            [](const auto&) {},
                        },
@@ -82,16 +83,19 @@ private:
     }
 
     void want(std::optional<std::int64_t> number) {
-        if (number) wanted_.numbers.insert(*number);
-        else wanted_.any = true;
+        if (number)
+            wanted_.numbers.insert(*number);
+        else
+            wanted_.any = true;
     }
 
-    // ---- nodes in text order -----------------------------------------------------------------------------------
+    // ---- nodes in text order ----
 
     NodeId new_node(ItemId item, Span part, Slice effects, bool is_run) {
         const auto id = static_cast<NodeId>(graph_.nodes.size());
         graph_.nodes.push_back({item, part, effects, is_run});
-        for (const Loose& loose : loose_) add_edge({loose.from, id, loose.kind, loose.condition, loose.holds, {}, {}});
+        for (const Loose& loose : loose_)
+            add_edge({loose.from, id, loose.kind, loose.condition, loose.holds, {}, {}});
         loose_ = {{id, EdgeKind::next, {}, true}};
         return id;
     }
@@ -99,7 +103,8 @@ private:
     void add_edge(const Edge& edge) { graph_.edges.push_back(edge); }
 
     void take_item(ItemId item) {
-        std::visit(overloaded{[&](const Block& block) { take_block(item, block); }, [&](const Run& run) { take_run(item, run); }},
+        std::visit(overloaded{[&](const Block& block) { take_block(item, block); },
+                              [&](const Run& run) { take_run(item, run); }},
                    program_.items[item]);
     }
 
@@ -113,8 +118,8 @@ private:
             if (!block.sequence_number || !wanted_(*block.sequence_number)) return true;
             if (block.span.begin > begin) new_node(item, {begin, block.span.begin}, {}, true);
             begin = block.span.begin;
-            graph_.labels.push_back(Label{*block.sequence_number, static_cast<NodeId>(graph_.nodes.size()), block.sequence_number_span,
-                                           block.span});
+            graph_.labels.push_back(Label{*block.sequence_number, static_cast<NodeId>(graph_.nodes.size()),
+                                          block.sequence_number_span, block.span});
             return true;
         });
         new_node(item, {begin, run.span.end}, {}, true);
@@ -145,9 +150,11 @@ private:
             // The effect itself ends its node, so that rules find the state in front of it.
             const bool header = std::holds_alternative<Structure>(what);
             if (header && i > begin) flush(begin, i);
+            const std::vector<Loose> falling_in = header ? divert_before_case(i) : std::vector<Loose>{};
             const NodeId node = flush(header ? i : begin, i + 1);
             begin = i + 1;
             leave(node, i);
+            loose_.insert(loose_.end(), falling_in.begin(), falling_in.end());
         }
         if (begin < end) flush(begin, end);
     }
@@ -186,46 +193,79 @@ private:
         loose_.clear();
     }
 
-    // ---- structures --------------------------------------------------------------------------------------------
+    // ---- structures ----
 
     /// The open structure while its body is being built.
     struct Open {
         NodeId header;
         std::optional<ExpressionId> condition;
-        std::vector<Loose> to_close;   ///< ends of the branches of a choice
-        std::optional<Loose> otherwise;  ///< the way when the condition does not hold, until a middle or the close takes it
+        std::vector<Loose> to_close; ///< ends of the branches of a choice
+        std::optional<Loose>
+            otherwise; ///< the way when the condition does not hold, until a middle or the close takes it
     };
 
     void leave_structure(NodeId node, EffectId id, const Structure& structure) {
         const auto found = by_effect_.find(id);
-        if (found == by_effect_.end()) return;  // a stray END: the control goes on
+        if (found == by_effect_.end()) return; // a stray END: the control goes on
         const Paired& paired = structures_.all[found->second];
         switch (structure.part) {
-            case Structure::Part::open: {
-                if (!paired.close) return;  // without its END the loop is read as plain text
-                Open open{node, paired.condition, {}, {}};
-                loose_.clear();
-                if (paired.condition) {
-                    loose_.push_back({node, EdgeKind::branch, paired.condition, true});
-                    open.otherwise = Loose{node, EdgeKind::branch, paired.condition, false};
-                } else {
-                    loose_.push_back({node, EdgeKind::next, {}, true});
-                }
-                open_.emplace(found->second, std::move(open));
-                break;
+        case Structure::Part::open: {
+            if (!paired.close) return; // without its END the loop is read as plain text
+            Open open{node, paired.condition, {}, {}};
+            loose_.clear();
+            if (paired.condition) {
+                loose_.push_back({node, EdgeKind::branch, paired.condition, true});
+                open.otherwise = Loose{node, EdgeKind::branch, paired.condition, false};
+            } else if (structure.construct == Construct::selection) {
+                open.otherwise = Loose{node, EdgeKind::next, {}, true};
+            } else {
+                loose_.push_back({node, EdgeKind::next, {}, true});
             }
-            case Structure::Part::middle: middle(found->second); break;
-            case Structure::Part::close: close(found->second, node); break;
+            open_.emplace(found->second, std::move(open));
+            break;
+        }
+        case Structure::Part::middle: middle(found->second, node, structure); break;
+        case Structure::Part::leave: leave_selection(found->second); break;
+        case Structure::Part::close: close(found->second, node); break;
         }
     }
 
-    void middle(StructureId id) {
+    void middle(StructureId id, NodeId node, const Structure& structure) {
         const auto found = open_.find(id);
         if (found == open_.end()) return;
         Open& open = found->second;
+        if (structures_.all[id].construct == Construct::selection) {
+            // The test stands in this node; the next CASE takes over when it fails.
+            loose_ = {
+                {node, structure.condition ? EdgeKind::branch : EdgeKind::next, structure.condition, true}};
+            if (structure.condition)
+                open.otherwise = Loose{node, EdgeKind::branch, structure.condition, false};
+            return;
+        }
         open.to_close.insert(open.to_close.end(), loose_.begin(), loose_.end());
         loose_.clear();
         if (open.otherwise) loose_.push_back(*std::exchange(open.otherwise, std::nullopt));
+    }
+
+    /// A CASE is reached by the tests before it, not by the branch above; that one falls into what follows
+    /// the test.
+    std::vector<Loose> divert_before_case(EffectId id) {
+        const auto& structure = std::get<Structure>(program_.effects[id].what);
+        const auto found = by_effect_.find(id);
+        if (found == by_effect_.end() || structure.part != Structure::Part::middle) return {};
+        const auto open = open_.find(found->second);
+        if (open == open_.end() || structures_.all[found->second].construct != Construct::selection)
+            return {};
+        std::vector<Loose> falling = std::exchange(loose_, {});
+        if (open->second.otherwise) loose_.push_back(*std::exchange(open->second.otherwise, std::nullopt));
+        return falling;
+    }
+
+    void leave_selection(StructureId id) {
+        const auto found = open_.find(id);
+        if (found == open_.end()) return;
+        found->second.to_close.insert(found->second.to_close.end(), loose_.begin(), loose_.end());
+        loose_.clear();
     }
 
     void close(StructureId id, NodeId node) {
@@ -242,16 +282,18 @@ private:
         open_.erase(found);
     }
 
-    // ---- jumps -------------------------------------------------------------------------------------------------
+    // ---- jumps ----
 
     void resolve_jumps() {
         index_labels();
-        const auto computed = static_cast<std::size_t>(std::ranges::count_if(graph_.jumps, [](const ResolvedJump& j) { return !j.number; }));
+        const auto computed = static_cast<std::size_t>(
+            std::ranges::count_if(graph_.jumps, [](const ResolvedJump& j) { return !j.number; }));
         const bool share = computed * graph_.labels.size() > most_computed_edges;
         std::optional<NodeId> shared;
         for (ResolvedJump& jump : graph_.jumps) {
             if (jump.number) {
-                if (const Label* label = graph_.find_label(*jump.number, graph_.nodes[jump.node].part.begin)) {
+                if (const Label* label =
+                        graph_.find_label(*jump.number, graph_.nodes[jump.node].part.begin)) {
                     jump.target = *label;
                     add_edge({jump.node, label->node, EdgeKind::jump, {}, true, jump.jump, {}});
                 }
@@ -271,7 +313,8 @@ private:
         Node node = graph_.nodes[like];
         node.effects.count = 0;
         graph_.nodes.push_back(node);
-        for (const Label& label : graph_.labels) add_edge({id, label.node, EdgeKind::computed, {}, true, {}, {}});
+        for (const Label& label : graph_.labels)
+            add_edge({id, label.node, EdgeKind::computed, {}, true, {}, {}});
         return id;
     }
 
@@ -290,18 +333,20 @@ private:
         for (NodeId node = 0; node < count; ++node) {
             const Slice effects = graph_.nodes[node].effects;
             for (Id i = effects.first; i < effects.first + effects.count; ++i) {
-                const auto* call = std::get_if<Call>(&program_.effects[i].what);
-                if (call == nullptr) continue;
-                for (const std::int64_t number : resumes_at_(*call))
+                if (!std::holds_alternative<Call>(program_.effects[i].what)) continue;
+                for (const std::int64_t number : resumes_at_(i))
                     if (const Label* label = graph_.find_label(number, 0))
                         add_edge({node, label->node, EdgeKind::resume, {}, true, i, {}});
             }
         }
     }
 
-    void index_labels() { std::ranges::stable_sort(graph_.labels, {}, [](const Label& l) { return std::pair(l.number, l.block.begin); }); }
+    void index_labels() {
+        std::ranges::stable_sort(graph_.labels, {},
+                                 [](const Label& l) { return std::pair(l.number, l.block.begin); });
+    }
 
-    // ---- after all edges are there -----------------------------------------------------------------------------
+    // ---- after all edges are there ----
 
     void index_edges() {
         graph_.out.resize(graph_.nodes.size());
@@ -348,16 +393,18 @@ private:
     Span part_{};
 };
 
-}  // namespace
+} // namespace
 
 const Label* Graph::find_label(std::int64_t number, Offset from) const {
     const auto key = [](const Label& label) { return std::pair(label.number, label.block.begin); };
     auto found = std::ranges::lower_bound(labels, std::pair(number, from), {}, key);
-    if (found == labels.end() || found->number != number) found = std::ranges::lower_bound(labels, std::pair(number, Offset{0}), {}, key);
+    if (found == labels.end() || found->number != number)
+        found = std::ranges::lower_bound(labels, std::pair(number, Offset{0}), {}, key);
     return found != labels.end() && found->number == number ? &*found : nullptr;
 }
 
-std::optional<std::vector<EdgeId>> Graph::way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable) const {
+std::optional<std::vector<EdgeId>> Graph::way(NodeId from, NodeId to,
+                                              const std::function<bool(EdgeId)>& usable) const {
     constexpr EdgeId none = 0xFFFFFFFF;
     std::vector<EdgeId> reached_by(nodes.size(), none);
     std::deque<NodeId> queue{from};
@@ -371,20 +418,24 @@ std::optional<std::vector<EdgeId>> Graph::way(NodeId from, NodeId to, const std:
             if (seen[next] || !usable(id)) continue;
             seen[next] = true;
             reached_by[next] = id;
-            if (next == to) { arrived = true; break; }
+            if (next == to) {
+                arrived = true;
+                break;
+            }
             queue.push_back(next);
         }
     }
     if (!arrived) return std::nullopt;
     std::vector<EdgeId> way;
-    for (NodeId node = to; way.empty() || node != from; node = edges[way.back()].from) way.push_back(reached_by[node]);
+    for (NodeId node = to; way.empty() || node != from; node = edges[way.back()].from)
+        way.push_back(reached_by[node]);
     std::ranges::reverse(way);
     return way;
 }
 
 std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target) {
     const auto* literal = std::get_if<Literal>(&program.expressions[target].node);
-    constexpr double most = 9e15;  // beyond it a double does not hold every whole number
+    constexpr double most = 9e15; // beyond it a double does not hold every whole number
     if (literal == nullptr) return std::nullopt;
     if (!(std::abs(literal->value) < most)) return std::numeric_limits<std::int64_t>::max();
     return std::llround(literal->value);
@@ -394,4 +445,4 @@ Graph build_graph(const Program& program, const Structures& structures, const Re
     return Building(program, structures, resumes_at).run();
 }
 
-}  // namespace maclint::flow
+} // namespace maclint::flow

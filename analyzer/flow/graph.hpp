@@ -16,48 +16,48 @@ using EdgeId = std::uint32_t;
 /// Effects that run one after the other; a plain run (or a part of one) is one node.
 struct Node {
     ItemId item;
-    Span part;       ///< of the file: the block, or the part of the run
-    Slice effects;   ///< Program::effects; empty for runs
+    Span part;     ///< of the file: the block, or the part of the run
+    Slice effects; ///< Program::effects; empty for runs
     bool is_run;
 };
 
 enum class EdgeKind : std::uint8_t {
-    next,      ///< the following block
-    branch,    ///< decided by `condition`
-    jump,      ///< GOTO
-    computed,  ///< GOTO to one of several sequence numbers
-    back,      ///< from the end of a loop to its condition
-    skip,      ///< optional block skip
-    resume,    ///< a called program returns to a sequence number (M99 P)
+    next,     ///< the following block
+    branch,   ///< decided by `condition`
+    jump,     ///< GOTO
+    computed, ///< GOTO to one of several sequence numbers
+    back,     ///< from the end of a loop to its condition
+    skip,     ///< optional block skip
+    resume,   ///< a called program returns to a sequence number (M99 P)
 };
 
 struct Edge {
     NodeId from, to;
     EdgeKind kind;
-    std::optional<ExpressionId> condition;  ///< must be `holds` for this edge to be taken
+    std::optional<ExpressionId> condition; ///< must be `holds` for this edge to be taken
     bool holds;
-    std::optional<EffectId> jump;           ///< the jump or call that makes the edge
-    std::optional<std::int64_t> label;      ///< computed: the value that the target must have
+    std::optional<EffectId> jump;      ///< the jump or call that makes the edge
+    std::optional<std::int64_t> label; ///< computed: the value that the target must have
 };
 
 enum class ExitKind : std::uint8_t {
-    returns,    ///< M99
-    ends,       ///< M30
-    alarm,      ///< #3000
-    runs_off,   ///< past the last block
+    returns,  ///< M99
+    ends,     ///< M30
+    alarm,    ///< #3000
+    runs_off, ///< past the last block
 };
 
 struct Exit {
     NodeId node;
     ExitKind kind;
-    std::optional<EffectId> effect;         ///< the return or stop; empty for runs_off
+    std::optional<EffectId> effect; ///< the return or stop; empty for runs_off
 };
 
 /// A block that a jump can name.
 struct Label {
     std::int64_t number;
     NodeId node;
-    Span span;                              ///< of the sequence number
+    Span span; ///< of the sequence number
     Span block;
 };
 
@@ -65,32 +65,36 @@ struct Label {
 struct ResolvedJump {
     EffectId jump;
     NodeId node;
-    std::optional<std::int64_t> number;     ///< empty: computed
-    std::optional<Label> target;            ///< empty: no such sequence number, or computed
+    std::optional<std::int64_t> number; ///< empty: computed
+    std::optional<Label> target;        ///< empty: no such sequence number, or computed
 };
 
 struct Graph {
-    std::vector<Node> nodes;                ///< in text order; node 0 is the entry; at least one
+    std::vector<Node> nodes; ///< in text order; node 0 is the entry; at least one
     std::vector<Edge> edges;
     std::vector<std::vector<EdgeId>> out, in;
     std::vector<Exit> exits;
-    std::vector<Label> labels;              ///< those that something may name, by number, then in text order
-    std::vector<ResolvedJump> jumps;        ///< in text order
-    std::vector<std::uint32_t> order;       ///< place of a node in reverse postorder from the entry; unreached: no_order
+    std::vector<Label> labels;       ///< those that something may name, by number, then in text order
+    std::vector<ResolvedJump> jumps; ///< in text order
+    std::vector<std::uint32_t>
+        order; ///< place of a node in reverse postorder from the entry; unreached: no_order
     static constexpr std::uint32_t no_order = 0xFFFFFFFF;
 
     /// The first label `number` from `from` on, else from the top: where the control's search stops.
     [[nodiscard]] const Label* find_label(std::int64_t number, Offset from) const;
-    /// Edges on a shortest way from `from` to `to`, or nothing when there is none. An edge that `usable` refuses is not taken.
-    [[nodiscard]] std::optional<std::vector<EdgeId>> way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable) const;
+    /// Edges on a shortest way from `from` to `to`, or nothing when there is none. An edge that `usable`
+    /// refuses is not taken.
+    [[nodiscard]] std::optional<std::vector<EdgeId>> way(NodeId from, NodeId to,
+                                                         const std::function<bool(EdgeId)>& usable) const;
 };
 
 /// Sequence numbers to which a call may return in its caller instead of the next block.
-using ResumeLabels = std::function<std::vector<std::int64_t>(const Call&)>;
+using ResumeLabels = std::function<std::vector<std::int64_t>(EffectId call)>;
 
-[[nodiscard]] Graph build_graph(const Program& program, const Structures& structures, const ResumeLabels& resumes_at);
+[[nodiscard]] Graph build_graph(const Program& program, const Structures& structures,
+                                const ResumeLabels& resumes_at);
 
 /// The number that a jump's target expression names when it is a plain constant.
 [[nodiscard]] std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target);
 
-}  // namespace maclint::flow
+} // namespace maclint::flow

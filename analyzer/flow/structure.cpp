@@ -7,11 +7,14 @@
 namespace maclint::flow {
 namespace {
 
-bool is_loop(Construct construct) { return construct == Construct::while_loop || construct == Construct::endless_loop; }
+bool is_loop(Construct construct) {
+    return construct == Construct::while_loop || construct == Construct::endless_loop;
+}
 
 class Pairing {
-public:
-    explicit Pairing(const Program& program) : program_(program) {}
+  public:
+    explicit Pairing(const Program& program)
+        : program_(program) {}
 
     Structures run() {
         for_each_effect(program_, [this](EffectId id) { take(id); });
@@ -21,7 +24,7 @@ public:
         return std::move(result_);
     }
 
-private:
+  private:
     void take(EffectId id) {
         const auto& what = program_.effects[id].what;
         if (const auto* unreadable = std::get_if<UnreadableBlock>(&what))
@@ -29,9 +32,10 @@ private:
         const auto* structure = std::get_if<Structure>(&what);
         if (structure == nullptr) return;
         switch (structure->part) {
-            case Structure::Part::open: open(id, *structure); break;
-            case Structure::Part::middle: middle(id, *structure); break;
-            case Structure::Part::close: close(id, *structure); break;
+        case Structure::Part::open: open(id, *structure); break;
+        case Structure::Part::middle:
+        case Structure::Part::leave: divide(id, *structure); break;
+        case Structure::Part::close: close(id, *structure); break;
         }
     }
 
@@ -53,16 +57,18 @@ private:
     void check_number(EffectId id, const Paired& paired) {
         const Limits& limits = program_.control->limits;
         if (paired.loop_level > limits.loop_levels) return fault(Imbalance::nested_too_deep, id, {});
-        if (!paired.number) return;
-        const auto same = std::ranges::find_if(open_, [&](StructureId s) { return result_.all[s].number == paired.number; });
+        if (!paired.number || limits.last_loop_number == 0) return;
+        const auto same = std::ranges::find_if(
+            open_, [&](StructureId s) { return result_.all[s].number == paired.number; });
         if (same != open_.end()) return fault(Imbalance::number_reused, id, result_.all[*same].open);
         if (*paired.number < limits.first_loop_number || *paired.number > limits.last_loop_number)
             fault(Imbalance::number_out_of_range, id, {});
     }
 
-    void middle(EffectId id, const Structure& structure) {
+    void divide(EffectId id, const Structure& structure) {
         const auto position = find_open(structure);
-        if (position) result_.all[open_[*position]].middles.push_back(id);
+        if (!position) return fault(Imbalance::never_opened, id, {});
+        result_.all[open_[*position]].parts.push_back(id);
     }
 
     void close(EffectId id, const Structure& structure) {
@@ -79,7 +85,8 @@ private:
     /// A close for a structure that an outer close has already run over: now the crossing is certain.
     bool close_crossed(EffectId id, const Structure& structure) {
         if (find_open(structure)) return false;
-        const auto inner = std::ranges::find_if(crossed_, [&](StructureId s) { return matches(s, structure); });
+        const auto inner =
+            std::ranges::find_if(crossed_, [&](StructureId s) { return matches(s, structure); });
         if (inner == crossed_.end()) return false;
         const auto close = crossing_close_.begin() + (inner - crossed_.begin());
         result_.all[*inner].close = id;
@@ -91,8 +98,9 @@ private:
 
     [[nodiscard]] bool matches(StructureId open, const Structure& close) const {
         const Paired& paired = result_.all[open];
-        if (is_loop(paired.construct) != is_loop(close.construct)) return false;
-        return paired.number == close.number;
+        // An END closes WHILE and DO alike; every other construct has a close of its own.
+        const bool both_loops = is_loop(paired.construct) && is_loop(close.construct);
+        return (both_loops || paired.construct == close.construct) && paired.number == close.number;
     }
 
     /// The innermost open structure that the close belongs to; a loop whose number the text lacks takes any.
@@ -109,7 +117,9 @@ private:
     void never_closed(StructureId id) {
         // A loop without a number has lost its DO: that is the fault to report, not the missing END.
         const Paired& paired = result_.all[id];
-        if (paired.number || !is_loop(paired.construct)) fault(Imbalance::never_closed, paired.open, {});
+        const bool numbered = program_.control->limits.last_loop_number != 0;
+        if (!numbered || paired.number || !is_loop(paired.construct))
+            fault(Imbalance::never_closed, paired.open, {});
     }
 
     void fault(Imbalance what, EffectId effect, std::optional<EffectId> other) {
@@ -119,11 +129,11 @@ private:
     const Program& program_;
     Structures result_;
     std::vector<StructureId> open_;
-    std::vector<StructureId> crossed_;         ///< run over by the close of an outer structure, own close not met yet
-    std::vector<EffectId> crossing_close_;     ///< for each of crossed_: that close
+    std::vector<StructureId> crossed_; ///< run over by the close of an outer structure, own close not met yet
+    std::vector<EffectId> crossing_close_; ///< for each of crossed_: that close
 };
 
-}  // namespace
+} // namespace
 
 bool Structures::holds(const Program& program, StructureId loop, Offset place) const {
     const Paired& paired = all[loop];
@@ -132,8 +142,10 @@ bool Structures::holds(const Program& program, StructureId loop, Offset place) c
 }
 
 std::optional<StructureId> Structures::loop_around(const Program& program, Offset place) const {
-    // Structures are sorted by where they open, so the last one opened before the place, or one around it, holds the place.
-    const auto after = std::ranges::upper_bound(all, place, {}, [&](const Paired& p) { return program.effects[p.open].span.end; });
+    // Structures are sorted by where they open, so the last one opened before the place, or one around it,
+    // holds the place.
+    const auto after = std::ranges::upper_bound(
+        all, place, {}, [&](const Paired& p) { return program.effects[p.open].span.end; });
     if (after == all.begin()) return std::nullopt;
     std::optional<StructureId> id = static_cast<StructureId>(after - all.begin() - 1);
     while (id && !(is_loop(all[*id].construct) && holds(program, *id, place))) id = all[*id].parent;
@@ -142,4 +154,4 @@ std::optional<StructureId> Structures::loop_around(const Program& program, Offse
 
 Structures pair_structures(const Program& program) { return Pairing(program).run(); }
 
-}  // namespace maclint::flow
+} // namespace maclint::flow

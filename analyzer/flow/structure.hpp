@@ -12,36 +12,39 @@ using StructureId = std::uint32_t;
 /// One loop or choice of a program.
 struct Paired {
     Construct construct;
-    EffectId open;                          ///< the effect that opens it
-    std::vector<EffectId> middles;
-    std::optional<EffectId> close;          ///< absent: never closed
-    std::optional<StructureId> parent;      ///< the structure that was open around it
-    int loop_level;                         ///< 1 for an outermost loop; a choice has the level of the loop around it (0: none)
+    EffectId open;                 ///< the effect that opens it
+    std::vector<EffectId> parts;   ///< what divides it (ELSE, CASE) and what leaves it (BREAK), in text order
+    std::optional<EffectId> close; ///< absent: never closed
+    std::optional<StructureId> parent; ///< the structure that was open around it
+    int loop_level; ///< 1 for an outermost loop; a choice has the level of the loop around it (0: none)
     std::optional<std::int64_t> number;
     std::optional<ExpressionId> condition;
 };
 
 enum class Imbalance : std::uint8_t {
-    never_closed,         ///< DO without END
-    never_opened,         ///< END without DO
-    crossed,              ///< the close of an outer structure stands inside an inner one that is closed later
-    nested_too_deep,      ///< opens a level beyond the control's limit
-    number_reused,        ///< opens with the number of a structure still open
+    never_closed,    ///< DO without END
+    never_opened,    ///< END without DO
+    crossed,         ///< the close of an outer structure stands inside an inner one that is closed later
+    nested_too_deep, ///< opens a level beyond the control's limit
+    number_reused,   ///< opens with the number of a structure still open
     number_out_of_range,
 };
 
 struct StructureFault {
     Imbalance what;
-    EffectId effect;                        ///< the opening or closing effect at fault
-    std::optional<EffectId> other;          ///< its partner in the fault: the open loop with the same number, the crossed loop
+    EffectId effect; ///< the opening or closing effect at fault
+    std::optional<EffectId>
+        other; ///< its partner in the fault: the open loop with the same number, the crossed loop
 };
 
 struct Structures {
-    std::vector<Paired> all;                ///< in the order in which they open
-    std::vector<StructureFault> faults;     ///< in program order
-    bool balance_in_doubt = false;          ///< an unreadable block may open or close something: missing partners prove nothing
+    std::vector<Paired> all;            ///< in the order in which they open
+    std::vector<StructureFault> faults; ///< in program order
+    bool balance_in_doubt =
+        false; ///< an unreadable block may open or close something: missing partners prove nothing
 
-    /// The innermost loop whose body holds this byte: after its opening effect, up to and including its closing block.
+    /// The innermost loop whose body holds this byte: after its opening effect, up to and including its
+    /// closing block.
     [[nodiscard]] std::optional<StructureId> loop_around(const Program& program, Offset place) const;
     /// Whether the body of `loop` holds this byte.
     [[nodiscard]] bool holds(const Program& program, StructureId loop, Offset place) const;
@@ -50,7 +53,7 @@ struct Structures {
 [[nodiscard]] Structures pair_structures(const Program& program);
 
 /// Calls `visit(effect id)` for every effect of the program in text order, effects inside guards included.
-template <class Visit>
+template<class Visit>
 void for_each_effect_in(const Program& program, Slice slice, const Visit& visit) {
     for (Id i = slice.first; i < slice.first + slice.count; ++i) {
         visit(i);
@@ -59,10 +62,10 @@ void for_each_effect_in(const Program& program, Slice slice, const Visit& visit)
     }
 }
 
-template <class Visit>
+template<class Visit>
 void for_each_effect(const Program& program, const Visit& visit) {
     for (const Item& item : program.items)
         if (const auto* block = std::get_if<Block>(&item)) for_each_effect_in(program, block->effects, visit);
 }
 
-}  // namespace maclint::flow
+} // namespace maclint::flow

@@ -7,11 +7,11 @@
 namespace maclint {
 namespace {
 
-template <class... Cases>
+template<class... Cases>
 struct Overloaded : Cases... {
     using Cases::operator()...;
 };
-template <class... Cases>
+template<class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
 std::string text_of(double value) {
@@ -52,7 +52,7 @@ std::string describe(const Program& program, const Call& call) {
 
 std::string describe(const Program& program, const Structure& structure) {
     static constexpr std::string_view constructs[] = {"while", "endless", "choice", "selection"};
-    static constexpr std::string_view parts[] = {"open", "middle", "close"};
+    static constexpr std::string_view parts[] = {"open", "middle", "leave", "close"};
     std::string out(parts[static_cast<std::size_t>(structure.part)]);
     out += ' ';
     out += constructs[static_cast<std::size_t>(structure.construct)];
@@ -74,7 +74,9 @@ std::string describe(const Program& program, const Assign& assign) {
     const std::string target = std::visit(
         Overloaded{[&](Place place) { return program.spell(place); },
                    [&](const StoreAt& at) { return "#[" + maclint::describe(program, at.index) + "]"; },
-                   [&](const StoreMachine& at) { return "machine " + describe_machine(program, at.family, at.number); }},
+                   [&](const StoreMachine& at) {
+                       return "machine " + describe_machine(program, at.family, at.number);
+                   }},
         assign.target);
     return target + " := " + maclint::describe(program, assign.value);
 }
@@ -104,20 +106,28 @@ std::string describe(const Program& program, const Run& run) {
 
 std::string_view name_of(Operation operation) {
     static constexpr std::string_view names[] = {
-        "add", "subtract", "multiply", "divide", "modulo", "power", "negate",
-        "bit-and", "bit-or", "bit-xor", "bit-not", "all-of", "any-of", "one-of", "not",
-        "equal", "not-equal", "less", "less-equal", "greater", "greater-equal", "vacant?", "set?",
-        "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "abs", "round", "fix", "fup", "ln", "exp",
-        "bin", "bcd", "adp", "unknown"};
+        "add",     "subtract", "multiply",  "divide",  "modulo",     "power",   "negate",
+        "bit-and", "bit-or",   "bit-xor",   "bit-not", "all-of",     "any-of",  "one-of",
+        "not",     "equal",    "not-equal", "less",    "less-equal", "greater", "greater-equal",
+        "vacant?", "set?",     "sin",       "cos",     "tan",        "asin",    "acos",
+        "atan",    "atan2",    "sqrt",      "abs",     "round",      "fix",     "fup",
+        "ln",      "exp",      "bin",       "bcd",     "adp",        "unknown"};
     static_assert(std::size(names) == static_cast<std::size_t>(Operation::unknown) + 1);
     return names[static_cast<std::size_t>(operation)];
 }
 
 std::string_view name_of(Irregular irregular) {
-    static constexpr std::string_view names[] = {
-        "oversized-block", "unterminated-comment", "parenthesis-as-bracket", "bracket-mismatch", "unknown-keyword",
-        "symbolic-comparison", "bracket-depth", "assignment-to-null", "loop-without-do", "call-without-program",
-        "unreadable"};
+    static constexpr std::string_view names[] = {"oversized-block",
+                                                 "unterminated-comment",
+                                                 "parenthesis-as-bracket",
+                                                 "bracket-mismatch",
+                                                 "unknown-keyword",
+                                                 "symbolic-comparison",
+                                                 "bracket-depth",
+                                                 "assignment-to-null",
+                                                 "loop-without-do",
+                                                 "call-without-program",
+                                                 "unreadable"};
     static_assert(std::size(names) == static_cast<std::size_t>(Irregular::unreadable) + 1);
     return names[static_cast<std::size_t>(irregular)];
 }
@@ -143,9 +153,10 @@ std::string describe(const Program& program, ExpressionId expression) {
                    [&](const LoadModal& node) {
                        return "modal(" + std::string(program.control->groups[node.group].name) + ")";
                    },
-                   [&](const LoadMachine& node) { return "machine " + describe_machine(program, node.family, node.number); },
-                   apply,
-                   [](Unreadable) { return std::string("unreadable"); }},
+                   [&](const LoadMachine& node) {
+                       return "machine " + describe_machine(program, node.family, node.number);
+                   },
+                   apply, [](Unreadable) { return std::string("unreadable"); }},
         program.expressions[expression].node);
 }
 
@@ -154,36 +165,43 @@ std::string describe(const Program& program, const Effect& effect) {
         return id ? std::string(before) + describe(program, *id) : std::string();
     };
     return std::visit(
-        Overloaded{[&](const Assign& what) { return describe(program, what); },
-                   [&](const SetModal& what) {
-                       const std::string group(what.group ? program.control->groups[*what.group].name : "modal");
-                       return group + '=' + describe(program, what.value);
-                   },
-                   [](Motion) { return std::string("move"); },
-                   [](Synchronise) { return std::string("synchronise"); },
-                   [&](const Stop& what) {
-                       static constexpr std::string_view kinds[] = {"alarm", "pause", "end"};
-                       return std::string(kinds[static_cast<std::size_t>(what.kind)]) + optional(" ", what.number);
-                   },
-                   [](ToolChange) { return std::string("tool change"); },
-                   [&](const Structure& what) { return describe(program, what); },
-                   [&](const Jump& what) { return "jump " + describe(program, what.target); },
-                   [&](const Call& what) { return describe(program, what); },
-                   [](EndModalCall) { return std::string("end modal call"); },
-                   [&](const Return& what) {
-                       return "return" + optional(" ", what.value) + optional(" to ", what.resume_label);
-                   },
-                   [&](const Exchange& what) {
-                       std::string out = "exchange";
-                       for (const ExpressionId id : what.out) out += " out " + describe(program, id);
-                       for (const Place place : what.in) out += " in " + program.spell(place);
-                       return out;
-                   },
-                   [&](const Guarded& what) {
-                       return "if " + describe(program, what.condition) + " {" +
-                              describe_slice(program, what.effects) + "}";
-                   },
-                   [&](const UnreadableBlock& what) { return describe(program, what); }},
+        Overloaded{
+            [&](const Assign& what) { return describe(program, what); },
+            [&](const SetModal& what) {
+                const std::string group(what.group ? program.control->groups[*what.group].name : "modal");
+                return group + '=' + describe(program, what.value);
+            },
+            [&](const Values& values) {
+                std::string text = "values";
+                for (const ExpressionId value : program.values_of(values))
+                    text += ' ' + describe(program, value);
+                return text;
+            },
+            [](Motion) { return std::string("move"); },
+            [](Synchronise) { return std::string("synchronise"); },
+            [&](const Stop& what) {
+                static constexpr std::string_view kinds[] = {"alarm", "pause", "end"};
+                return std::string(kinds[static_cast<std::size_t>(what.kind)]) + optional(" ", what.number);
+            },
+            [](ToolChange) { return std::string("tool change"); },
+            [&](const Structure& what) { return describe(program, what); },
+            [&](const Jump& what) { return "jump " + describe(program, what.target); },
+            [&](const Call& what) { return describe(program, what); },
+            [](EndModalCall) { return std::string("end modal call"); },
+            [&](const Return& what) {
+                return "return" + optional(" ", what.value) + optional(" to ", what.resume_label);
+            },
+            [&](const Exchange& what) {
+                std::string out = "exchange";
+                for (const ExpressionId id : what.out) out += " out " + describe(program, id);
+                for (const Place place : what.in) out += " in " + program.spell(place);
+                return out;
+            },
+            [&](const Guarded& what) {
+                return "if " + describe(program, what.condition) + " {" +
+                       describe_slice(program, what.effects) + "}";
+            },
+            [&](const UnreadableBlock& what) { return describe(program, what); }},
         effect.what);
 }
 

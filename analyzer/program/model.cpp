@@ -9,8 +9,9 @@
 namespace maclint {
 
 const VariableRange* VariableFamily::find(std::int64_t number) const {
-    const auto after = std::upper_bound(ranges.begin(), ranges.end(), number,
-                                        [](std::int64_t n, const VariableRange& range) { return n < range.first; });
+    const auto after =
+        std::upper_bound(ranges.begin(), ranges.end(), number,
+                         [](std::int64_t n, const VariableRange& range) { return n < range.first; });
     if (after == ranges.begin()) return nullptr;
     const VariableRange& range = *std::prev(after);
     return number <= range.last ? &range : nullptr;
@@ -35,6 +36,10 @@ std::string ControlModel::spell(GroupId group, double code) const {
 
 std::span<const ExpressionId> Program::operands_of(const Apply& apply) const {
     return std::span(operands).subspan(apply.operands.first, apply.operands.count);
+}
+
+std::span<const ExpressionId> Program::values_of(const Values& values) const {
+    return std::span(operands).subspan(values.values.first, values.values.count);
 }
 
 std::span<const Effect> Program::effects_in(Slice slice) const {
@@ -64,4 +69,4 @@ void Program::for_each_block(Span part, const std::function<bool(const PlainBloc
     decode(*this, part, visit);
 }
 
-}  // namespace maclint
+} // namespace maclint

@@ -7,8 +7,8 @@
 
 #include <functional>
 #include <memory>
-#include <span>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -16,7 +16,7 @@
 
 namespace maclint {
 
-using Id = std::uint32_t;  ///< index into one of a program's arenas
+using Id = std::uint32_t; ///< index into one of a program's arenas
 using ExpressionId = Id;
 using EffectId = Id;
 
@@ -26,94 +26,186 @@ struct Slice {
     Id count = 0;
 };
 
-// ---- expressions -------------------------------------------------------------------------------------------------
+// ---- expressions ----
 
 /// What an operator or function does; the analysis has one row of semantics for each.
 enum class Operation : std::uint8_t {
-    add, subtract, multiply, divide, modulo, power, negate,
-    bit_and, bit_or, bit_xor, bit_not,
-    all_of, any_of, one_of, not_of,              // logic between conditions
-    equal, not_equal, less, less_equal, greater, greater_equal,
-    is_vacant, is_set,                           // #1 EQ #0, NDEF(__la)
-    sine, cosine, tangent, arc_sine, arc_cosine, arc_tangent, arc_tangent_of_two,
-    square_root, absolute, round, truncate, round_up, logarithm, exponential,
-    to_binary, to_decimal_code, add_point,       // BIN, BCD, ADP
-    unknown,                                     // a function that the analysis knows nothing of
+    add,
+    subtract,
+    multiply,
+    divide,
+    modulo,
+    power,
+    negate,
+    bit_and,
+    bit_or,
+    bit_xor,
+    bit_not,
+    all_of,
+    any_of,
+    one_of,
+    not_of, // logic between conditions
+    equal,
+    not_equal,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    is_vacant,
+    is_set, // #1 EQ #0, NDEF(__la)
+    sine,
+    cosine,
+    tangent,
+    arc_sine,
+    arc_cosine,
+    arc_tangent,
+    arc_tangent_of_two,
+    square_root,
+    absolute,
+    round,
+    truncate,
+    round_up,
+    logarithm,
+    exponential,
+    to_binary,
+    to_decimal_code,
+    add_point, // BIN, BCD, ADP
+    unknown,   // a function that the analysis knows nothing of
 };
 
-struct Literal { double value; bool decimal_point; };
-struct Text { Span characters; };
-struct Vacant {};                                      ///< the null variable
-struct Load { Place place; };
-struct LoadAt { FamilyId family; ExpressionId index; };  ///< #[#1+2]
-struct LoadModal { GroupId group; };                   ///< #4003
-struct LoadMachine { FamilyId family; std::int32_t number; };  ///< #5041: a row of the family's table
-struct Apply { Operation operation; Slice operands; };  ///< operands: Program::operands
-struct Unreadable {};                                  ///< the parser could not make sense of it
+struct Literal {
+    double value;
+    bool decimal_point;
+};
+struct Text {
+    Span characters;
+};
+struct Vacant {}; ///< the null variable
+struct Load {
+    Place place;
+};
+struct LoadAt {
+    FamilyId family;
+    ExpressionId index;
+}; ///< #[#1+2]
+struct LoadModal {
+    GroupId group;
+}; ///< #4003
+struct LoadMachine {
+    FamilyId family;
+    std::int32_t number;
+}; ///< #5041: a row of the family's table
+struct Apply {
+    Operation operation;
+    Slice operands;
+};                    ///< operands: Program::operands
+struct Unreadable {}; ///< the parser could not make sense of it
 
 struct Expression {
     std::variant<Literal, Text, Vacant, Load, LoadAt, LoadModal, LoadMachine, Apply, Unreadable> node;
-    Span span;  ///< brackets around it included
+    Span span; ///< brackets around it included
 };
 
-// ---- effects -----------------------------------------------------------------------------------------------------
+// ---- effects ----
 
-struct StoreAt { FamilyId family; ExpressionId index; };            ///< target of #[#1]=…
-struct StoreMachine { FamilyId family; std::int32_t number; };      ///< target of #5221=…
-struct Assign { std::variant<Place, StoreAt, StoreMachine> target; ExpressionId value; };
+struct StoreAt {
+    FamilyId family;
+    ExpressionId index;
+}; ///< target of #[#1]=…
+struct StoreMachine {
+    FamilyId family;
+    std::int32_t number;
+}; ///< target of #5221=…
+struct Assign {
+    std::variant<Place, StoreAt, StoreMachine> target;
+    ExpressionId value;
+};
 
 /// Sets a modal group. Without `group` the code decides (G#3): the analysis asks the value.
-struct SetModal { std::optional<GroupId> group; ExpressionId value; };
+struct SetModal {
+    std::optional<GroupId> group;
+    ExpressionId value;
+};
 
-struct Motion {};        ///< axes move
-struct Synchronise {};   ///< look-ahead stops here
+/// Values that words compute and that change nothing in the model: axis words, T, D, H.
+struct Values {
+    Slice values; ///< Program::operands
+};
+
+struct Motion {};      ///< axes move
+struct Synchronise {}; ///< look-ahead stops here
 struct Stop {
-    enum class Kind : std::uint8_t { alarm, pause, end } kind;  ///< #3000; #3006, M00; M30
+    enum class Kind : std::uint8_t { alarm, pause, end } kind; ///< #3000; #3006, M00; M30
     std::optional<ExpressionId> number;
 };
 struct ToolChange {};
 
 enum class Construct : std::uint8_t { while_loop, endless_loop, choice, selection };
+/// Opens, divides or closes a construct. In a language whose loops have numbers, a number pairs open and
+/// close.
 struct Structure {
     Construct construct;
-    enum class Part : std::uint8_t { open, middle, close } part;
-    std::optional<std::int64_t> number;         ///< m of DO m / END m; empty where the language pairs by nesting or the text lacks it
+    enum class Part : std::uint8_t {
+        open,
+        middle, ///< ELSE; CASE with its condition, DEFAULT without
+        leave,  ///< BREAK: on to the close
+        close,
+    } part;
+    std::optional<std::int64_t>
+        number; ///< m of DO m / END m; empty where the language pairs by nesting or the text lacks it
     std::optional<ExpressionId> condition;
 };
 
-struct Jump { ExpressionId target; };           ///< to a sequence number; a condition around it is a Guarded effect
+struct Jump {
+    ExpressionId target;
+}; ///< to a sequence number; a condition around it is a Guarded effect
 
-struct Argument { Place formal; ExpressionId value; char letter; Span span; };
-struct Call {
-    std::variant<std::monostate, ExpressionId, Text> program;  ///< number or name; monostate: the text does not say (MAC401)
-    CallKindId kind;
-    Slice arguments;                            ///< Program::arguments
-    std::optional<ExpressionId> repeat;         ///< L; absent: once
+struct Argument {
+    Place formal;
+    ExpressionId value;
+    char letter;
+    Span span;
 };
-struct EndModalCall {};                         ///< G67
-struct Return { std::optional<ExpressionId> value, resume_label; };   ///< M99, M99 P
-struct Exchange { std::vector<ExpressionId> out; std::vector<Place> in; };  ///< DPRNT, PRINT, INPUT
-struct Guarded { ExpressionId condition; Slice effects; };            ///< IF[…] THEN …, IF[…] GOTO …; effects: Program::effects
+struct Call {
+    std::variant<std::monostate, ExpressionId, Text>
+        program; ///< number or name; monostate: the text does not say (MAC401)
+    CallKindId kind;
+    Slice arguments;                    ///< Program::arguments
+    std::optional<ExpressionId> repeat; ///< L; absent: once
+};
+struct EndModalCall {}; ///< G67
+struct Return {
+    std::optional<ExpressionId> value, resume_label;
+}; ///< M99, M99 P
+struct Exchange {
+    std::vector<ExpressionId> out;
+    std::vector<Place> in;
+}; ///< DPRNT, PRINT, INPUT
+struct Guarded {
+    ExpressionId condition;
+    Slice effects;
+}; ///< IF[…] THEN …, IF[…] GOTO …; effects: Program::effects
 
 /// A block that could not be read. What its words name may or may not happen.
 struct UnreadableBlock {
     std::vector<Place> may_write;
     std::vector<std::int64_t> may_jump;
-    bool may_open_or_close;                     ///< it names DO, END, IF …: balance findings that it may explain are held back
+    bool may_open_or_close; ///< it names DO, END, IF …: balance findings that it may explain are held back
     bool may_call_or_return;
 };
 
 struct Effect {
-    std::variant<Assign, SetModal, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call, EndModalCall, Return, Exchange,
-                 Guarded, UnreadableBlock> what;
+    std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call,
+                 EndModalCall, Return, Exchange, Guarded, UnreadableBlock>
+        what;
     Span span;
 };
 
-// ---- blocks ------------------------------------------------------------------------------------------------------
+// ---- blocks ----
 
 /// One word of a block: address and value as written.
 struct Word {
-    std::string_view address;                   ///< "X", ",C", "LA"; upper case, static lifetime or into the source text
+    std::string_view address; ///< "X", ",C", "LA"; upper case, static lifetime or into the source text
     std::optional<ExpressionId> value;
     bool incremental;
     Span span;
@@ -121,24 +213,27 @@ struct Word {
 
 /// A block with anything beyond address letters and literal numbers.
 struct Block {
-    Span span;                                  ///< without its end of line
+    Span span; ///< without its end of line
     std::optional<std::int64_t> sequence_number;
     Span sequence_number_span;
-    std::uint16_t skip_levels;                  ///< bit n: skip level n (bit 1 for a bare '/'); 0: never skipped
-    Slice words;                                ///< Program::words
-    Slice effects;                              ///< Program::effects, in execution order
+    std::uint16_t skip_levels; ///< bit n: skip level n (bit 1 for a bare '/'); 0: never skipped
+    Slice words;               ///< Program::words
+    Slice effects;             ///< Program::effects, in execution order
 };
 
 /// One modal setting of a plain block.
-struct ModalSetting { GroupId group; double value; };
+struct ModalSetting {
+    GroupId group;
+    double value;
+};
 
 /// Plain blocks in a row, not stored one by one; see Program::for_each_block.
 struct Run {
     Span span;
     std::uint32_t blocks;
-    bool moves;                                 ///< at least one block moves an axis
+    bool moves; ///< at least one block moves an axis
     bool has_sequence_numbers;
-    Slice net;                                  ///< Program::settings: the last setting of every group it touches
+    Slice net; ///< Program::settings: the last setting of every group it touches
 };
 
 /// A block of a run, decoded from its bytes.
@@ -155,7 +250,7 @@ using ItemId = Id;
 
 /// Part of a program; the body is a slice of Program::items.
 struct Section {
-    std::string_view kind;                      ///< "program", "MACHINING", …
+    std::string_view kind; ///< "program", "MACHINING", …
     Slice items;
     enum class Executed : std::uint8_t { when_reached, at_load, never } executed;
 };
@@ -166,13 +261,13 @@ using RunDecoder = void (*)(const Program&, Span part, const std::function<bool(
 
 /// One program of a file.
 class Program {
-public:
-    std::string name;                           ///< "O9100", or the file's name where the text gives none
-    std::optional<std::int64_t> number;         ///< program number
-    std::vector<std::string> also_known_as;     ///< further names that a call may use (<NAME>, file name)
-    Span span;                                  ///< all its blocks
-    Span name_span;                             ///< where the name stands; empty at the first block otherwise
-    std::string_view text;                      ///< bytes of the whole file; all spans point into it
+  public:
+    std::string name;                       ///< "O9100", or the file's name where the text gives none
+    std::optional<std::int64_t> number;     ///< program number
+    std::vector<std::string> also_known_as; ///< further names that a call may use (<NAME>, file name)
+    Span span;                              ///< all its blocks
+    Span name_span;                         ///< where the name stands; empty at the first block otherwise
+    std::string_view text;                  ///< bytes of the whole file; all spans point into it
     const ControlModel* control = nullptr;
     RunDecoder decode = nullptr;
 
@@ -184,10 +279,13 @@ public:
     std::vector<Word> words;
     std::vector<Argument> arguments;
     std::vector<ModalSetting> settings;
-    std::vector<std::string> names;             ///< of named variables
+    std::vector<std::string> names; ///< of named variables
 
-    [[nodiscard]] std::string_view slice(Span span) const { return text.substr(span.begin, span.end - span.begin); }
+    [[nodiscard]] std::string_view slice(Span span) const {
+        return text.substr(span.begin, span.end - span.begin);
+    }
     [[nodiscard]] std::span<const ExpressionId> operands_of(const Apply& apply) const;
+    [[nodiscard]] std::span<const ExpressionId> values_of(const Values& values) const;
     [[nodiscard]] std::span<const Effect> effects_in(Slice slice) const;
     [[nodiscard]] std::span<const Argument> arguments_of(const Call& call) const;
     [[nodiscard]] std::span<const ModalSetting> net_of(const Run& run) const;
@@ -198,36 +296,36 @@ public:
     void for_each_block(Span part, const std::function<bool(const PlainBlock&)>& visit) const;
 };
 
-// ---- files -------------------------------------------------------------------------------------------------------
+// ---- files ----
 
 /// What is wrong with a text before any flow is looked at. Rules of the families 0xx and 1xx report these.
 enum class Irregular : std::uint8_t {
-    oversized_block,          ///< detail: none
+    oversized_block, ///< detail: none
     unterminated_comment,
-    parenthesis_as_bracket,   ///< subject: the word before the '('
-    bracket_mismatch,         ///< cure: which bracket is missing and where
-    unknown_keyword,          ///< cure: the keyword that was meant, may be empty
-    symbolic_comparison,      ///< cure: the operator word
-    bracket_depth,            ///< subject: the bracket that opens one level too many
+    parenthesis_as_bracket, ///< subject: the word before the '('
+    bracket_mismatch,       ///< cure: which bracket is missing and where
+    unknown_keyword,        ///< cure: the keyword that was meant, may be empty
+    symbolic_comparison,    ///< cure: the operator word
+    bracket_depth,          ///< subject: the bracket that opens one level too many
     assignment_to_null,
-    loop_without_do,          ///< WHILE condition without DO
-    call_without_program,     ///< G65/G66/M98 without P
-    unreadable,               ///< nothing more exact is known; cure: what was expected
+    loop_without_do,      ///< WHILE condition without DO
+    call_without_program, ///< G65/G66/M98 without P
+    unreadable,           ///< nothing more exact is known; cure: what was expected
 };
 
 struct Irregularity {
     Irregular kind;
     Span span;
-    std::string subject;  ///< the offending text, UTF-8
-    std::string cure;     ///< what to write instead, in the user's words; may be empty
+    std::string subject; ///< the offending text, UTF-8
+    std::string cure;    ///< what to write instead, in the user's words; may be empty
 };
 
 /// A comment that speaks to maclint.
 struct Comment {
-    Span span;         ///< brackets included
-    bool alone;        ///< nothing but a sequence number stands in its block beside it
-    Span block;        ///< the block that holds it
-    Span next_block;   ///< the next block that is no comment; empty at the end of the file
+    Span span;       ///< brackets included
+    bool alone;      ///< nothing but a sequence number stands in its block beside it
+    Span block;      ///< the block that holds it
+    Span next_block; ///< the next block that is no comment; empty at the end of the file
 };
 
 /// One file, read and lowered.
@@ -235,8 +333,8 @@ struct ProgramFile {
     std::shared_ptr<const Source> source;
     const ControlModel* control = nullptr;
     std::vector<Program> programs;
-    std::vector<Irregularity> irregularities;   ///< in file order
-    std::vector<Comment> comments;              ///< only those that contain "MACLINT", any case
+    std::vector<Irregularity> irregularities; ///< in file order
+    std::vector<Comment> comments;            ///< only those that contain "MACLINT", any case
 };
 
-}  // namespace maclint
+} // namespace maclint

@@ -3,11 +3,11 @@
 
 namespace maclint {
 
-template <class... Fs>
+template<class... Fs>
 struct overloaded : Fs... {
     using Fs::operator()...;
 };
-template <class... Fs>
+template<class... Fs>
 overloaded(Fs...) -> overloaded<Fs...>;
 
-}  // namespace maclint
+} // namespace maclint

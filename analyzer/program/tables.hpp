@@ -10,17 +10,17 @@
 
 namespace maclint {
 
-using SpaceId = std::uint8_t;   ///< row of ControlModel::spaces
-using GroupId = std::uint8_t;   ///< row of ControlModel::groups
-using FamilyId = std::uint8_t;  ///< row of ControlModel::families
-using CallKindId = std::uint8_t;  ///< row of ControlModel::calls
+using SpaceId = std::uint8_t;    ///< row of ControlModel::spaces
+using GroupId = std::uint8_t;    ///< row of ControlModel::groups
+using FamilyId = std::uint8_t;   ///< row of ControlModel::families
+using CallKindId = std::uint8_t; ///< row of ControlModel::calls
 
 /// How long a variable lives and who shares it.
 enum class Scope : std::uint8_t {
-    frame,      ///< one set for every call level (local variables)
-    workspace,  ///< shared by all programs, lost when the control is switched off
-    retained,   ///< shared by all programs, kept when the control is switched off
-    machine,    ///< owned by the control: offsets, outputs, counters
+    frame,     ///< one set for every call level (local variables)
+    workspace, ///< shared by all programs, lost when the control is switched off
+    retained,  ///< shared by all programs, kept when the control is switched off
+    machine,   ///< owned by the control: offsets, outputs, counters
 };
 
 /// What a variable reads as before anything was stored in it.
@@ -28,9 +28,9 @@ enum class Unset : std::uint8_t { vacant, zero, undefined, old_value };
 
 /// One row of the variable-space table.
 struct VariableSpace {
-    std::string_view name;    ///< "local variable"
-    std::string_view prefix;  ///< how a place of it is written before its number: "#"
-    bool named;               ///< a place's number is the index of a name, not part of the spelling
+    std::string_view name;   ///< "local variable"
+    std::string_view prefix; ///< how a place of it is written before its number: "#"
+    bool named;              ///< a place's number is the index of a name, not part of the spelling
     Scope scope;
     Unset unset;
     std::string_view source;
@@ -45,24 +45,28 @@ struct Place {
 
 /// What a rule may say about a modal group that a program leaves changed.
 enum class Concern : std::uint8_t {
-    none,          ///< nothing: no custom asks to put it back
-    state,         ///< a way of reading words (plane, distance, units): MAC501
-    operation,     ///< something that acts on every later move until cancelled: MAC502
-    value,         ///< feed or speed: MAC503
-    motion,        ///< the motion mode itself: MAC504
-    suppression,   ///< single block, feed hold, override switched off: MAC515
-    modal_call,    ///< a macro called after every move: MAC413
+    none,      ///< nothing: no custom asks to put it back
+    state,     ///< a way of reading words (plane, distance, units): MAC501
+    operation, ///< something that acts on every later move until cancelled: MAC502
+    cycle,     ///< a canned cycle, which every later position runs until cancelled, at most to the program's
+               ///< end: MAC502
+    value,     ///< feed or speed: MAC503
+    motion,    ///< the motion mode itself: MAC504
+    suppression, ///< single block, feed hold, override switched off: MAC515
+    modal_call,  ///< a macro called after every move: MAC413
+    own_rule,    ///< a rule of its own speaks of it, found by the group's name
 };
 
-/// One row of the modal-group table. Codes are numbers as written: 91, 54.1; feeds and speeds are plain values.
+/// One row of the modal-group table. Codes are numbers as written: 91, 54.1; feeds and speeds are plain
+/// values.
 struct ModalGroup {
-    std::string_view name;            ///< "distance mode"
-    char letter;                      ///< 'G', 'F', 'S'; '#' for a group that is a variable (single-block suppression)
+    std::string_view name; ///< "distance mode"
+    char letter;           ///< 'G', 'F', 'S'; '#' for a group that is a variable (single-block suppression)
     Concern concern;
-    std::vector<double> members;      ///< codes of the group; empty for value groups
-    std::vector<double> customary;    ///< codes that a program may leave behind without comment
-    std::optional<double> cancel;     ///< the code that ends an operation (G40, G80)
-    std::optional<double> reset;      ///< the code in force in a main program's first block, where it is known
+    std::vector<double> members;   ///< codes of the group; empty for value groups
+    std::vector<double> customary; ///< codes that a program may leave behind without comment
+    std::optional<double> cancel;  ///< the code that ends an operation (G40, G80)
+    std::optional<double> reset;   ///< the code in force in a main program's first block, where it is known
     std::string_view source;
 };
 
@@ -71,22 +75,22 @@ enum class OnWrite : std::uint8_t { store, set_modal, alarm, pause, forbidden };
 
 /// What a variable number stands for.
 enum class Meaning : std::uint8_t {
-    null,     ///< the null variable: always vacant
-    place,    ///< an ordinary variable of `space`
-    modal,    ///< reads the code in force of `group`
-    machine,  ///< a value that the machine owns
-    absent,   ///< no such variable on this control
+    null,    ///< the null variable: always vacant
+    place,   ///< an ordinary variable of `space`
+    modal,   ///< reads the code in force of `group`
+    machine, ///< a value that the machine owns
+    absent,  ///< no such variable on this control
 };
 
 /// One row of a family of variable numbers; rows of a family do not overlap and are sorted by `first`.
 struct VariableRange {
     std::int32_t first, last;
     Meaning meaning;
-    SpaceId space;            ///< for places and for machine values that can be written
-    GroupId group;            ///< for Meaning::modal and OnWrite::set_modal
+    SpaceId space; ///< for places and for machine values that can be written
+    GroupId group; ///< for Meaning::modal and OnWrite::set_modal
     OnWrite on_write;
-    bool changes_by_itself;   ///< inputs, timers, positions: a loop that waits for it can end
-    std::string_view what;    ///< "modal G code of group 03"
+    bool changes_by_itself; ///< inputs, timers, positions: a loop that waits for it can end
+    std::string_view what;  ///< "modal G code of group 03"
     std::string_view source;
 };
 
@@ -107,7 +111,7 @@ enum class When : std::uint8_t { once, after_each_motion, after_each_block };
 
 /// One row of the call table.
 struct CallKind {
-    std::string_view name;  ///< "G65 macro call"
+    std::string_view name; ///< "G65 macro call"
     Frame frame;
     Counted counted;
     When when;
@@ -116,27 +120,28 @@ struct CallKind {
 
 /// Limits of a control. Levels are counted below the main program.
 struct Limits {
-    int macro_calls;            ///< nested macro calls
-    int subprogram_calls;       ///< nested subprogram calls
-    std::optional<int> calls_together;  ///< sum of both on one chain, where it is known
-    int loop_levels;            ///< nested loops in one program
-    int first_loop_number, last_loop_number;
-    int bracket_levels;         ///< brackets in one expression, those of functions included
+    int macro_calls;                         ///< nested macro calls
+    int subprogram_calls;                    ///< nested subprogram calls
+    std::optional<int> calls_together;       ///< sum of both on one chain, where it is known
+    int loop_levels;                         ///< nested loops in one program
+    int first_loop_number, last_loop_number; ///< both 0: loops have no numbers, they pair by nesting
+    int bracket_levels;                      ///< brackets in one expression, those of functions included
     std::string_view source;
 };
 
 /// Everything that the analysis knows about a control; built once, shared by all programs of that control.
 struct ControlModel {
-    std::string name;         ///< "fanuc-16i"; what --control takes
-    std::string description;  ///< "FANUC Series 16i/18i/21i"
-    bool assumed;             ///< nobody named the control: messages say that its limits are assumed
+    std::string name;        ///< "fanuc-16i"; what --control takes
+    std::string description; ///< "FANUC Series 16i/18i/21i"
+    bool assumed;            ///< nobody named the control: messages say that its limits are assumed
     Limits limits;
     std::vector<VariableSpace> spaces;
     std::vector<VariableFamily> families;
     std::vector<ModalGroup> groups;
     std::vector<CallKind> calls;
-    std::vector<Place> formals;  ///< local variables that an argument letter of a call reaches (specification I)
-    bool vacant_equals_zero;  ///< whether EQ and NE take vacant for 0
+    std::vector<Place>
+        formals;             ///< local variables that an argument letter of a call reaches (specification I)
+    bool vacant_equals_zero; ///< whether EQ and NE take vacant for 0
 
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;
@@ -144,4 +149,4 @@ struct ControlModel {
     [[nodiscard]] std::string spell(GroupId group, double code) const;
 };
 
-}  // namespace maclint
+} // namespace maclint

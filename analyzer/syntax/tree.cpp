@@ -19,7 +19,8 @@ struct DeleteTree {
 /// Walks a tree in document order and gives its memory back.
 class Cursor {
   public:
-    explicit Cursor(TSNode root) : cursor_(ts_tree_cursor_new(root)) {}
+    explicit Cursor(TSNode root)
+        : cursor_(ts_tree_cursor_new(root)) {}
     Cursor(const Cursor&) = delete;
     Cursor& operator=(const Cursor&) = delete;
     ~Cursor() { ts_tree_cursor_delete(&cursor_); }
@@ -51,8 +52,8 @@ Node copy(const Cursor& cursor) {
 /// Appends the nodes below `root` in document order and links them.
 void copy_nodes(TSNode root, Tree& tree) {
     Cursor cursor(root);
-    std::vector<NodeIndex> path;      // ancestors of the current node
-    NodeIndex previous = no_node;     // its elder sibling
+    std::vector<NodeIndex> path;  // ancestors of the current node
+    NodeIndex previous = no_node; // its elder sibling
     while (true) {
         const auto here = static_cast<NodeIndex>(tree.nodes.size());
         tree.nodes.push_back(copy(cursor));

@@ -15,21 +15,21 @@ class ProgramAnalysis;
 /// A file of the workspace.
 struct WorkspaceFile {
     std::shared_ptr<const ProgramFile> file;
-    bool asked;  ///< findings are wanted; otherwise it is there only for callers and callees
+    bool asked; ///< findings are wanted; otherwise it is there only for callers and callees
 };
 
 struct WorkspaceOptions {
-    bool complete;  ///< the configuration declares that every program of the control is there
-    unsigned jobs;  ///< threads to use, at least 1
+    bool complete; ///< the configuration declares that every program of the control is there
+    unsigned jobs; ///< threads to use, at least 1
 };
 
 class Workspace {
-public:
-    /// Builds flow and data flow of every program, callees before callers.
-    static Workspace analyse(std::vector<WorkspaceFile> files, const WorkspaceOptions& options);
+  public:
+    /// Builds flow and data flow of every program, callees before callers. Analyses refer to their workspace:
+    /// it does not move.
+    static std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files,
+                                              const WorkspaceOptions& options);
 
-    Workspace(Workspace&&) noexcept;
-    Workspace& operator=(Workspace&&) noexcept;
     Workspace(const Workspace&) = delete;
     Workspace& operator=(const Workspace&) = delete;
     ~Workspace();
@@ -39,11 +39,11 @@ public:
     [[nodiscard]] const std::deque<ProgramAnalysis>& programs() const;
     [[nodiscard]] bool complete() const { return complete_; }
 
-private:
+  private:
     Workspace();
     std::vector<WorkspaceFile> files_;
     std::unique_ptr<std::deque<ProgramAnalysis>> programs_;
     bool complete_ = false;
 };
 
-}  // namespace maclint
+} // namespace maclint

@@ -17,7 +17,9 @@ Detection detect(std::string path, std::string_view text) {
     return detect_dialect(Source::from_bytes(std::move(path), std::string(text)));
 }
 
-std::string_view dialect_of(const Detection& detection) { return detection.dialect ? detection.dialect->name : ""; }
+std::string_view dialect_of(const Detection& detection) {
+    return detection.dialect ? detection.dialect->name : "";
+}
 
 TEST(Detection, FanucProgramsAreOursWhateverTheirExtension) {
     for (const char* path : {"O9100.nc", "O9100", "part.txt", "job.tap", "x.cnc"})
@@ -34,9 +36,11 @@ TEST(Detection, NctIsToldByItsForms) {
 TEST(Detection, OtherControlsAreNamed) {
     EXPECT_THAT(detect("a.h", "0 BEGIN PGM DEMO MM\n1 TOOL CALL 5 Z S2000\n").reason, HasSubstr("Klartext"));
     EXPECT_THAT(detect("a.MPF", "G0 X10\nM30").reason, HasSubstr("SINUMERIK"));
-    EXPECT_THAT(detect("a.nc", "DEF REAL DEPTH\nR1=5 R2=R1+3\nMSG(\"HELLO\")\nM17").reason, HasSubstr("SINUMERIK"));
+    EXPECT_THAT(detect("a.nc", "DEF REAL DEPTH\nR1=5 R2=R1+3\nMSG(\"HELLO\")\nM17").reason,
+                HasSubstr("SINUMERIK"));
     EXPECT_THAT(detect("a.ngc", "o100 sub\nG1 X#1\no100 endsub\n").reason, HasSubstr("LinuxCNC"));
-    EXPECT_THAT(detect("a.nc", "PROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 G0 X5\nEND").reason, HasSubstr("DIN PLUS"));
+    EXPECT_THAT(detect("a.nc", "PROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 G0 X5\nEND").reason,
+                HasSubstr("DIN PLUS"));
     for (const char* text : {"o100 sub\nG1 X#1\no100 endsub\n", "0 BEGIN PGM DEMO MM\n"}) {
         EXPECT_EQ(detect("a.nc", text).dialect, nullptr);
         EXPECT_FALSE(detect("a.nc", text).not_nc_text);
@@ -53,7 +57,10 @@ TEST(Detection, WhatIsNoNcTextIsToldSo) {
     expect_none("{\"a\": 1}", "JSON");
     expect_none("#include <stdio.h>\nint main() {\n  return 0;\n}\n", "C source");
     expect_none("<?xml version=\"1.0\"?>\n<a/>", "XML");
-    expect_none(std::string_view("\x7F" "ELF\x02\x01\x01\0\0\0\0\0\0\0\0\0\x03\0>\0\x01\0\0\0", 24), "binary");
+    expect_none(std::string_view("\x7F"
+                                 "ELF\x02\x01\x01\0\0\0\0\0\0\0\0\0\x03\0>\0\x01\0\0\0",
+                                 24),
+                "binary");
     expect_none("Dear customer,\nplease find attached the drawing.\nKind regards\n", "no NC program");
 }
 

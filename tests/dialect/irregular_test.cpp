@@ -12,15 +12,15 @@
 namespace maclint {
 namespace {
 
-using testing::lower;
 using ::testing::HasSubstr;
+using testing::lower;
 
 std::optional<Irregular> cause_of_rule(std::string_view rule) {
     static constexpr std::pair<std::string_view, Irregular> causes[] = {
-        {"MAC102", Irregular::unterminated_comment},   {"MAC116", Irregular::parenthesis_as_bracket},
-        {"MAC117", Irregular::bracket_mismatch},       {"MAC118", Irregular::unknown_keyword},
-        {"MAC119", Irregular::symbolic_comparison},    {"MAC401", Irregular::call_without_program},
-        {"MAC701", Irregular::bracket_depth},          {"MAC311", Irregular::loop_without_do},
+        {"MAC102", Irregular::unterminated_comment}, {"MAC116", Irregular::parenthesis_as_bracket},
+        {"MAC117", Irregular::bracket_mismatch},     {"MAC118", Irregular::unknown_keyword},
+        {"MAC119", Irregular::symbolic_comparison},  {"MAC401", Irregular::call_without_program},
+        {"MAC701", Irregular::bracket_depth},        {"MAC311", Irregular::loop_without_do},
     };
     for (const auto& [code, cause] : causes)
         if (code == rule) return cause;

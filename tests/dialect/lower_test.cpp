@@ -9,10 +9,10 @@
 namespace maclint {
 namespace {
 
+using ::testing::ElementsAre;
 using testing::lower;
 using testing::read;
 using testing::read_as;
-using ::testing::ElementsAre;
 
 // ---- variables
 
@@ -101,18 +101,18 @@ TEST(FanucJump, TakesNumbersVariablesAndExpressions) {
 // ---- words
 
 TEST(FanucWords, SetModalGroupsThenMove) {
-    EXPECT_EQ(lower("G90G1X#1F200"), "distance mode=90; motion mode=1; feed=200; move");
-    EXPECT_EQ(lower("X[#1+2]Y-#3"), "move");
+    EXPECT_EQ(lower("G90G1X#1F200"), "distance mode=90; motion mode=1; feed=200; values #1; move");
+    EXPECT_EQ(lower("X[#1+2]Y-#3"), "values add(#1, 2) negate(#3); move");
     EXPECT_EQ(lower("G#3"), "modal=#3");
     EXPECT_EQ(lower("S#19M3"), "spindle speed=#19");
-    EXPECT_EQ(lower("ZI-[#2]"), "move");
+    EXPECT_EQ(lower("ZI-[#2]"), "values negate(#2); move");
 }
 
 TEST(FanucWords, ThatAreNoTargetsDoNotMove) {
-    EXPECT_EQ(lower("G4X#1"), "synchronise");
-    EXPECT_EQ(lower("G10L2P1X0Y#1"), "synchronise");
-    EXPECT_EQ(lower("G68X0Y0R#1"), "rotation=68");
-    EXPECT_EQ(lower("G92S#1"), "");
+    EXPECT_EQ(lower("G4X#1"), "values #1; synchronise");
+    EXPECT_EQ(lower("G10L2P1X0Y#1"), "values #1; synchronise");
+    EXPECT_EQ(lower("G68X0Y0R#1"), "rotation=68; values #1");
+    EXPECT_EQ(lower("G92S#1"), "values #1");
 }
 
 TEST(FanucWords, ThatMoveOnTheirOwnAccordAlsoStopLookAhead) {
@@ -122,7 +122,7 @@ TEST(FanucWords, ThatMoveOnTheirOwnAccordAlsoStopLookAhead) {
 }
 
 TEST(FanucWords, LocalOffsetIsOnUntilItIsZero) {
-    EXPECT_EQ(lower("G52X#24Y0"), "local offset=52");
+    EXPECT_EQ(lower("G52X#24Y0"), "local offset=52; values #24");
     EXPECT_EQ(lower("G52X0Y0"), "local offset=0");
 }
 
@@ -131,7 +131,7 @@ TEST(FanucWords, EndStopAndToolChange) {
     EXPECT_EQ(lower("M01"), "synchronise; pause");
     EXPECT_EQ(lower("T5M6"), "synchronise; tool change");
     EXPECT_EQ(lower("M99"), "return");
-    EXPECT_EQ(lower("M99P#1"), "return to #1");
+    EXPECT_EQ(lower("M99P#1"), "values #1; return to #1");
 }
 
 TEST(FanucSkip, LeadingMarkIsTheBlocksAndALaterOneGuardsTheRest) {
@@ -196,15 +196,16 @@ TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
               "unreadable jumps 5 opens-or-closes\n! bracket-mismatch '[' -> a ']' is missing before 'GOTO'");
     EXPECT_EQ(lower("WHLE[#1LT5]DO1"), "unreadable opens-or-closes\n! unknown-keyword 'WHLE' -> WHILE");
     EXPECT_EQ(lower("IF[#1LTE2]GOTO5"), "unreadable jumps 5 opens-or-closes\n! unknown-keyword 'LTE' -> LE");
-    EXPECT_EQ(lower("G65P9010A["), "unreadable calls-or-returns\n! bracket-mismatch '[' -> its ']' is missing");
+    EXPECT_EQ(lower("G65P9010A["),
+              "unreadable calls-or-returns\n! bracket-mismatch '[' -> its ']' is missing");
     EXPECT_EQ(lower("#1="), "unreadable writes #1\n! unreadable '=' -> a value after '='");
     EXPECT_EQ(lower("Increment pass counter"),
               "unreadable\n! unreadable 'Increment pass counter' -> a remark must stand in ( )");
 }
 
 TEST(FanucIrregular, OpenCommentSwallowsWhatFollows) {
-    EXPECT_EQ(lower("G0X#1(TO THE EDGE\nG1X#2"),
-              "motion mode=0; move\nmotion mode=1; move\n! unterminated-comment '(TO THE EDGE' -> )");
+    EXPECT_EQ(lower("G0X#1(TO THE EDGE\nG1X#2"), "motion mode=0; values #1; move\nmotion mode=1; values #2; "
+                                                 "move\n! unterminated-comment '(TO THE EDGE' -> )");
     EXPECT_EQ(lower("#1=(NOT CLOSED"), "unreadable writes #1\n! unterminated-comment '(NOT CLOSED' -> )");
 }
 
@@ -226,7 +227,8 @@ TEST(FanucIrregular, SymbolsInConditions) {
 // ---- programs
 
 TEST(FanucProgram, NumberNameAndFileNameAreItsNames) {
-    const ProgramFile file = read_as("fanuc", "parts/holder.nc", "%\nO0100(HOLDER)\nM99\nO<PART-2>\nM99\n:7\nM99\n%");
+    const ProgramFile file =
+        read_as("fanuc", "parts/holder.nc", "%\nO0100(HOLDER)\nM99\nO<PART-2>\nM99\n:7\nM99\n%");
     ASSERT_EQ(file.programs.size(), 3U);
     EXPECT_EQ(file.programs[0].name, "O0100");
     EXPECT_EQ(file.programs[0].number, 100);
@@ -245,7 +247,7 @@ TEST(FanucProgram, WithoutNumberIsNamedAfterItsFile) {
 
 TEST(FanucProgram, NctHeadAndTailStandOnOneLineWithTheTapeMarks) {
     const ProgramFile file = read("%O9601(POCKET)\nG0X#1\nM99%\nREST OF TAPE");
-    EXPECT_EQ(describe(file), "O9601:\n\nmotion mode=0; move\nreturn\n");
+    EXPECT_EQ(describe(file), "O9601:\n\nmotion mode=0; values #1; move\nreturn\n");
 }
 
 TEST(FanucProgram, LatheTextTakesTheLatheTwinOfTheControl) {

@@ -1,7 +1,6 @@
 //! The plain lane: what it takes, and that it agrees with the grammar on every block that it takes.
-#include "analyzer/dialect/fanuc/plain.hpp"
-
 #include "analyzer/dialect/fanuc/lowering.hpp"
+#include "analyzer/dialect/fanuc/plain.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "tests/dialect/reading.hpp"
@@ -28,17 +27,21 @@ Lane lane_of(std::string_view text) {
 }
 
 TEST(PlainLane, TakesWordsWithLiteralNumbers) {
-    for (const char* text : {"G1X10.5Y-3.", "N10", "N5G90 G54 X 1 Y - .5", "M3S1200", "T1", "x1.y2.", "(NOTE)G1X1.",
-                             "G02X1.I-5.J0F200.(ARC)", "G54.1P2", "G81X1.Y1.Z-5.R2.F100"})
+    for (const char* text : {"G1X10.5Y-3.", "N10", "N5G90 G54 X 1 Y - .5", "M3S1200", "T1", "x1.y2.",
+                             "(NOTE)G1X1.", "G02X1.I-5.J0F200.(ARC)", "G54.1P2", "G81X1.Y1.Z-5.R2.F100"})
         EXPECT_EQ(lane_of(text), Lane::plain) << text;
-    for (const char* text : {"", "  \t", "(COMMENT)", "(A)(B)\n", ";"}) EXPECT_EQ(lane_of(text), Lane::blank) << text;
+    for (const char* text : {"", "  \t", "(COMMENT)", "(A)(B)\n", ";"})
+        EXPECT_EQ(lane_of(text), Lane::blank) << text;
 }
 
 TEST(PlainLane, LeavesEverythingElseToTheGrammar) {
-    for (const char* text : {"#1=1", "G1X#1", "X[1]", "/G1X1.", "O1", "%", "M30", "M99", "M98P1", "G65P1", "G4P100",
-                             "G28Z0", "M6T1", "G1X", "G1X1.5.2", "X--1", "G0N10", "GOTO5", "N10.5", "(OPEN", "G50S2000S1",
-                             "X1,C2.", "G54.12", "G-1", "\"A\"", "N#1", "N", "M3.5", "(MACLINT ALLOW)"})
-        EXPECT_EQ(lane_of(text), std::string_view(text) == "G50S2000S1" ? Lane::plain : Lane::grammar) << text;
+    for (const char* text :
+         {"#1=1",  "G1X#1",          "X[1]",       "/G1X1.", "O1",     "%",        "M30",   "M99",   "M98P1",
+          "G65P1", "G4P100",         "G28Z0",      "M6T1",   "G1X",    "G1X1.5.2", "X--1",  "G0N10", "GOTO5",
+          "N10.5", "(OPEN",          "G50S2000S1", "X1,C2.", "G54.12", "G-1",      "\"A\"", "N#1",   "N",
+          "M3.5",  "(MACLINT ALLOW)"})
+        EXPECT_EQ(lane_of(text), std::string_view(text) == "G50S2000S1" ? Lane::plain : Lane::grammar)
+            << text;
 }
 
 TEST(PlainLane, JoinsBlocksToRunsWithWhatTheyLeaveBehind) {
@@ -61,7 +64,8 @@ TEST(PlainLane, DecodesItsBlocksAgain) {
         seen.push_back(std::move(one));
         return true;
     });
-    EXPECT_THAT(seen, ElementsAre("N5G90G1X1. moves at 5 2=90.0 0=1.00", "G92X0Y0", "F10.5S-3 22=10.5 23=-3.0"));
+    EXPECT_THAT(seen,
+                ElementsAre("N5G90G1X1. moves at 5 2=90.0 0=1.00", "G92X0Y0", "F10.5S-3 22=10.5 23=-3.0"));
     int first = 0;
     program.for_each_block(program.span_of(0), [&](const PlainBlock&) { return ++first < 1; });
     EXPECT_EQ(first, 1);
@@ -133,7 +137,8 @@ std::size_t compare_lanes(std::string_view text, const ControlModel& control, st
         EXPECT_EQ(raw.next, scanned.next) << where << " at " << at;
         const std::string_view block = text.substr(at, scanned.next - at);
         const Meaning expected = by_grammar(block.substr(0, block.find_last_not_of("\r\n;") + 1), control);
-        EXPECT_EQ(by_scanner(scanned, lane), expected) << where << ": " << block << (expected.error ? " (error)" : "");
+        EXPECT_EQ(by_scanner(scanned, lane), expected)
+            << where << ": " << block << (expected.error ? " (error)" : "");
         plain += lane == Lane::plain ? 1 : 0;
         at = scanned.next;
         if (::testing::Test::HasFailure()) return plain;
@@ -142,11 +147,73 @@ std::size_t compare_lanes(std::string_view text, const ControlModel& control, st
 }
 
 TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocks) {
-    static constexpr const char* pieces[] = {
-        "G0", "G1", "G90", "G54.1", "G81", "G92", "G28", "G4", "G01.", "G5.1", "g2", "G 3", "X1.", "Y-2.5", "Z .5", "I0",
-        "R-1", "F100.", "S1200", "F-.5", "S", "M3", "M08", "M30", "T1", "N10", "N5", "H1", "D2", "P1", "Q3", "K0", "(A)",
-        "(B;C)", "(OPEN", ";", " ", "\t", "\n", "\r\n", "\n", "\n", "#1", "[", "X", "1", ".", "-", "L2", "E5", "O1", "/",
-        "U1", "W-1", "C90.", "&F1", "@1", ",C1", "*", "+", "G100", "G999.9", "G1000", "M9999", "M10000", "X 1 ", "S12345678901234567"};
+    static constexpr const char* pieces[] = {"G0",
+                                             "G1",
+                                             "G90",
+                                             "G54.1",
+                                             "G81",
+                                             "G92",
+                                             "G28",
+                                             "G4",
+                                             "G01.",
+                                             "G5.1",
+                                             "g2",
+                                             "G 3",
+                                             "X1.",
+                                             "Y-2.5",
+                                             "Z .5",
+                                             "I0",
+                                             "R-1",
+                                             "F100.",
+                                             "S1200",
+                                             "F-.5",
+                                             "S",
+                                             "M3",
+                                             "M08",
+                                             "M30",
+                                             "T1",
+                                             "N10",
+                                             "N5",
+                                             "H1",
+                                             "D2",
+                                             "P1",
+                                             "Q3",
+                                             "K0",
+                                             "(A)",
+                                             "(B;C)",
+                                             "(OPEN",
+                                             ";",
+                                             " ",
+                                             "\t",
+                                             "\n",
+                                             "\r\n",
+                                             "\n",
+                                             "\n",
+                                             "#1",
+                                             "[",
+                                             "X",
+                                             "1",
+                                             ".",
+                                             "-",
+                                             "L2",
+                                             "E5",
+                                             "O1",
+                                             "/",
+                                             "U1",
+                                             "W-1",
+                                             "C90.",
+                                             "&F1",
+                                             "@1",
+                                             ",C1",
+                                             "*",
+                                             "+",
+                                             "G100",
+                                             "G999.9",
+                                             "G1000",
+                                             "M9999",
+                                             "M10000",
+                                             "X 1 ",
+                                             "S12345678901234567"};
     std::mt19937 random(20240501);
     std::size_t plain = 0;
     for (int round = 0; round < 4000 && !HasFailure(); ++round) {

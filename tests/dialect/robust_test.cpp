@@ -37,8 +37,8 @@ std::string noise(std::size_t size, unsigned lowest, unsigned highest) {
     return out;
 }
 
-/// Whether blocks and runs stand in order, and everything between them is blanks, line ends, comments or marks.
-/// Text outside of the tape marks is not asked about: these texts have none.
+/// Whether blocks and runs stand in order, and everything between them is blanks, line ends, comments or
+/// marks. Text outside of the tape marks is not asked about: these texts have none.
 void expect_everything_accounted_for(std::string_view text) {
     const ProgramFile file = read(text);
     Offset at = 0;
@@ -69,8 +69,9 @@ void expect_everything_accounted_for(std::string_view text) {
 }
 
 TEST(FanucReader, EveryByteIsInABlockOrBetweenBlocks) {
-    static constexpr const char* pieces[] = {"G0X1.", "#1=2", "(A)", "(B", "\n", "\r\n", ";", "\r", " ", "\t", "N10", "/",
-                                             "M30", "O1", "IF[", "]", "GOTO5", "X", "\xE9", "=", "<P>", "M99", "(MACLINT)"};
+    static constexpr const char* pieces[] = {"G0X1.", "#1=2", "(A)",  "(B", "\n",  "\r\n", ";",        "\r",
+                                             " ",     "\t",   "N10",  "/",  "M30", "O1",   "IF[",      "]",
+                                             "GOTO5", "X",    "\xE9", "=",  "<P>", "M99",  "(MACLINT)"};
     std::mt19937 random(11);
     for (int round = 0; round < 3000 && !HasFatalFailure(); ++round) {
         std::string text;
@@ -133,7 +134,8 @@ TEST(FanucReader, DamagedProgramsOfTheOuterCorpusAreRead) {
         if (!entry.is_regular_file() || entry.file_size() > 20'000 || entry.file_size() == 0) continue;
         std::ifstream file(entry.path(), std::ios::binary);
         std::string text((std::istreambuf_iterator<char>(file)), {});
-        for (int change = 0; change < 20; ++change) text[random() % text.size()] = static_cast<char>(random());
+        for (int change = 0; change < 20; ++change)
+            text[random() % text.size()] = static_cast<char>(random());
         EXPECT_FALSE(describe(read(text)).empty()) << entry.path();
     }
 }

@@ -1,6 +1,5 @@
 //! Where blocks begin and end, what a tape mark does, and what heads a program.
 #include "analyzer/dialect/fanuc/split.hpp"
-
 #include "tests/dialect/reading.hpp"
 
 #include <string>

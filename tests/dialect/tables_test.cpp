@@ -14,7 +14,8 @@ namespace {
 
 TEST(Controls, HaveUniqueNamesAndEveryDialectsDefaultExists) {
     std::set<std::string> names;
-    for (const ControlModel* control : controls()) EXPECT_TRUE(names.insert(control->name).second) << control->name;
+    for (const ControlModel* control : controls())
+        EXPECT_TRUE(names.insert(control->name).second) << control->name;
     for (const Dialect& dialect : dialects()) EXPECT_NE(find_control(dialect.default_control), nullptr);
     EXPECT_EQ(find_control("siemens"), nullptr);
     EXPECT_TRUE(find_control("fanuc")->assumed);
@@ -63,7 +64,9 @@ TEST(Controls, ACodeBelongsToOneGroup) {
 
 TEST(Controls, ModalVariablesReadTheGroupOfTheirNumber) {
     const ControlModel& mill = *find_control("fanuc");
-    const auto group_of = [&](std::int64_t number) { return mill.groups[mill.families[0].find(number)->group].name; };
+    const auto group_of = [&](std::int64_t number) {
+        return mill.groups[mill.families[0].find(number)->group].name;
+    };
     EXPECT_EQ(group_of(4001), "motion mode");
     EXPECT_EQ(group_of(4003), "distance mode");
     EXPECT_EQ(group_of(4014), "work offset");

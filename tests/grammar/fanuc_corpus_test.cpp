@@ -1,4 +1,5 @@
-//! The cases of grammar/fanuc/test/corpus through our own printer: the committed parser does what the grammar says.
+//! The cases of grammar/fanuc/test/corpus through our own printer: the committed parser does what the grammar
+//! says.
 #include "analyzer/dialect/fanuc/kinds.hpp"
 #include "analyzer/syntax/tree.hpp"
 
@@ -61,7 +62,8 @@ std::vector<Case> cases_in(const std::filesystem::path& path) {
 
 TEST(FanucGrammar, AllCasesOfItsCorpusParseAsWritten) {
     std::size_t count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(MACLINT_SOURCE_DIR "/grammar/fanuc/test/corpus")) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(MACLINT_SOURCE_DIR "/grammar/fanuc/test/corpus")) {
         for (const Case& one : cases_in(entry.path())) {
             syntax::Tree tree;
             syntax::parse(fanuc::grammar, one.text, tree);

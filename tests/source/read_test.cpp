@@ -62,15 +62,13 @@ TEST_F(ReadFile, ReadsAnEmptyFile) {
 }
 
 TEST_F(ReadFile, ReadsAPipeToItsEnd) {
+    if (!std::filesystem::exists("/dev/fd")) GTEST_SKIP() << "this system does not name open files";
     std::array<int, 2> ends{};
     ASSERT_EQ(::pipe(ends.data()), 0);
-    const std::string text(300'000, 'X');
-    std::thread writer([&text, out = ends[1]] {
-        EXPECT_EQ(::write(out, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-        ::close(out);
-    });
+    const std::string text(60'000, 'X'); // fits a pipe, so nobody has to read yet
+    ASSERT_EQ(::write(ends[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    ::close(ends[1]);
     const auto result = Source::read_file("/dev/fd/" + std::to_string(ends[0]));
-    writer.join();
     ::close(ends[0]);
     ASSERT_TRUE(std::holds_alternative<Source>(result));
     EXPECT_EQ(std::get<Source>(result).bytes(), text);

@@ -15,8 +15,8 @@ constexpr auto mill = Machine::mill;
 constexpr auto lathe = Machine::lathe;
 constexpr auto both = Machine::both;
 
-// A code that is missing here only sets its modal group, if it has one. Sources: fanuc-custom-macro.md (section or key),
-// T: general knowledge of the control, not confirmed by a manual page.
+// A code that is missing here only sets its modal group, if it has one. Sources: fanuc-custom-macro.md
+// (section or key), T: general knowledge of the control, not confirmed by a manual page.
 // clang-format off
 constexpr CodeFact facts[] = {
     {'G',   4,   both,  sync | no_words,           "6: G4 stops pre-reading on some controls; P, X, U are the time"},
@@ -103,7 +103,8 @@ CodeTable build(const ControlModel& control, Machine machine) {
     table.g.fill({.group = no_group, .traits = 0});
     for (std::size_t i = control.groups.size(); i-- > 0;) {
         if (control.groups[i].letter != 'G') continue;
-        for (const double code : control.groups[i].members) table.g[tenths(code)].group = static_cast<GroupId>(i);
+        for (const double code : control.groups[i].members)
+            table.g[tenths(code)].group = static_cast<GroupId>(i);
     }
     for (const CodeFact& fact : facts) {
         if (fact.machine != Machine::both && fact.machine != machine) continue;

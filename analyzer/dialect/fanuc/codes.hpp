@@ -13,11 +13,11 @@ namespace maclint::fanuc {
 
 /// What a code does, as bits that add up.
 enum Trait : std::uint8_t {
-    own_effect = 1 << 0,    ///< the model needs an effect of its own: the block goes to the grammar
-    synchronises = 1 << 1,  ///< look-ahead stops here; such a block goes to the grammar too
-    no_axes = 1 << 2,       ///< axis words beside it are no target of a move
-    no_words = 1 << 3,      ///< no word beside it means what it usually does: neither axes nor F nor S
-    limits_speed = 1 << 4,  ///< S beside it is a limit, not the speed
+    own_effect = 1 << 0,   ///< the model needs an effect of its own: the block goes to the grammar
+    synchronises = 1 << 1, ///< look-ahead stops here; such a block goes to the grammar too
+    no_axes = 1 << 2,      ///< axis words beside it are no target of a move
+    no_words = 1 << 3,     ///< no word beside it means what it usually does: neither axes nor F nor S
+    limits_speed = 1 << 4, ///< S beside it is a limit, not the speed
 };
 
 enum class Machine : std::uint8_t { mill, lathe, both };

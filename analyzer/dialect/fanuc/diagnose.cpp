@@ -1,4 +1,5 @@
-//! Finds the cause of a syntax error in a block's text; the parser's recovery is only asked where the text ran out.
+//! Finds the cause of a syntax error in a block's text; the parser's recovery is only asked where the text
+//! ran out.
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 
 #include "analyzer/dialect/fanuc/kinds.hpp"
@@ -54,7 +55,8 @@ class Clues {
     [[nodiscard]] bool looks_like_expression(const Token& comment) const;
     [[nodiscard]] bool is_known(const Token& token, const Token* next, int depth) const;
     [[nodiscard]] bool has_word(std::string_view keyword) const;
-    [[nodiscard]] Irregularity make(Irregular kind, Span span, std::string_view subject, std::string cure) const {
+    [[nodiscard]] Irregularity make(Irregular kind, Span span, std::string_view subject,
+                                    std::string cure) const {
         return {kind, span, shown(subject), std::move(cure)};
     }
 
@@ -111,7 +113,8 @@ bool Clues::looks_like_expression(const Token& comment) const {
         case TokenKind::number:
         case TokenKind::variable: operand = true; break;
         case TokenKind::letters:
-            if (split_keywords(in_capitals(text_.substr(token.span.begin, token.span.length()))).empty()) return false;
+            if (split_keywords(in_capitals(text_.substr(token.span.begin, token.span.length()))).empty())
+                return false;
             break;
         case TokenKind::other:
         case TokenKind::comma: return false;
@@ -131,18 +134,23 @@ std::optional<Irregularity> Clues::parenthesis_as_bracket() const {
         const bool sign_follows = next != nullptr && next->kind == TokenKind::sign;
         if (gives_value(next) && !(is_function(word) && sign_follows)) continue;
         const bool touches = before.span.end == comment.span.begin;
-        const bool certain = is_function(word) || ((word == "IF" || word == "WHILE") && looks_like_expression(comment));
+        const bool certain =
+            is_function(word) || ((word == "IF" || word == "WHILE") && looks_like_expression(comment));
         const bool operand = (wants_value(before) || before.kind == TokenKind::sharp || word == "GOTO" ||
                               word == "DO" || word == "END") &&
                              looks_like_expression(comment);
-        const bool address = word.size() == 1 && touches && looks_like_expression(comment) && word != "N" && word != "O";
+        const bool address =
+            word.size() == 1 && touches && looks_like_expression(comment) && word != "N" && word != "O";
         if (!certain && !operand && !address) continue;
-        std::string cure = text_[comment.span.end - 1] == ')' && comment.span.length() <= longest_shown
-                               ? '[' + std::string(text_.substr(comment.span.begin + 1, comment.span.length() - 2)) + ']'
-                               : std::string("[");
+        std::string cure =
+            text_[comment.span.end - 1] == ')' && comment.span.length() <= longest_shown
+                ? '[' + std::string(text_.substr(comment.span.begin + 1, comment.span.length() - 2)) + ']'
+                : std::string("[");
         const std::string_view subject = text(before);
         return make(Irregular::parenthesis_as_bracket, comment.span,
-                    word.empty() ? subject : subject.substr(subject.size() - std::min(word.size(), subject.size())), cure);
+                    word.empty() ? subject
+                                 : subject.substr(subject.size() - std::min(word.size(), subject.size())),
+                    cure);
     }
     return std::nullopt;
 }
@@ -152,7 +160,8 @@ std::optional<Irregularity> Clues::bracket_mismatch() const {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
         if (tokens_[i].kind == TokenKind::open) open.push_back(i);
         if (tokens_[i].kind != TokenKind::close) continue;
-        if (open.empty()) return make(Irregular::bracket_mismatch, tokens_[i].span, "]", "a '[' is missing before it");
+        if (open.empty())
+            return make(Irregular::bracket_mismatch, tokens_[i].span, "]", "a '[' is missing before it");
         open.pop_back();
     }
     if (open.empty()) return std::nullopt;
@@ -175,7 +184,8 @@ bool Clues::is_known(const Token& token, const Token* next, int depth) const {
     if (depth > 0) return false;
     // Letters before a keyword or behind one are addresses when a value follows: THENG1, XSIN[30].
     const bool value_follows = gives_value(next);
-    if (value_follows && !split_keywords(std::string_view(word).substr(0, word.size() - 1)).empty()) return true;
+    if (value_follows && !split_keywords(std::string_view(word).substr(0, word.size() - 1)).empty())
+        return true;
     if (is_function(std::string_view(word).substr(1))) return true;
     // Abbreviations of functions, and addresses left without a value.
     return word.size() == 2;
@@ -243,11 +253,13 @@ std::optional<Irregularity> Clues::missing_value() const {
                 expected = "a loop number 1 to 3 after '" + word + "'";
             if ((word == "IF" || word == "WHILE") && !gives_value(next))
                 expected = "a condition in [ ] after '" + word + "'";
-            if (!expected.empty()) return make(Irregular::unreadable, token.span, text(token), std::move(expected));
+            if (!expected.empty())
+                return make(Irregular::unreadable, token.span, text(token), std::move(expected));
         }
         if (!wants_value(token) || gives_value(next)) continue;
         if (next != nullptr && next->kind == TokenKind::other) continue;
-        return make(Irregular::unreadable, token.span, text(token), "a value after '" + shown(text(token)) + "'");
+        return make(Irregular::unreadable, token.span, text(token),
+                    "a value after '" + shown(text(token)) + "'");
     }
     return std::nullopt;
 }
@@ -270,11 +282,14 @@ std::optional<Irregularity> Clues::remark() const {
             const bool plain = word.size() > 2 && split_keywords(word).empty() && !explain(word).known;
             (plain ? words : code) += 1;
         }
-        if (token.kind == TokenKind::variable || token.kind == TokenKind::open || token.kind == TokenKind::equals) code += 2;
+        if (token.kind == TokenKind::variable || token.kind == TokenKind::open ||
+            token.kind == TokenKind::equals)
+            code += 2;
     }
     if (words < 2 || words * 2 < code) return std::nullopt;
     const Span all{tokens_.front().span.begin, tokens_.back().span.end};
-    return make(Irregular::unreadable, all, text_.substr(all.begin, all.length()), "a remark must stand in ( )");
+    return make(Irregular::unreadable, all, text_.substr(all.begin, all.length()),
+                "a remark must stand in ( )");
 }
 
 /// The first node of the tree that stands for an error.
@@ -316,10 +331,11 @@ std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, S
     return Clues(text, block).parenthesis_as_bracket();
 }
 
-void diagnose(std::string_view text, Span block, const syntax::Tree& tree, std::vector<Irregularity>& irregularities) {
+void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
+              std::vector<Irregularity>& irregularities) {
     const Clues clues(text, block);
-    for (const auto cause : {&Clues::remark, &Clues::parenthesis_as_bracket, &Clues::bracket_mismatch, &Clues::unknown_keyword,
-                             &Clues::symbolic_comparison, &Clues::missing_value}) {
+    for (const auto cause : {&Clues::remark, &Clues::parenthesis_as_bracket, &Clues::bracket_mismatch,
+                             &Clues::unknown_keyword, &Clues::symbolic_comparison, &Clues::missing_value}) {
         if (std::optional<Irregularity> found = (clues.*cause)()) {
             irregularities.push_back(std::move(*found));
             return;
@@ -356,7 +372,8 @@ UnreadableBlock names_in(const Program& program, Span block) {
         const Token& token = tokens[i];
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
         if (token.kind == TokenKind::variable && next != nullptr && next->kind == TokenKind::equals)
-            if (const std::optional<std::int64_t> number = read_integer(clues.text(token))) written.push_back(*number);
+            if (const std::optional<std::int64_t> number = read_integer(clues.text(token)))
+                written.push_back(*number);
         if (token.kind != TokenKind::letters) continue;
         const std::string word = clues.capitals(token);
         const Token* value = next;
@@ -369,11 +386,13 @@ UnreadableBlock names_in(const Program& program, Span block) {
         const std::string meant = words.empty() ? explain(word).meant : std::string();
         words.push_back(meant);
         for (const std::string_view keyword : words)
-            names.may_open_or_close |= keyword == "IF" || keyword == "WHILE" || keyword == "DO" || keyword == "END";
+            names.may_open_or_close |=
+                keyword == "IF" || keyword == "WHILE" || keyword == "DO" || keyword == "END";
         names.may_open_or_close |= word == "ELSE" || word == "ENDIF";
         if (next == nullptr || next->kind != TokenKind::number) continue;
         const double code = read_number(clues.text(*next)).value;
-        if (word.back() == 'G') names.may_call_or_return |= std::floor(code) == 65 || std::floor(code) == 66 || code == 67;
+        if (word.back() == 'G')
+            names.may_call_or_return |= std::floor(code) == 65 || std::floor(code) == 66 || code == 67;
         if (word.back() == 'M')
             names.may_call_or_return |= code == 2 || code == 30 || (code >= 96 && code <= 99) || code == 198;
     }

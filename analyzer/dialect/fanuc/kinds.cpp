@@ -70,26 +70,16 @@ constexpr std::pair<std::string_view, Kind> kinds[] = {
 };
 
 constexpr std::pair<std::string_view, Field> fields[] = {
-    {"address", Field::address},
-    {"argument", Field::argument},
-    {"condition", Field::condition},
-    {"consequence", Field::consequence},
-    {"divisor", Field::divisor},
-    {"format", Field::format},
-    {"function", Field::function},
-    {"incremental", Field::incremental},
-    {"index", Field::index},
-    {"left", Field::left},
-    {"loop", Field::loop},
-    {"name", Field::name},
-    {"number", Field::number},
-    {"operand", Field::operand},
-    {"operator", Field::operation},
-    {"right", Field::right},
-    {"target", Field::target},
-    {"then", Field::then},
-    {"value", Field::value},
-    {"variable", Field::variable},
+    {"address", Field::address},     {"argument", Field::argument},
+    {"condition", Field::condition}, {"consequence", Field::consequence},
+    {"divisor", Field::divisor},     {"format", Field::format},
+    {"function", Field::function},   {"incremental", Field::incremental},
+    {"index", Field::index},         {"left", Field::left},
+    {"loop", Field::loop},           {"name", Field::name},
+    {"number", Field::number},       {"operand", Field::operand},
+    {"operator", Field::operation},  {"right", Field::right},
+    {"target", Field::target},       {"then", Field::then},
+    {"value", Field::value},         {"variable", Field::variable},
 };
 
 std::vector<Kind> number_kinds() {

@@ -1,7 +1,6 @@
 //! Lowering of blocks and macro statements.
-#include "analyzer/dialect/fanuc/lowering.hpp"
-
 #include "analyzer/dialect/fanuc/diagnose.hpp"
+#include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/numbers.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 
@@ -97,7 +96,8 @@ void BlockLowering::lower_items(std::span<const Node* const> items, Effects& eff
             const Span mark = span(*items[i]);
             Effects rest;
             lower_items(items.subspan(i + 1), rest);
-            if (!rest.empty()) effects.push_back(guarded(unreadable(mark), std::move(rest), {mark.begin, block_.end}));
+            if (!rest.empty())
+                effects.push_back(guarded(unreadable(mark), std::move(rest), {mark.begin, block_.end}));
             return;
         }
         if (!is_word(kind)) {
@@ -161,7 +161,8 @@ void BlockLowering::store_numbered(std::int64_t number, Span target, ExpressionI
                                    Effects& effects) {
     const VariableRange* range = program_.control->families[numbered].find(number);
     if (range == nullptr) {
-        effects.push_back({Assign{StoreAt{numbered, literal(static_cast<double>(number), target)}, value}, span});
+        effects.push_back(
+            {Assign{StoreAt{numbered, literal(static_cast<double>(number), target)}, value}, span});
         return;
     }
     if (range->meaning == Meaning::null) {
@@ -212,7 +213,8 @@ void BlockLowering::lower_while(const Node& node, Effects& effects) {
     Structure structure{Construct::while_loop, Structure::Part::open, std::nullopt, std::nullopt};
     if (condition != nullptr) structure.condition = lower_condition(*condition);
     if (loop != nullptr) {
-        if (const Node* number = child(*loop, Field::number); number != nullptr && kind_of(*number) == Kind::number)
+        if (const Node* number = child(*loop, Field::number);
+            number != nullptr && kind_of(*number) == Kind::number)
             structure.number = read_integer(text(*number));
     } else {
         report(Irregular::loop_without_do, span(node), "DO");
@@ -221,9 +223,11 @@ void BlockLowering::lower_while(const Node& node, Effects& effects) {
 }
 
 void BlockLowering::lower_loop_mark(const Node& node, Structure::Part part, Effects& effects) {
-    const Construct construct = part == Structure::Part::open ? Construct::endless_loop : Construct::while_loop;
+    const Construct construct =
+        part == Structure::Part::open ? Construct::endless_loop : Construct::while_loop;
     Structure structure{construct, part, std::nullopt, std::nullopt};
-    if (const Node* number = child(node, Field::number); number != nullptr && kind_of(*number) == Kind::number)
+    if (const Node* number = child(node, Field::number);
+        number != nullptr && kind_of(*number) == Kind::number)
         structure.number = read_integer(text(*number));
     effects.push_back({structure, span(node)});
 }
@@ -232,14 +236,16 @@ void BlockLowering::lower_output(const Node& node, Effects& effects) {
     Exchange exchange;
     for (const Node* part : named_children(node)) {
         if (kind_of(*part) != Kind::output_variable) continue;
-        if (const Node* variable = child(*part, Field::variable)) exchange.out.push_back(lower_expression(*variable));
+        if (const Node* variable = child(*part, Field::variable))
+            exchange.out.push_back(lower_expression(*variable));
     }
     effects.push_back({std::move(exchange), span(node)});
 }
 
 const syntax::Node* BlockLowering::child(const Node& node, Field field) const {
     for (syntax::NodeIndex i = node.first_child; i != syntax::no_node; i = tree_.nodes[i].next_sibling)
-        if (field_of(tree_.nodes[i]) == field && kind_of(tree_.nodes[i]) != Kind::comment) return &tree_.nodes[i];
+        if (field_of(tree_.nodes[i]) == field && kind_of(tree_.nodes[i]) != Kind::comment)
+            return &tree_.nodes[i];
     return nullptr;
 }
 
@@ -253,7 +259,8 @@ BlockLowering::Nodes BlockLowering::children(const Node& node) const {
 BlockLowering::Nodes BlockLowering::named_children(const Node& node) const {
     Nodes found;
     for (syntax::NodeIndex i = node.first_child; i != syntax::no_node; i = tree_.nodes[i].next_sibling)
-        if (tree_.nodes[i].named && kind_of(tree_.nodes[i]) != Kind::comment) found.push_back(&tree_.nodes[i]);
+        if (tree_.nodes[i].named && kind_of(tree_.nodes[i]) != Kind::comment)
+            found.push_back(&tree_.nodes[i]);
     return found;
 }
 
@@ -286,16 +293,19 @@ void BlockLowering::check_tokens() {
             in_condition[c] = here;
         if (kind == Kind::symbolic_operator && here) {
             static constexpr std::pair<std::string_view, std::string_view> words[] = {
-                {"=", "EQ"}, {"==", "EQ"}, {"<", "LT"}, {">", "GT"}, {"<=", "LE"},
+                {"=", "EQ"},  {"==", "EQ"}, {"<", "LT"},  {">", "GT"},  {"<=", "LE"},
                 {"=<", "LE"}, {">=", "GE"}, {"=>", "GE"}, {"<>", "NE"}, {"!=", "NE"}};
-            const auto* word = std::ranges::find(words, text(node), &std::pair<std::string_view, std::string_view>::first);
-            report(Irregular::symbolic_comparison, span(node), word == std::end(words) ? "" : std::string(word->second));
+            const auto* word =
+                std::ranges::find(words, text(node), &std::pair<std::string_view, std::string_view>::first);
+            report(Irregular::symbolic_comparison, span(node),
+                   word == std::end(words) ? "" : std::string(word->second));
         } else if (kind == Kind::foreign_keyword) {
             static constexpr std::pair<std::string_view, std::string_view> meant[] = {
                 {"THN", "THEN"}, {"ENDW", "END"}, {"ENDWHILE", "END"}};
-            const auto* word =
-                std::ranges::find(meant, upper_text(node), &std::pair<std::string_view, std::string_view>::first);
-            report(Irregular::unknown_keyword, span(node), word == std::end(meant) ? "" : std::string(word->second));
+            const auto* word = std::ranges::find(meant, upper_text(node),
+                                                 &std::pair<std::string_view, std::string_view>::first);
+            report(Irregular::unknown_keyword, span(node),
+                   word == std::end(meant) ? "" : std::string(word->second));
         }
     }
     check_depth(tree_.nodes.front(), 0);

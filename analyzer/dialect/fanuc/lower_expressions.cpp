@@ -1,6 +1,5 @@
 //! Lowering of expressions and conditions.
 #include "analyzer/dialect/fanuc/lowering.hpp"
-
 #include "analyzer/dialect/fanuc/numbers.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 
@@ -183,7 +182,8 @@ Place BlockLowering::named_place(const Node& node) {
 
 ExpressionId BlockLowering::lower_named(const Node& node) {
     const Node* index = child(node, Field::index);
-    if (index == nullptr || kind_of(*index) == Kind::number) return add({Load{named_place(node)}, span(node)});
+    if (index == nullptr || kind_of(*index) == Kind::number)
+        return add({Load{named_place(node)}, span(node)});
     const std::array operands{lower_expression(*index)};
     return apply(Operation::unknown, operands, span(node));
 }
@@ -234,7 +234,9 @@ ExpressionId BlockLowering::lower_comparison(const Node& node) {
     const std::array operands{lower_expression(*left), lower_expression(*right)};
     const Operation operation = find(comparisons, upper_text(*sign));
     if (operation == Operation::equal || operation == Operation::not_equal) {
-        const auto is_null = [&](ExpressionId id) { return std::holds_alternative<Vacant>(program_.expressions[id].node); };
+        const auto is_null = [&](ExpressionId id) {
+            return std::holds_alternative<Vacant>(program_.expressions[id].node);
+        };
         const Operation test = operation == Operation::equal ? Operation::is_vacant : Operation::is_set;
         if (is_null(operands[1])) return apply(test, std::span(operands).first(1), span(node));
         if (is_null(operands[0])) return apply(test, std::span(operands).last(1), span(node));
@@ -254,8 +256,10 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     }
     if (const Node* divisor = child(node, Field::divisor)) operands.push_back(lower_expression(*divisor));
     Operation operation = find(functions, upper_text(*name));
-    if (operation == Operation::arc_tangent && operands.size() == 2) operation = Operation::arc_tangent_of_two;
-    const std::size_t wanted = operation == Operation::arc_tangent_of_two || operation == Operation::power ? 2 : 1;
+    if (operation == Operation::arc_tangent && operands.size() == 2)
+        operation = Operation::arc_tangent_of_two;
+    const std::size_t wanted =
+        operation == Operation::arc_tangent_of_two || operation == Operation::power ? 2 : 1;
     if (operands.size() != wanted) operation = Operation::unknown;
     return apply(operation, operands, span(node));
 }

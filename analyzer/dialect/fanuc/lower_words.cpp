@@ -1,6 +1,5 @@
 //! Lowering of NC words: what the words of a block that stand side by side do together.
 #include "analyzer/dialect/fanuc/lowering.hpp"
-
 #include "analyzer/dialect/fanuc/numbers.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 
@@ -23,11 +22,8 @@ std::string_view address_text(char letter, bool comma) {
     return comma ? words.substr(at, 2) : words.substr(at + 1, 1);
 }
 
-// Argument specification I, fanuc-custom-macro.md 5.2: the local variable of each letter, 0 for none.
-//                                            A  B  C  D  E  F  G  H  I  J  K  L   M  N  O  P   Q   R   S   T   U   V   W   X   Y   Z
-constexpr std::array<std::int32_t, 26> locals{1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
-
-/// Gives I, J and K their place: a letter that does not follow the last one in the alphabet begins a new set (5.3, 5.4).
+/// Gives I, J and K their place: a letter that does not follow the last one in the alphabet begins a new set
+/// (5.3, 5.4).
 class SetCounter {
   public:
     std::optional<std::int32_t> place_of(char letter) {
@@ -69,10 +65,12 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
         std::size_t digits = letter + 1;
         while (digits < written.size() && (written[digits] == ' ' || written[digits] == '\t')) ++digits;
         const Span whole = span(*inner);
-        word.value = add({Literal{number.value, number.decimal_point}, {whole.begin + static_cast<Offset>(digits), whole.end}});
+        word.value = add({Literal{number.value, number.decimal_point},
+                          {whole.begin + static_cast<Offset>(digits), whole.end}});
     } else if (kind_of(*inner) == Kind::letter_o_word) {
         std::string digits(written.substr(letter + 1)); // GO1 is G01
-        std::ranges::replace_if(digits, [](char c) { return c == 'O' || c == 'o'; }, '0');
+        std::ranges::replace_if(
+            digits, [](char c) { return c == 'O' || c == 'o'; }, '0');
         const Number number = read_number(digits);
         word.literal = number.value;
         word.value = add({Literal{number.value, number.decimal_point}, span(*inner)});
@@ -96,7 +94,8 @@ void BlockLowering::lower_words(std::span<const Node* const> nodes, Effects& eff
 
     // A macro call takes every word behind it as its own.
     const auto call = std::ranges::find_if(words, [](const NcWord& word) {
-        return word.letter == 'G' && !word.comma && (word.literal == 65 || word.literal == 66 || word.literal == 66.1);
+        return word.letter == 'G' && !word.comma &&
+               (word.literal == 65 || word.literal == 66 || word.literal == 66.1);
     });
     const auto before = static_cast<std::size_t>(call - words.begin());
     const std::span<const NcWord> list(words);
@@ -130,14 +129,15 @@ Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
     SetCounter sets;
     for (const NcWord& word : words) {
         if (word.comma || !word.value || word.letter < 'A' || word.letter > 'Z') continue;
-        std::int32_t local = locals[static_cast<std::size_t>(word.letter - 'A')];
+        std::int32_t local = local_of_letter[static_cast<std::size_t>(word.letter - 'A')];
         if (local == 0) continue;
         if (word.letter >= 'I' && word.letter <= 'K') {
             const std::optional<std::int32_t> place = sets.place_of(word.letter);
             if (!place) continue;
             local = *place;
         }
-        program_.arguments.push_back({Place{spaces::local, local}, *word.value, word.letter, span(*word.node)});
+        program_.arguments.push_back(
+            {Place{spaces::local, local}, *word.value, word.letter, span(*word.node)});
         ++slice.count;
     }
     return slice;
@@ -154,6 +154,7 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span, 
     const bool own_words = (traits & no_words) != 0;
     bool moves = false;
     bool ends_modal_call = false;
+    std::vector<ExpressionId> computed;
     for (const NcWord& word : words) {
         if (word.comma || !word.value) continue;
         const Span here = this->span(*word.node);
@@ -170,9 +171,15 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span, 
             effects.push_back({SetModal{codes_.feed, *word.value}, here});
         } else if (word.letter == 'S' && !own_words && (traits & limits_speed) == 0) {
             effects.push_back({SetModal{codes_.speed, *word.value}, here});
-        } else if (is_axis(codes_, word.letter)) {
-            moves = true;
+        } else {
+            moves |= is_axis(codes_, word.letter);
+            if (!word.literal) computed.push_back(*word.value);
         }
+    }
+    if (!computed.empty()) {
+        effects.push_back(
+            {Values{{static_cast<Id>(program_.operands.size()), static_cast<Id>(computed.size())}}, span});
+        program_.operands.insert(program_.operands.end(), computed.begin(), computed.end());
     }
     if (ends_modal_call) effects.push_back({EndModalCall{}, span});
     if (moves && (traits & (no_axes | no_words)) == 0) effects.push_back({Motion{}, span});
@@ -181,7 +188,8 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span, 
         const bool lathe_tool = word.letter == 'T' && codes_.letters['T'] == Letter::not_plain;
         if (lathe_tool && !word.comma && word.value && !own_words)
             effects.push_back({ToolChange{}, this->span(*word.node)});
-        if (word.letter == 'M' && !word.comma && word.literal) lower_machine_function(word, words, span, effects);
+        if (word.letter == 'M' && !word.comma && word.literal)
+            lower_machine_function(word, words, span, effects);
     }
 }
 
@@ -193,8 +201,10 @@ void BlockLowering::lower_machine_function(const NcWord& word, std::span<const N
         return found == words.end() ? std::nullopt : found->value;
     };
     const Span here = this->span(*word.node);
-    if (*word.literal == 0 || *word.literal == 1) effects.push_back({Stop{Stop::Kind::pause, std::nullopt}, here});
-    if (*word.literal == 2 || *word.literal == 30) effects.push_back({Stop{Stop::Kind::end, std::nullopt}, here});
+    if (*word.literal == 0 || *word.literal == 1)
+        effects.push_back({Stop{Stop::Kind::pause, std::nullopt}, here});
+    if (*word.literal == 2 || *word.literal == 30)
+        effects.push_back({Stop{Stop::Kind::end, std::nullopt}, here});
     if (*word.literal == 6) effects.push_back({ToolChange{}, here});
     if (*word.literal == 98) lower_subprogram_call(calls::m98, word, words, span, effects);
     if (*word.literal == 198) lower_subprogram_call(calls::m198, word, words, span, effects);
@@ -203,8 +213,8 @@ void BlockLowering::lower_machine_function(const NcWord& word, std::span<const N
         if (const std::optional<ExpressionId> label = value_of('P')) lower_local_call(*label, span, effects);
 }
 
-/// The blocks from a label to M99 run as a subprogram of this program. They may run, reading goes on here, and what
-/// they have done by then is not known.
+/// The blocks from a label to M99 run as a subprogram of this program. They may run, reading goes on here,
+/// and what they have done by then is not known.
 void BlockLowering::lower_local_call(ExpressionId label, Span span, Effects& effects) {
     effects.push_back(guarded(unreadable(span), {{Jump{label}, span}}, span));
     const Slice no_arguments{static_cast<Id>(program_.arguments.size()), 0};
@@ -244,8 +254,7 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
         lower_local_call(*label, span, effects);
         return;
     }
-    if (!names_program)
-        report(Irregular::call_without_program, this->span(*code.node), "P");
+    if (!names_program) report(Irregular::call_without_program, this->span(*code.node), "P");
     effects.push_back({call, span});
 }
 

@@ -16,7 +16,8 @@ namespace maclint::fanuc {
 class BlockLowering {
   public:
     /// `block` is where the tree's text stands in the file.
-    BlockLowering(const syntax::Tree& tree, Span block, Program& program, std::vector<Irregularity>& irregularities);
+    BlockLowering(const syntax::Tree& tree, Span block, Program& program,
+                  std::vector<Irregularity>& irregularities);
 
     /// Appends the block to the program's items; a block without nodes (comments only) is left out.
     void lower();
@@ -43,9 +44,9 @@ class BlockLowering {
     // ---- NC words (lower_words.cpp)
     /// A word on its way to its effects.
     struct NcWord {
-        char letter;            ///< upper case; 0 for a program name
+        char letter; ///< upper case; 0 for a program name
         bool comma;
-        Id word;                ///< in Program::words, or none for a program name
+        Id word; ///< in Program::words, or none for a program name
         const Node* node;
         std::optional<ExpressionId> value;
         std::optional<double> literal;
@@ -54,7 +55,8 @@ class BlockLowering {
     [[nodiscard]] NcWord record_word(const Node& node);
     void lower_macro_call(std::span<const NcWord> words, Span span, Effects& effects);
     void lower_usual_words(std::span<const NcWord> words, Span span, Effects& effects);
-    void lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span, Effects& effects);
+    void lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span,
+                                Effects& effects);
     void lower_subprogram_call(CallKindId kind, const NcWord& code, std::span<const NcWord> words, Span span,
                                Effects& effects);
     void lower_local_call(ExpressionId label, Span span, Effects& effects);
@@ -97,7 +99,7 @@ class BlockLowering {
     Program& program_;
     const CodeTable& codes_;
     std::vector<Irregularity>& irregularities_;
-    int depth_ = 0;                 ///< of the expression being lowered
+    int depth_ = 0; ///< of the expression being lowered
     bool depth_reported_ = false;
 };
 

@@ -18,10 +18,10 @@ struct BlockWords {
 };
 
 struct Signs {
-    bool mill = false;       ///< Y, G17, G19, G43, G91, M6
-    bool turning = false;    ///< G50 S, G92 S, G96, G70-G73 P Q
+    bool mill = false;        ///< Y, G17, G19, G43, G91, M6
+    bool turning = false;     ///< G50 S, G92 S, G96, G70-G73 P Q
     bool incremental = false; ///< U or W with X or Z elsewhere
-    bool turret = false;     ///< T0101
+    bool turret = false;      ///< T0101
 
     void take(const BlockWords& block) {
         turning |= (block.g50 && block.s) || (block.cycle && block.p && block.q);
@@ -70,7 +70,9 @@ bool is_written_for_lathe(std::string_view text) {
         const char letter = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
         if (letter < 'A' || letter > 'Z') continue;
         const std::size_t value = at;
-        while (at < text.size() && (is_digit(text[at]) || text[at] == '.' || text[at] == '-' || text[at] == ' ')) ++at;
+        while (at < text.size() &&
+               (is_digit(text[at]) || text[at] == '.' || text[at] == '-' || text[at] == ' '))
+            ++at;
         std::string_view digits = text.substr(value, at - value);
         while (!digits.empty() && digits.back() == ' ') digits.remove_suffix(1);
         if (!digits.empty()) take_word(letter, digits, block, signs);

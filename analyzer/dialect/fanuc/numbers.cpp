@@ -22,8 +22,8 @@ double read_long(std::string_view text) {
 } // namespace
 
 double scaled(std::uint64_t mantissa, unsigned decimals) {
-    static constexpr std::array<double, exact_digits + 1> powers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    static constexpr std::array<double, exact_digits + 1> powers{
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     return static_cast<double>(mantissa) / powers[decimals];
 }
 
@@ -44,7 +44,8 @@ Number read_number(std::string_view text) {
             negative = true;
         }
     }
-    const double value = digits <= exact_digits && decimals <= exact_digits ? scaled(mantissa, decimals) : read_long(text);
+    const double value =
+        digits <= exact_digits && decimals <= exact_digits ? scaled(mantissa, decimals) : read_long(text);
     return {negative && value != 0 ? -value : value, point};
 }
 

@@ -15,7 +15,11 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 class Scanner {
   public:
     Scanner(std::string_view text, Offset begin, const CodeTable& codes, ScannedBlock& block)
-        : start_(text.data()), at_(text.data() + begin), end_(text.data() + text.size()), codes_(codes), block_(block) {}
+        : start_(text.data())
+        , at_(text.data() + begin)
+        , end_(text.data() + text.size())
+        , codes_(codes)
+        , block_(block) {}
 
     Lane run() {
         block_.sequence_span = {};
@@ -39,7 +43,8 @@ class Scanner {
 
     Lane finish(Offset next) {
         block_.next = next;
-        block_.span = first_ == nullptr ? Span{offset(at_), offset(at_)} : Span{offset(first_), offset(last_)};
+        block_.span =
+            first_ == nullptr ? Span{offset(at_), offset(at_)} : Span{offset(first_), offset(last_)};
         block_.moves = axes_ && (traits_ & (no_axes | no_words)) == 0;
         if (!words_ && block_.sequence_span.empty()) return Lane::blank;
         if (speed_ && (traits_ & limits_speed) != 0) return Lane::grammar; // the S sets nothing

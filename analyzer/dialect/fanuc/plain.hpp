@@ -32,7 +32,8 @@ struct ScannedBlock {
 };
 
 /// Scans the block that begins at `begin` in `text`.
-[[nodiscard]] Lane scan_block(std::string_view text, Offset begin, const CodeTable& codes, ScannedBlock& block);
+[[nodiscard]] Lane scan_block(std::string_view text, Offset begin, const CodeTable& codes,
+                              ScannedBlock& block);
 
 /// What plain blocks in a row leave behind.
 class RunTotals {

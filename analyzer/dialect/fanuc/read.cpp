@@ -1,4 +1,5 @@
-//! The reader: cuts the file, sends each block down the plain lane or through the grammar, and collects programs.
+//! The reader: cuts the file, sends each block down the plain lane or through the grammar, and collects
+//! programs.
 #include "analyzer/dialect/fanuc/read.hpp"
 
 #include "analyzer/dialect/fanuc/diagnose.hpp"
@@ -6,8 +7,10 @@
 #include "analyzer/dialect/fanuc/machine_type.hpp"
 #include "analyzer/dialect/fanuc/numbers.hpp"
 #include "analyzer/dialect/fanuc/plain.hpp"
+#include "analyzer/dialect/fanuc/shape.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/syntax/memory.hpp"
 
 #include <algorithm>
 #include <string>
@@ -68,7 +71,8 @@ const ControlModel& control_for(const ControlModel& control, std::string_view te
 class Reader {
   public:
     Reader(std::shared_ptr<const Source> source, const ControlModel& control)
-        : text_(source->bytes()), codes_(codes_of(control)) {
+        : text_(source->bytes())
+        , codes_(codes_of(control)) {
         file_.source = std::move(source);
         file_.control = &control;
     }
@@ -146,7 +150,8 @@ class Reader {
         if (program.number) {
             std::string digits = std::to_string(*program.number);
             program.also_known_as.push_back("O" + digits);
-            if (digits.size() < 4) program.also_known_as.push_back("O" + std::string(4 - digits.size(), '0') + digits);
+            if (digits.size() < 4)
+                program.also_known_as.push_back("O" + std::string(4 - digits.size(), '0') + digits);
         } else if (program.name.size() > 2 && program.name.front() == '<') {
             program.also_known_as.push_back(program.name.substr(1, program.name.size() - 2));
         }
@@ -184,7 +189,8 @@ class Reader {
         if (program.name_span.empty()) program.name_span = {program.span.begin, program.span.begin};
         if (file_.programs.size() == 1) {
             std::string stem = stem_of(file_.source->path());
-            if (stem != program.name && std::ranges::find(program.also_known_as, stem) == program.also_known_as.end())
+            if (stem != program.name &&
+                std::ranges::find(program.also_known_as, stem) == program.also_known_as.end())
                 program.also_known_as.push_back(std::move(stem));
         }
     }
@@ -198,24 +204,30 @@ class Reader {
         const bool swallowed = report_open_comment();
         if (block.length() > longest_block) {
             constexpr Offset shown = 60;
-            file_.irregularities.push_back({Irregular::oversized_block, {block.begin, block.begin + shown}, "", ""});
+            file_.irregularities.push_back(
+                {Irregular::oversized_block, {block.begin, block.begin + shown}, "", ""});
             add_unreadable(block);
             return;
         }
-        const bool plausible = is_plausible(text_, block);
-        if (plausible)
-            syntax::parse(grammar, with_end_of_block(block), tree_);
-        else
-            tree_ = {.nodes = {}, .has_error = true};
-        if (tree_.has_error) {
-            if (!swallowed) diagnose(text_, block, tree_, file_.irregularities);
+        static const syntax::Tree nothing{.nodes = {}, .has_error = true};
+        const syntax::Tree& tree = is_plausible(text_, block) ? parse(with_end_of_block(block)) : nothing;
+        if (tree.has_error) {
+            if (!swallowed) diagnose(text_, block, tree, file_.irregularities);
             add_unreadable(block);
             return;
         }
-        BlockLowering(tree_, block, program(), file_.irregularities).lower();
+        BlockLowering(tree, block, program(), file_.irregularities).lower();
     }
 
-    /// The lexer that tree-sitter generates must not meet the end of the text inside `DPRNT[`: it would not return.
+    /// The block's tree, good until the next block; every thread has its own memory of trees.
+    const syntax::Tree& parse(std::string_view block) {
+        thread_local syntax::TreeMemory trees(grammar);
+        shape_of(block, shape_);
+        return trees.parse(block, shape_);
+    }
+
+    /// The lexer that tree-sitter generates must not meet the end of the text inside `DPRNT[`: it would not
+    /// return.
     std::string_view with_end_of_block(Span block) {
         const std::string_view text = text_.substr(block.begin, raw_.next - block.begin);
         if (is_line_end(text.back()) || text.back() == ';') return text;
@@ -229,8 +241,8 @@ class Reader {
         if (raw_.comments.empty()) return false;
         const Span open = raw_.comments.back();
         if (open.length() > 1 && text_[open.end - 1] == ')') return false;
-        file_.irregularities.push_back(
-            {Irregular::unterminated_comment, open, std::string(text_.substr(open.begin, open.length())), ")"});
+        file_.irregularities.push_back({Irregular::unterminated_comment, open,
+                                        std::string(text_.substr(open.begin, open.length())), ")"});
         return true;
     }
 
@@ -284,8 +296,8 @@ class Reader {
     ProgramFile file_;
     RunTotals run_;
     RawBlock raw_;
-    syntax::Tree tree_;
-    std::string ended_; ///< a copy of the last block, with an end of block
+    std::string shape_;
+    std::string ended_;       ///< a copy of the last block, with an end of block
     std::size_t waiting_ = 0; ///< first comment without a next block
     bool tape_open_ = true;
     bool program_open_ = false;

@@ -3,6 +3,8 @@
 
 #include "analyzer/program/tables.hpp"
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -34,8 +36,16 @@ constexpr std::string_view feed = "feed", speed = "spindle speed", local_offset 
 [[nodiscard]] std::vector<VariableSpace> variable_spaces();
 /// What `#n` is; `groups` gives the rows that #4001 and the like read.
 /// `group_twelve` is the row that #4012 reads, where that is known.
-[[nodiscard]] VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optional<GroupId> group_twelve);
+[[nodiscard]] VariableFamily numbered_variables(std::span<const ModalGroup> groups,
+                                                std::optional<GroupId> group_twelve);
 [[nodiscard]] std::vector<CallKind> call_kinds();
+
+// Argument specification I, fanuc-custom-macro.md 5.2: the local variable of each letter from A to Z, 0 for
+// none.
+// clang-format off
+//                                                     A  B  C  D  E  F  G  H   I  J  K  L  M   N  O  P  Q   R   S   T   U   V   W   X   Y   Z
+constexpr std::array<std::int32_t, 26> local_of_letter{1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+// clang-format on
 
 /// All controls of the family.
 [[nodiscard]] std::span<const ControlModel> fanuc_controls();

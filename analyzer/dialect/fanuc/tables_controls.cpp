@@ -16,7 +16,7 @@ struct ControlRow {
     Limits limits;
     bool repeats_in_program_word; ///< M98 P51002 is 5 x O1002
     bool has_lathe;
-    bool offset_is_group_12;      ///< #4012 reads G54-G59
+    bool offset_is_group_12; ///< #4012 reads G54-G59
 };
 
 constexpr auto unknown = std::nullopt;
@@ -48,6 +48,8 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     control.families = {numbered_variables(groups, group_twelve)};
     control.groups = std::move(groups);
     control.calls = call_kinds();
+    for (const std::int32_t local : local_of_letter)
+        if (local != 0) control.formals.push_back({spaces::local, local});
     control.vacant_equals_zero = false;
     return control;
 }

@@ -17,8 +17,9 @@ GroupId row_of(std::span<const ModalGroup> groups, std::string_view name) {
     return static_cast<GroupId>(row - groups.begin());
 }
 
-/// #4001-#4022 and their twins in other hundreds: one row a group. Group 12 is G66 on some controls and G54-G59 on
-/// others (Haas, and programs in the wild); where it is not the work offset, nothing is known of its value.
+/// #4001-#4022 and their twins in other hundreds: one row a group. Group 12 is G66 on some controls and
+/// G54-G59 on others (Haas, and programs in the wild); where it is not the work offset, nothing is known of
+/// its value.
 void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::string_view what,
                   std::optional<GroupId> group_twelve) {
     constexpr GroupId twelve = 11;
@@ -26,8 +27,8 @@ void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::s
         const std::int32_t number = first + group;
         const bool known = group != twelve || group_twelve;
         const GroupId row = group == twelve ? group_twelve.value_or(0) : group;
-        ranges.push_back({number, number, known ? modal : machine, spaces::machine, row, forbidden, false, what,
-                          "SEED-001:1340-1357"});
+        ranges.push_back({number, number, known ? modal : machine, spaces::machine, row, forbidden, false,
+                          what, "SEED-001:1340-1357"});
     }
 }
 
@@ -53,8 +54,8 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     const GroupId feed_hold = row_of(groups, "feed-hold suppression");
     std::vector<VariableRange> ranges;
     const auto add = [&](const VariableRange& range) { ranges.push_back(range); };
-    // Ranges that exist only as an option, or on one series, are taken to exist. What has no row here and lies from
-    // #1000 upward is a machine value of unknown meaning.
+    // Ranges that exist only as an option, or on one series, are taken to exist. What has no row here and
+    // lies from #1000 upward is a machine value of unknown meaning.
     // clang-format off
     //   first    last   meaning  space             group         on write   by itself what                                    source
     add({    0,      0,  null,    here,             0,            forbidden, false, "null variable",                           "SEED-001:160,198"});

@@ -15,8 +15,9 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
 
 constexpr std::array control_words{"IF", "THEN", "GOTO", "WHILE", "DO", "END"};
 constexpr std::array operator_words{"EQ", "NE", "GT", "GE", "LT", "LE", "AND", "OR", "XOR", "MOD", "NOT"};
-constexpr std::array function_words{"SIN",  "COS", "TAN", "ASIN", "ACOS", "ATAN", "ATN", "SQRT", "SQR", "ABS", "ROUND",
-                                    "RND",  "FIX", "FUP", "LN",   "EXP",  "BIN",  "BCD", "ADP",  "POW", "PRM"};
+constexpr std::array function_words{"SIN",  "COS", "TAN", "ASIN",  "ACOS", "ATAN", "ATN",
+                                    "SQRT", "SQR", "ABS", "ROUND", "RND",  "FIX",  "FUP",
+                                    "LN",   "EXP", "BIN", "BCD",   "ADP",  "POW",  "PRM"};
 constexpr std::array output_words{"POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"};
 
 struct Foreign {
@@ -25,15 +26,16 @@ struct Foreign {
 
 // Words that other languages have, or that people expect, and what Custom Macro B has for them.
 constexpr Foreign foreign_words[] = {
-    {"LTE", "LE"},     {"GTE", "GE"},    {"LEQ", "LE"},       {"GEQ", "GE"},    {"NEQ", "NE"},     {"EQU", "EQ"},
-    {"EQUAL", "EQ"},   {"EQL", "EQ"},    {"ELSE", ""},        {"ELSEIF", ""},   {"ELSIF", ""},     {"ELIF", ""},
-    {"ENDIF", ""},     {"THN", "THEN"},  {"ENDW", "END"},     {"ENDWHILE", "END"}, {"WEND", "END"}, {"GO", "GOTO"},
-    {"GOTOF", "GOTO"}, {"GOTOB", "GOTO"}, {"JUMP", "GOTO"},   {"RETURN", "M99"}, {"RET", "M99"},   {"CALL", "G65 P"},
-    {"REPEAT", "WHILE"}, {"UNTIL", "WHILE"}, {"FOR", "WHILE"}, {"NEXT", "END"}, {"INT", "FIX"},    {"TRUNC", "FIX"},
-    {"ARCTAN", "ATAN"}, {"ARCSIN", "ASIN"}, {"ARCCOS", "ACOS"}, {"MODULO", "MOD"}, {"DIV", "/"},
+    {"LTE", "LE"},       {"GTE", "GE"},      {"LEQ", "LE"},      {"GEQ", "GE"},     {"NEQ", "NE"},
+    {"EQU", "EQ"},       {"EQUAL", "EQ"},    {"EQL", "EQ"},      {"ELSE", ""},      {"ELSEIF", ""},
+    {"ELSIF", ""},       {"ELIF", ""},       {"ENDIF", ""},      {"THN", "THEN"},   {"ENDW", "END"},
+    {"ENDWHILE", "END"}, {"WEND", "END"},    {"GO", "GOTO"},     {"GOTOF", "GOTO"}, {"GOTOB", "GOTO"},
+    {"JUMP", "GOTO"},    {"RETURN", "M99"},  {"RET", "M99"},     {"CALL", "G65 P"}, {"REPEAT", "WHILE"},
+    {"UNTIL", "WHILE"},  {"FOR", "WHILE"},   {"NEXT", "END"},    {"INT", "FIX"},    {"TRUNC", "FIX"},
+    {"ARCTAN", "ATAN"},  {"ARCSIN", "ASIN"}, {"ARCCOS", "ACOS"}, {"MODULO", "MOD"}, {"DIV", "/"},
 };
 
-template <std::size_t N>
+template<std::size_t N>
 bool holds(const std::array<const char*, N>& words, std::string_view word) {
     return std::ranges::any_of(words, [&](std::string_view known) { return known == word; });
 }
@@ -55,7 +57,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return cost[a.size()][b.size()];
 }
 
-template <class Visit>
+template<class Visit>
 void for_each_keyword(const Visit& visit) {
     for (const std::string_view word : control_words) visit(word);
     for (const std::string_view word : operator_words) visit(word);
@@ -73,7 +75,9 @@ Offset comparison_length(std::string_view text, Offset at) {
 
 class Cutter {
   public:
-    Cutter(std::string_view file, Span block) : text_(file.substr(0, block.end)), at_(block.begin) {}
+    Cutter(std::string_view file, Span block)
+        : text_(file.substr(0, block.end))
+        , at_(block.begin) {}
 
     std::vector<Token> run() {
         while (at_ < text_.size()) {
@@ -88,7 +92,7 @@ class Cutter {
     }
 
   private:
-    template <class Is>
+    template<class Is>
     void pass(const Is& is) {
         while (at_ < text_.size() && is(text_[at_])) ++at_;
     }
@@ -101,7 +105,8 @@ class Cutter {
         }
         if (c == '#') return variable();
         if (c == '(') return comment();
-        if (const Offset length = comparison_length(text_, at_); length != 0) return at_ += length, Kind::comparison;
+        if (const Offset length = comparison_length(text_, at_); length != 0)
+            return at_ += length, Kind::comparison;
         ++at_;
         switch (c) {
         case '[': return Kind::open;

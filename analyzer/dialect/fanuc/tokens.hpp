@@ -16,11 +16,15 @@ struct Token {
         number,
         variable, ///< `#101`
         sharp,    ///< `#` alone, or before a bracket or a name
-        open, close, comment, equals,
+        open,
+        close,
+        comment,
+        equals,
         comparison, ///< `<`, `>=`, `==` ...
         sign,       ///< `+`, `-`
         operation,  ///< `*`, `/`
-        comma, other,
+        comma,
+        other,
     };
     Kind kind;
     Span span; ///< in the file
@@ -42,7 +46,7 @@ struct Token {
 
 /// What somebody meant who wrote a word that is none.
 struct Misspelling {
-    bool known;       ///< a word of other languages, or close to a keyword
+    bool known;        ///< a word of other languages, or close to a keyword
     std::string meant; ///< may be empty
 };
 [[nodiscard]] Misspelling explain(std::string_view capitals);

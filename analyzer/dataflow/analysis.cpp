@@ -1,0 +1,244 @@
+//! The worklist solver: states along edges until nothing changes, then one pass that writes the facts down.
+#include "analyzer/dataflow/analysis.hpp"
+
+#include "analyzer/dataflow/transfer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+
+namespace maclint::dataflow {
+namespace {
+
+/// So many visits of a loop head before its bounds are widened, and of any node before its old state is kept
+/// in the join.
+constexpr std::uint32_t visits_before_widening = 2;
+constexpr std::uint32_t visits_before_keeping = 12;
+constexpr std::size_t most_thresholds = 128;
+
+/// The numbers that the program compares with: bounds of loops usually stop there.
+std::vector<double> thresholds_of(const Program& program) {
+    std::vector<double> numbers{0};
+    for (const Expression& expression : program.expressions) {
+        const auto* apply = std::get_if<Apply>(&expression.node);
+        if (apply == nullptr || !is_comparison(apply->operation)) continue;
+        for (const ExpressionId operand : program.operands_of(*apply))
+            if (const auto* literal = std::get_if<Literal>(&program.expressions[operand].node))
+                numbers.push_back(literal->value);
+        if (numbers.size() > most_thresholds) break;
+    }
+    std::ranges::sort(numbers);
+    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+    return numbers;
+}
+
+} // namespace
+
+/// Fills an Analysis.
+class Solver {
+  public:
+    Solver(const Program& program, const flow::Graph& graph, const Callees& callees, Analysis& result)
+        : program_(program)
+        , graph_(graph)
+        , states_(*result.states_)
+        , transfer_(program, graph, states_, callees)
+        , result_(result)
+        , thresholds_(thresholds_of(program))
+        , along_(graph.edges.size())
+        , visits_(graph.nodes.size(), 0) {}
+
+    void run() {
+        result_.before_.resize(graph_.nodes.size());
+        result_.reached_.assign(graph_.nodes.size(), false);
+        result_.passable_.assign(graph_.edges.size(), false);
+        collect_heads();
+        solve();
+        narrow();
+        record();
+        summarise();
+    }
+
+  private:
+    void collect_heads() {
+        head_.assign(graph_.nodes.size(), false);
+        for (const flow::Edge& edge : graph_.edges) {
+            const auto from = graph_.order[edge.from];
+            const auto to = graph_.order[edge.to];
+            if (from != flow::Graph::no_order && to <= from) head_[edge.to] = true;
+        }
+    }
+
+    /// The state in front of a node: all ways that lead there.
+    [[nodiscard]] State incoming(flow::NodeId node) {
+        State state = node == 0 ? states_.at_entry() : State{};
+        for (const flow::EdgeId edge : graph_.in[node]) state = states_.join(state, along_[edge], node);
+        return state;
+    }
+
+    void solve() {
+        using Place = std::pair<std::uint32_t, flow::NodeId>;
+        std::priority_queue<Place, std::vector<Place>, std::greater<>> work;
+        std::vector<bool> waiting(graph_.nodes.size(), false);
+        const auto add = [&](flow::NodeId node) {
+            if (waiting[node]) return;
+            waiting[node] = true;
+            work.emplace(graph_.order[node], node);
+        };
+        add(0);
+        while (!work.empty()) {
+            const flow::NodeId node = work.top().second;
+            work.pop();
+            waiting[node] = false;
+            State state = incoming(node);
+            const State& old = result_.before_[node];
+            const std::uint32_t visit = visits_[node]++;
+            if (old.reached) {
+                if (head_[node] && visit >= visits_before_widening)
+                    state = states_.widen(old, state, node, thresholds_);
+                else if (visit >= visits_before_keeping)
+                    state = states_.join(old, state, node);
+                if (state == old) continue;
+            }
+            result_.before_[node] = state;
+            if (state.reached) pass_on(node, state, add);
+        }
+    }
+
+    template<class Add>
+    void pass_on(flow::NodeId node, const State& state, const Add& add) {
+        const State after = transfer_.run(node, state);
+        for (const flow::EdgeId edge : graph_.out[node]) {
+            State next = transfer_.along(graph_.edges[edge], after);
+            if (next == along_[edge]) continue;
+            along_[edge] = next;
+            add(graph_.edges[edge].to);
+        }
+    }
+
+    /// One sweep without widening wins back bounds that widening gave away; a solution stays a solution.
+    void narrow() {
+        if (std::ranges::find(head_, true) == head_.end()) return;
+        std::vector<flow::NodeId> order;
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node)
+            if (result_.before_[node].reached) order.push_back(node);
+        std::ranges::sort(order, {}, [this](flow::NodeId node) { return graph_.order[node]; });
+        for (const flow::NodeId node : order) {
+            const State state = incoming(node);
+            if (state == result_.before_[node]) continue;
+            result_.before_[node] = state;
+            pass_on(node, state, [](flow::NodeId) {});
+        }
+    }
+
+    void record() {
+        transfer_.record_in(&result_.facts_);
+        std::vector<std::optional<State>> after(graph_.nodes.size());
+        std::vector<bool> leaves(graph_.nodes.size(), false);
+        for (const flow::Exit& exit : graph_.exits) leaves[exit.node] = true;
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
+            if (!result_.before_[node].reached) continue;
+            result_.reached_[node] = true;
+            State state = transfer_.run(node, result_.before_[node]);
+            if (leaves[node]) after[node] = state;
+        }
+        transfer_.record_in(nullptr);
+        for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge)
+            result_.passable_[edge] = along_[edge].reached;
+        for (const flow::Exit& exit : graph_.exits) {
+            if (!after[exit.node]) continue;
+            result_.facts_.exits.push_back({exit, *after[exit.node]});
+        }
+    }
+
+    void summarise() {
+        Summary& summary = result_.summary_;
+        summary.known = true;
+        summary.may_stop = may_stop();
+        State left;
+        for (const ExitState& exit : result_.facts_.exits) {
+            if (exit.exit.kind != flow::ExitKind::returns && exit.exit.kind != flow::ExitKind::runs_off)
+                continue;
+            left = states_.join(left, exit.state, static_cast<flow::NodeId>(graph_.nodes.size()));
+            if (exit.exit.effect)
+                add_resume_label(std::get<Return>(program_.effects[*exit.exit.effect].what));
+        }
+        summary.returns = left.reached;
+        if (!left.reached) return;
+        for (std::size_t space = 0; space < most_spaces; ++space)
+            if (left.forgotten[space] != 0) summary.forgotten.push_back(static_cast<SpaceId>(space));
+        states_.trees().for_each(left.root, [&](Key key, std::uint32_t id) {
+            if (is_place_key(key)) {
+                const Value& value = states_.pool().values[id];
+                const Symbol& symbol = states_.pool().symbols[value.symbol];
+                if (symbol.kind == Symbol::Kind::entry && symbol.a == key) return;
+                summary.places.push_back(
+                    {place_of(key), value.vacancy, value.low, value.high, value.integer, value.exactness});
+            } else if (is_group_key(key)) {
+                summary.groups.push_back(describe(static_cast<GroupId>(key), states_.pool().modals[id]));
+            }
+        });
+    }
+
+    [[nodiscard]] bool may_stop() const {
+        const Facts& facts = result_.facts_;
+        if (std::ranges::any_of(facts.calls, &CallMade::may_stop)) return true;
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
+            if (!result_.reached_[node]) continue;
+            for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects))
+                if (std::holds_alternative<Stop>(effect.what) ||
+                    std::holds_alternative<UnreadableBlock>(effect.what))
+                    return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] GroupChange describe(GroupId group, const ModalValue& value) const {
+        GroupChange change{group, false, {}, value.unknown};
+        for (const ModalPart& part : value.parts) {
+            if (states_.pool().entry_group_of(part.symbol) == group)
+                change.may_keep = true;
+            else if (const auto code = states_.pool().number_of(part.symbol))
+                change.codes.push_back(*code);
+            else
+                change.other = true;
+        }
+        return change;
+    }
+
+    void add_resume_label(const Return& back) {
+        if (!back.resume_label) return;
+        if (const auto label = flow::constant_target(program_, *back.resume_label))
+            result_.summary_.resume_labels.push_back(*label);
+    }
+
+    const Program& program_;
+    const flow::Graph& graph_;
+    States& states_;
+    Transfer transfer_;
+    Analysis& result_;
+    std::vector<double> thresholds_;
+    std::vector<State> along_;
+    std::vector<std::uint32_t> visits_;
+    std::vector<bool> head_;
+};
+
+Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge,
+                   const Callees& callees)
+    : states_(std::make_unique<States>(program, std::move(knowledge))) {
+    Solver(program, graph, callees, *this).run();
+}
+
+Analysis::Analysis(Analysis&&) noexcept = default;
+Analysis& Analysis::operator=(Analysis&&) noexcept = default;
+Analysis::~Analysis() = default;
+
+Entry Analysis::entry() const { return states_->entry(); }
+const Pool& Analysis::pool() const { return states_->pool(); }
+const ModalValue& Analysis::modal(const State& state, GroupId group) const {
+    return states_->read(state, group);
+}
+Value Analysis::value(const State& state, Place place) const { return states_->read(state, place); }
+Value Analysis::value_at_entry(Place place) const { return states_->read(states_->at_entry(), place); }
+
+} // namespace maclint::dataflow

@@ -1,0 +1,48 @@
+//! Data flow over one program: a worklist solver, and what it found out.
+#pragma once
+
+#include "analyzer/dataflow/facts.hpp"
+#include "analyzer/dataflow/state.hpp"
+#include "analyzer/dataflow/summary.hpp"
+#include "analyzer/flow/graph.hpp"
+
+#include <memory>
+
+namespace maclint::dataflow {
+
+class Analysis {
+  public:
+    /// Solves at once. The references must outlive the analysis.
+    Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge,
+             const Callees& callees);
+    Analysis(Analysis&&) noexcept;
+    Analysis& operator=(Analysis&&) noexcept;
+    ~Analysis();
+
+    [[nodiscard]] const Facts& facts() const { return facts_; }
+    [[nodiscard]] const Summary& summary() const { return summary_; }
+    [[nodiscard]] Entry entry() const;
+    /// Whether any way leads to the node.
+    [[nodiscard]] bool reached(flow::NodeId node) const { return reached_[node]; }
+    /// Whether the edge can be taken.
+    [[nodiscard]] bool passable(flow::EdgeId edge) const { return passable_[edge]; }
+
+    [[nodiscard]] const Pool& pool() const;
+    [[nodiscard]] const Origin& origin(OriginId id) const { return pool().origins[id]; }
+    /// What a group can be in a state of facts().
+    [[nodiscard]] const ModalValue& modal(const State& state, GroupId group) const;
+    [[nodiscard]] Value value(const State& state, Place place) const;
+    [[nodiscard]] Value value_at_entry(Place place) const;
+    [[nodiscard]] const State& before(flow::NodeId node) const { return before_[node]; }
+
+  private:
+    friend class Solver;
+    std::unique_ptr<States> states_;
+    std::vector<State> before_;
+    std::vector<bool> reached_;
+    std::vector<bool> passable_;
+    Facts facts_;
+    Summary summary_;
+};
+
+} // namespace maclint::dataflow

@@ -1,0 +1,271 @@
+//! Expressions: their values, the truth of conditions, and what a condition tells about its variables.
+#include "analyzer/dataflow/transfer.hpp"
+#include "analyzer/program/overloaded.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace maclint::dataflow {
+
+Value Transfer::opaque(ExpressionId id) {
+    Value value;
+    value.symbol = states_.pool().symbols({Symbol::Kind::opaque, id, 0, node_});
+    return value;
+}
+
+Value Transfer::record_read(const State& state, Place place, ExpressionId id, Use use) {
+    const Value value = states_.read(state, place);
+    if (facts_ != nullptr) facts_->reads.push_back({node_, effect_, id, place, value, use});
+    return value;
+}
+
+Value Transfer::load_modal(const State& state, GroupId group, ExpressionId id) {
+    const ModalValue& modal = states_.read(state, group);
+    Value value = opaque(id);
+    value.vacancy = Vacancy::set;
+    value.exactness = Exactness::exact;
+    // Several ways that all leave the same code are one code.
+    bool one = !modal.unknown && !modal.parts.empty();
+    for (const ModalPart& part : modal.parts) one &= part.symbol == modal.parts.front().symbol;
+    if (!one) return value;
+    if (const auto code = states_.pool().number_of(modal.parts.front().symbol))
+        return number_value(states_.pool(), *code);
+    value.symbol = modal.parts.front().symbol;
+    if (const auto code = states_.entry_code(state, group);
+        code && states_.pool().entry_group_of(value.symbol)) {
+        value.low = value.high = *code;
+    }
+    return value;
+}
+
+Value Transfer::load_at(const State& state, FamilyId family, const Value& index, ExpressionId id, Use use) {
+    const auto number = index.constant();
+    if (!number || std::abs(*number) > 1e9) return opaque(id);
+    const auto rounded = std::lround(*number); // a fraction is rounded [SINHA-INT]
+    const VariableRange* range = program_.control->families[family].find(rounded);
+    if (range == nullptr) return opaque(id);
+    switch (range->meaning) {
+    case Meaning::null: return vacant_value(states_.pool(), 0);
+    case Meaning::place:
+        return record_read(state, {range->space, static_cast<std::int32_t>(rounded)}, id, use);
+    case Meaning::modal: return load_modal(state, range->group, id);
+    default: return opaque(id);
+    }
+}
+
+Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
+    const Expression& expression = program_.expressions[id];
+    return std::visit(
+        overloaded{
+            [&](const Literal& literal) { return number_value(states_.pool(), literal.value); },
+            [&](const Vacant&) { return vacant_value(states_.pool(), 0); },
+            [&](const Load& load) { return record_read(state, load.place, id, use); },
+            [&](const LoadAt& load) {
+                const Value index = evaluate(state, load.index, Use::index);
+                return load_at(state, load.family, index, id, use);
+            },
+            [&](const LoadModal& load) { return load_modal(state, load.group, id); },
+            [&](const LoadMachine&) {
+                Value value = opaque(id);
+                value.vacancy = Vacancy::set;
+                return value;
+            },
+            [&](const Apply& apply) {
+                const auto operands = program_.operands_of(apply);
+                constexpr std::size_t most = 4;
+                std::array<Value, most> values;
+                if (is_comparison(apply.operation) || apply.operation == Operation::is_vacant ||
+                    apply.operation == Operation::is_set || operands.size() > most || operands.empty()) {
+                    for (const ExpressionId operand : operands)
+                        (void)evaluate(state, operand, Use::comparison);
+                    return opaque(id);
+                }
+                for (std::size_t i = 0; i < operands.size(); ++i)
+                    values[i] = evaluate(state, operands[i], Use::arithmetic);
+                return compute(states_.pool(), apply.operation, std::span(values).first(operands.size()),
+                               {Origin::Kind::expression, id, node_});
+            },
+            [&](const auto&) { return opaque(id); },
+        },
+        expression.node);
+}
+
+Truth Transfer::judge(const State& state, ExpressionId id) {
+    const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
+    if (apply == nullptr) {
+        (void)evaluate(state, id, Use::comparison);
+        return {};
+    }
+    const auto operands = program_.operands_of(*apply);
+    switch (apply->operation) {
+    case Operation::all_of: {
+        Truth truth{true, false};
+        for (const ExpressionId operand : operands) {
+            const Truth part = judge(state, operand);
+            truth.can_hold &= part.can_hold;
+            truth.can_fail |= part.can_fail;
+        }
+        return truth;
+    }
+    case Operation::any_of: {
+        Truth truth{false, true};
+        for (const ExpressionId operand : operands) {
+            const Truth part = judge(state, operand);
+            truth.can_hold |= part.can_hold;
+            truth.can_fail &= part.can_fail;
+        }
+        return truth;
+    }
+    case Operation::not_of: {
+        const Truth truth = judge(state, operands.front());
+        return {truth.can_fail, truth.can_hold};
+    }
+    case Operation::is_vacant:
+    case Operation::is_set: {
+        const Value value = evaluate(state, operands.front(), Use::vacancy_test);
+        const Truth truth = test_vacancy(apply->operation, value);
+        if (facts_ != nullptr)
+            facts_->comparisons.push_back({node_, effect_, id, apply->operation, operands.front(),
+                                           operands.front(), value, value, truth});
+        return truth;
+    }
+    default: break;
+    }
+    if (!is_comparison(apply->operation) || operands.size() != 2) {
+        (void)evaluate(state, id, Use::comparison);
+        return {};
+    }
+    const Value left = evaluate(state, operands[0], Use::comparison);
+    const Value right = evaluate(state, operands[1], Use::comparison);
+    const Truth truth = compare(apply->operation, left, right, program_.control->vacant_equals_zero);
+    if (facts_ != nullptr)
+        facts_->comparisons.push_back(
+            {node_, effect_, id, apply->operation, operands[0], operands[1], left, right, truth});
+    return truth;
+}
+
+void Transfer::refine(State& state, ExpressionId id, bool holds) {
+    const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
+    if (apply == nullptr) return;
+    const auto operands = program_.operands_of(*apply);
+    if (apply->operation == Operation::not_of) return refine(state, operands.front(), !holds);
+    const bool all_hold = apply->operation == Operation::all_of && holds;
+    const bool all_fail = apply->operation == Operation::any_of && !holds;
+    if (all_hold || all_fail) {
+        for (const ExpressionId operand : operands) refine(state, operand, holds);
+        return;
+    }
+    const Operation operation = holds ? apply->operation : opposite(apply->operation);
+    if (operation == Operation::is_vacant || operation == Operation::is_set) {
+        const auto* load = std::get_if<Load>(&program_.expressions[operands.front()].node);
+        if (load != nullptr) refine_place(state, load->place, operation, {});
+    } else if (is_comparison(operation) && operands.size() == 2) {
+        refine_comparison(state, operation, operands[0], operands[1]);
+        refine_comparison(state, mirrored(operation), operands[1], operands[0]);
+    }
+}
+
+void Transfer::refine_comparison(State& state, Operation operation, ExpressionId left, ExpressionId right) {
+    Value other = evaluate(state, right, Use::comparison);
+    const Expression& expression = program_.expressions[left];
+    if (std::holds_alternative<LoadModal>(expression.node)) {
+        refine_entry_code(state, evaluate(state, left, Use::comparison), operation, other);
+    } else if (const auto* load = std::get_if<Load>(&expression.node)) {
+        refine_entry_code(state, states_.read(state, load->place), operation, other);
+        refine_place(state, load->place, operation, other);
+    } else if (const auto* apply = std::get_if<Apply>(&expression.node);
+               apply != nullptr && apply->operation == Operation::negate) {
+        const auto* negated =
+            std::get_if<Load>(&program_.expressions[program_.operands_of(*apply).front()].node);
+        if (negated == nullptr || operation == Operation::equal) return;
+        other = compute(states_.pool(), Operation::negate, std::span(&other, 1),
+                        {Origin::Kind::expression, left, node_});
+        refine_place(state, negated->place, mirrored(operation), other);
+    }
+}
+
+void Transfer::refine_entry_code(State& state, const Value& value, Operation operation, const Value& other) {
+    const auto group = states_.pool().entry_group_of(value.symbol);
+    const auto code = other.constant();
+    if (!group || !code) return;
+    if (operation == Operation::equal) states_.know_entry_code(state, *group, *code);
+    const auto& members = program_.control->groups[*group].members;
+    if (operation == Operation::not_equal && members.size() == 2 &&
+        (members[0] == *code || members[1] == *code))
+        states_.know_entry_code(state, *group, members[0] == *code ? members[1] : members[0]);
+}
+
+namespace {
+
+/// Cuts the range of `value` to what the comparison with `other` leaves.
+void cut(Value& value, Operation operation, const Value& other) {
+    const auto above = [&](double bound) {
+        return value.integer ? std::floor(bound) + 1 : std::nextafter(bound, bound + 1);
+    };
+    const auto below = [&](double bound) {
+        return value.integer ? std::ceil(bound) - 1 : std::nextafter(bound, bound - 1);
+    };
+    switch (operation) {
+    case Operation::equal:
+        value.low = std::max(value.low, other.low);
+        value.high = std::min(value.high, other.high);
+        break;
+    case Operation::not_equal:
+        if (other.low != other.high || !std::isfinite(other.low)) break;
+        if (other.low == 0) value.nonzero = true;
+        if (value.low == other.low && value.high > value.low) value.low = above(other.low);
+        if (value.high == other.low && value.high > value.low) value.high = below(other.low);
+        break;
+    case Operation::less:
+        if (std::isfinite(other.high)) value.high = std::min(value.high, below(other.high));
+        break;
+    case Operation::less_equal: value.high = std::min(value.high, other.high); break;
+    case Operation::greater:
+        if (std::isfinite(other.low)) value.low = std::max(value.low, above(other.low));
+        break;
+    case Operation::greater_equal: value.low = std::max(value.low, other.low); break;
+    default: break;
+    }
+}
+
+} // namespace
+
+void Transfer::refine_place(State& state, Place place, Operation operation, const Value& other) {
+    Value value = states_.read(state, place);
+    const Value before = value;
+    if (operation == Operation::is_vacant) {
+        if (value.vacancy == Vacancy::set) return;
+        const OriginId origin = value.origin;
+        value = vacant_value(states_.pool(), value.doubt);
+        value.origin = origin;
+    } else if (operation == Operation::is_set) {
+        value.vacancy = Vacancy::set;
+    } else {
+        const bool may_be_vacant = value.vacancy != Vacancy::set;
+        // EQ tells a number from vacant; the other comparisons take vacant for 0 [NCT-174, MITSU-326].
+        if (operation == Operation::equal && other.vacancy == Vacancy::set &&
+            !program_.control->vacant_equals_zero)
+            value.vacancy = Vacancy::set;
+        if (may_be_vacant && value.vacancy != Vacancy::set && operation != Operation::not_equal) {
+            Value zero = value;
+            zero.low = zero.high = 0;
+            zero.integer = false;
+            cut(zero, operation, other);
+            if (zero.low > zero.high) value.vacancy = Vacancy::set;
+        }
+        cut(value, operation, other);
+        if (value.low > value.high) {
+            state.reached = false;
+            return;
+        }
+        if (value.low == value.high && value.vacancy == Vacancy::set && operation == Operation::equal &&
+            other.constant()) {
+            const OriginId origin = value.origin;
+            value = number_value(states_.pool(), value.low);
+            value.origin = origin;
+        }
+    }
+    if (!(value == before)) states_.write(state, place, value);
+}
+
+} // namespace maclint::dataflow

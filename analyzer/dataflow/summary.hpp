@@ -1,0 +1,41 @@
+//! What a call of a program does to its caller, in words that hold outside the program.
+#pragma once
+
+#include "analyzer/dataflow/value.hpp"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace maclint::dataflow {
+
+struct PlaceChange {
+    Place place;
+    Vacancy vacancy;
+    double low, high;
+    bool integer;
+    Exactness exactness;
+};
+
+struct GroupChange {
+    GroupId group;
+    bool may_keep;             ///< on some way the caller's code is in force again
+    std::vector<double> codes; ///< codes that the program may leave behind
+    bool other;                ///< it may leave something else behind
+};
+
+struct Summary {
+    bool known = false;   ///< false: the program is not there, everything may change
+    bool returns = true;  ///< at least one way leads back to the caller
+    bool may_stop = true; ///< it or what it calls may stop: an alarm, a pause, the program's end
+    std::vector<PlaceChange>
+        places; ///< all that it may write and the caller can see (locals for calls that share them)
+    std::vector<SpaceId> forgotten; ///< spaces of which anything may have changed
+    std::vector<GroupChange> groups;
+    std::vector<std::int64_t> resume_labels; ///< M99 P
+};
+
+/// The summary of the program that a call means; never null, an unknown program has Summary{}.
+using Callees = std::function<const Summary&(EffectId call)>;
+
+} // namespace maclint::dataflow

@@ -1,0 +1,356 @@
+//! Effects: stores, modal groups, calls, and what a plain run leaves behind.
+#include "analyzer/dataflow/transfer.hpp"
+
+#include "analyzer/program/overloaded.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace maclint::dataflow {
+namespace {
+
+/// An index with so few possible numbers that each is a store of its own.
+constexpr double most_indexed_places = 64;
+
+/// The members of a modal-call group: active and not [reference 5.1, SEED-001:1351].
+constexpr double modal_call_code = 66;
+constexpr double no_modal_call_code = 67;
+
+} // namespace
+
+State Transfer::run(flow::NodeId node, State state) {
+    node_ = node;
+    const flow::Node& n = graph_.nodes[node];
+    if (n.is_run) {
+        run_of_plain_blocks(state, node);
+        return state;
+    }
+    for (Id i = n.effects.first; i < n.effects.first + n.effects.count; ++i) {
+        effect_ = i;
+        apply(state, program_.effects[i]);
+    }
+    return state;
+}
+
+State Transfer::along(const flow::Edge& edge, State after) {
+    if (!after.reached) return after;
+    node_ = edge.from;
+    if (edge.condition) {
+        const Truth truth = judge(after, *edge.condition);
+        if (edge.holds ? !truth.can_hold : !truth.can_fail) return {};
+        refine(after, *edge.condition, edge.holds);
+    } else if (edge.label) {
+        const auto& jump = std::get<Jump>(program_.effects[*edge.jump].what);
+        if (!evaluate(after, jump.target, Use::jump).can_be(static_cast<double>(*edge.label))) return {};
+    }
+    return after;
+}
+
+void Transfer::apply(State& state, const Effect& effect) {
+    std::visit(overloaded{
+                   [&](const Assign& what) { assign(state, what); },
+                   [&](const SetModal& what) { set_modal(state, what); },
+                   // What changes nothing is only evaluated to be written down.
+                   [&](const Values& what) {
+                       if (facts_ == nullptr) return;
+                       for (const ExpressionId value : program_.values_of(what))
+                           (void)evaluate(state, value, Use::word);
+                   },
+                   [&](const Motion&) { move(state); },
+                   [&](const Call& what) { call(state, what); },
+                   [&](const EndModalCall&) {
+                       if (const auto group = modal_call_group())
+                           set_code(state, *group, no_modal_call_code, states_.pool().origins(here()));
+                   },
+                   [&](const Guarded& what) {
+                       if (facts_ == nullptr) return;
+                       const Truth truth = judge(state, what.condition);
+                       facts_->conditions.push_back({node_, effect_, what.condition, truth});
+                   },
+                   [&](const Structure& what) {
+                       if (facts_ == nullptr || !what.condition) return;
+                       const Truth truth = judge(state, *what.condition);
+                       facts_->conditions.push_back({node_, effect_, *what.condition, truth});
+                   },
+                   [&](const Jump& what) {
+                       if (facts_ == nullptr) return;
+                       const Value target = evaluate(state, what.target, Use::jump);
+                       if (!flow::constant_target(program_, what.target))
+                           facts_->computed_jumps.push_back({node_, effect_, target});
+                   },
+                   [&](const Exchange& what) {
+                       for (const ExpressionId out : what.out) (void)evaluate(state, out, Use::word);
+                       for (const Place in : what.in) disturb(state, in, opaque_place(in, 4));
+                   },
+                   [&](const UnreadableBlock& what) {
+                       for (const Place place : what.may_write) disturb(state, place, opaque_place(place, 4));
+                       if (what.may_call_or_return) forget_shared(state);
+                   },
+                   [&](const Stop& what) {
+                       if (facts_ != nullptr && what.number) (void)evaluate(state, *what.number, Use::word);
+                   },
+                   [](const auto&) {},
+               },
+               effect.what);
+}
+
+// ---- stores ----
+
+void Transfer::assign(State& state, const Assign& assign) {
+    const Value value = evaluate(state, assign.value, Use::copy);
+    std::visit(overloaded{
+                   [&](const Place& place) { store(state, place, value, assign.value); },
+                   [&](const StoreAt& target) { store_at(state, target, value, assign.value); },
+                   [](const StoreMachine&) {},
+               },
+               assign.target);
+}
+
+void Transfer::store(State& state, Place place, Value value, ExpressionId expression) {
+    if (facts_ != nullptr)
+        facts_->stores.push_back(
+            {node_, effect_, place, expression, value, step_of(state, place, expression)});
+    value.origin = states_.pool().origins(here());
+    states_.write(state, place, value);
+}
+
+void Transfer::store_at(State& state, const StoreAt& target, const Value& value, ExpressionId expression) {
+    const Value index = evaluate(state, target.index, Use::index);
+    const VariableFamily& family = program_.control->families[target.family];
+    if (const auto number = index.constant(); number && std::abs(*number) < 1e9) {
+        const auto rounded = static_cast<std::int32_t>(std::lround(*number));
+        const VariableRange* range = family.find(rounded);
+        if (range == nullptr) return;
+        if (range->on_write == OnWrite::set_modal)
+            set_group(state, range->group, value);
+        else if (range->meaning == Meaning::place)
+            store(state, {range->space, rounded}, value, expression);
+        return;
+    }
+    for (const VariableRange& range : family.ranges) {
+        if (range.meaning != Meaning::place || !(index.low <= range.last && range.first <= index.high))
+            continue;
+        const double first = std::max<double>(index.low, range.first);
+        const double last = std::min<double>(index.high, range.last);
+        if (last - first > most_indexed_places) {
+            forget(state, range.space);
+            continue;
+        }
+        for (auto number = static_cast<std::int32_t>(std::lround(first)); number <= std::lround(last);
+             ++number)
+            disturb(state, {range.space, number}, opaque_place({range.space, number}, 5));
+    }
+}
+
+/// Recognises v = v + amount, v = amount + v and v = v - amount.
+std::optional<Step> Transfer::step_of(const State& state, Place place, ExpressionId value) {
+    const auto* apply = std::get_if<Apply>(&program_.expressions[value].node);
+    if (apply == nullptr || (apply->operation != Operation::add && apply->operation != Operation::subtract))
+        return std::nullopt;
+    const auto operands = program_.operands_of(*apply);
+    const auto is_self = [&](ExpressionId id) {
+        const auto* load = std::get_if<Load>(&program_.expressions[id].node);
+        return load != nullptr && load->place == place;
+    };
+    std::optional<ExpressionId> amount;
+    if (is_self(operands[0]))
+        amount = operands[1];
+    else if (apply->operation == Operation::add && is_self(operands[1]))
+        amount = operands[0];
+    if (!amount) return std::nullopt;
+    Facts* const facts = std::exchange(facts_, nullptr); // its reads are recorded already
+    const Step step{apply->operation, *amount, evaluate(state, *amount, Use::arithmetic)};
+    facts_ = facts;
+    return step;
+}
+
+// ---- modal groups ----
+
+std::optional<GroupId> Transfer::modal_call_group() const {
+    const auto& groups = program_.control->groups;
+    const auto found = std::ranges::find(groups, Concern::modal_call, &ModalGroup::concern);
+    if (found == groups.end()) return std::nullopt;
+    return static_cast<GroupId>(found - groups.begin());
+}
+
+void Transfer::set_modal(State& state, const SetModal& set) {
+    const Value value = evaluate(state, set.value, Use::word);
+    std::optional<GroupId> group = set.group;
+    if (!group) {
+        group = states_.pool().entry_group_of(value.symbol);
+        if (group && program_.control->groups[*group].letter != 'G') group = std::nullopt;
+        if (!group)
+            if (const auto code = value.constant()) group = program_.control->group_of('G', *code);
+    }
+    if (facts_ != nullptr)
+        facts_->modal_writes.push_back({node_, effect_, group, set.group.has_value(), set.value, value});
+    if (group)
+        set_group(state, *group, value);
+    else if (!value.constant() && value.vacancy != Vacancy::vacant)
+        doubt_groups(state, 'G');
+}
+
+void Transfer::set_group(State& state, GroupId group, const Value& value) {
+    if (value.vacancy == Vacancy::vacant)
+        return; // a word with a vacant variable is ignored [SEED-001:187-195]
+    const OriginId origin = states_.pool().origins(here());
+    if (value.vacancy == Vacancy::maybe) {
+        ModalValue either = states_.read(state, group);
+        either.parts.push_back({value.symbol, origin});
+        std::ranges::sort(either.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
+        states_.write(state, group, std::move(either));
+        return;
+    }
+    if (const auto code = value.constant()) return set_code(state, group, *code, origin);
+    states_.write(state, group, {{{value.symbol, origin}}, false});
+}
+
+void Transfer::set_code(State& state, GroupId group, double code, OriginId origin) {
+    SymbolId symbol = states_.pool().constant(code);
+    // On a way where the caller's code is known to be this one, setting it puts the caller's code back.
+    if (states_.entry_code(state, group) == code)
+        symbol = states_.pool().symbols({Symbol::Kind::entry_group, group, 0, 0});
+    states_.write(state, group, {{{symbol, origin}}, false});
+}
+
+void Transfer::doubt_groups(State& state, char letter) {
+    for (std::size_t i = 0; i < program_.control->groups.size(); ++i) {
+        if (program_.control->groups[i].letter != letter) continue;
+        ModalValue value = states_.read(state, static_cast<GroupId>(i));
+        value.unknown = true;
+        states_.write(state, static_cast<GroupId>(i), std::move(value));
+    }
+}
+
+// ---- calls ----
+
+void Transfer::call(State& state, const Call& call) {
+    for (const Argument& argument : program_.arguments_of(call))
+        (void)evaluate(state, argument.value, Use::argument);
+    if (call.repeat) (void)evaluate(state, *call.repeat, Use::word);
+    if (const auto* number = std::get_if<ExpressionId>(&call.program))
+        (void)evaluate(state, *number, Use::word);
+    if (program_.control->calls[call.kind].when == When::once) return run_program(state, effect_, call);
+    if (const auto group = modal_call_group())
+        set_code(state, *group, modal_call_code, states_.pool().origins(here()));
+}
+
+void Transfer::run_program(State& state, EffectId id, const Call& call) {
+    const Summary& summary = callees_(id);
+    if (facts_ != nullptr)
+        facts_->calls.push_back({node_, effect_, summary.known, !summary.known || summary.may_stop});
+    if (!summary.known) {
+        forget_shared(state);
+        if (program_.control->calls[call.kind].frame == Frame::shared)
+            for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
+                if (program_.control->spaces[i].scope == Scope::frame) forget(state, static_cast<SpaceId>(i));
+        for (const char letter : {'G', 'F', 'S', '#'}) doubt_groups(state, letter);
+        return;
+    }
+    const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
+    const auto visible = [&](SpaceId space) {
+        return shared_frame || program_.control->spaces[space].scope != Scope::frame;
+    };
+    for (const SpaceId space : summary.forgotten)
+        if (visible(space)) forget(state, space);
+    for (const PlaceChange& change : summary.places) {
+        if (!visible(change.place.space)) continue;
+        Value value;
+        value.symbol = states_.pool().symbols({Symbol::Kind::opaque, key_of(change.place), 6, effect_});
+        value.vacancy = change.vacancy;
+        value.doubt = change.vacancy == Vacancy::maybe || change.vacancy == Vacancy::vacant
+                          ? states_.pool().origins(here())
+                          : 0;
+        value.low = change.low;
+        value.high = change.high;
+        value.integer = change.integer;
+        value.exactness = change.exactness == Exactness::rounded ? Exactness::unknown : change.exactness;
+        value.origin = states_.pool().origins(here());
+        disturb(state, change.place, value);
+    }
+    change_groups(state, summary);
+}
+
+void Transfer::change_groups(State& state, const Summary& summary) {
+    const OriginId origin = states_.pool().origins(here());
+    for (const GroupChange& change : summary.groups) {
+        ModalValue value = change.may_keep ? states_.read(state, change.group) : ModalValue{};
+        for (const double code : change.codes) value.parts.push_back({states_.pool().constant(code), origin});
+        value.unknown |= change.other;
+        std::ranges::sort(value.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
+        value.parts.erase(std::ranges::unique(value.parts).begin(), value.parts.end());
+        states_.write(state, change.group, std::move(value));
+    }
+}
+
+void Transfer::forget_shared(State& state) {
+    for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
+        if (program_.control->spaces[i].scope != Scope::frame) forget(state, static_cast<SpaceId>(i));
+}
+
+/// Everything in the space may have changed here.
+void Transfer::forget(State& state, SpaceId space) {
+    if (facts_ != nullptr) facts_->disturbances.push_back({node_, effect_, space, {}});
+    states_.forget(state, space, here());
+}
+
+/// The variable may have changed here, by something that is no assignment.
+void Transfer::disturb(State& state, Place place, const Value& value) {
+    if (facts_ != nullptr) facts_->disturbances.push_back({node_, effect_, place.space, place});
+    states_.write(state, place, value);
+}
+
+/// A value of which nothing is known; `what_for` keeps it apart from others that the effect makes.
+Value Transfer::opaque_place(Place place, std::uint32_t what_for) {
+    Value value;
+    value.symbol = states_.pool().symbols(
+        {Symbol::Kind::opaque, effect_, what_for, static_cast<std::uint32_t>(place.number)});
+    return value;
+}
+
+void Transfer::move(State& state) {
+    const auto group = modal_call_group();
+    if (!group) return;
+    // Moving while a modal call is active runs its program [SEED-001:466].
+    const std::vector<ModalPart> parts = states_.read(state, *group).parts;
+    for (const ModalPart& part : parts) {
+        if (states_.pool().number_of(part.symbol) != modal_call_code) continue;
+        const Origin& origin = states_.pool().origins[part.origin];
+        if (origin.kind != Origin::Kind::effect) continue;
+        const auto* call = std::get_if<Call>(&program_.effects[origin.id].what);
+        if (call == nullptr) continue;
+        State moved = state;
+        run_program(moved, origin.id, *call);
+        states_.write(moved, *group, states_.read(state, *group));
+        state = states_.join(state, moved, node_);
+    }
+}
+
+void Transfer::run_of_plain_blocks(State& state, flow::NodeId node) {
+    const flow::Node& n = graph_.nodes[node];
+    const auto& run = std::get<Run>(program_.items[n.item]);
+    if (run.moves) move(state);
+    const auto set = [&](const ModalSetting& setting) {
+        set_code(state, setting.group, setting.value,
+                 states_.pool().origins({Origin::Kind::run, setting.group, node_}));
+    };
+    if (n.part.begin == run.span.begin && n.part.end == run.span.end) {
+        std::ranges::for_each(program_.net_of(run), set);
+        return;
+    }
+    std::vector<ModalSetting> net;
+    program_.for_each_block(n.part, [&](const PlainBlock& block) {
+        for (const ModalSetting& setting : block.settings) {
+            const auto known = std::ranges::find(net, setting.group, &ModalSetting::group);
+            if (known == net.end())
+                net.push_back(setting);
+            else
+                known->value = setting.value;
+        }
+        return true;
+    });
+    std::ranges::for_each(net, set);
+}
+
+} // namespace maclint::dataflow

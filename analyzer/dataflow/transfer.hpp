@@ -1,0 +1,70 @@
+//! What the effects of one node do to a state.
+#pragma once
+
+#include "analyzer/dataflow/facts.hpp"
+#include "analyzer/dataflow/state.hpp"
+#include "analyzer/dataflow/summary.hpp"
+
+namespace maclint::dataflow {
+
+class Transfer {
+  public:
+    Transfer(const Program& program, const flow::Graph& graph, States& states, const Callees& callees)
+        : program_(program)
+        , graph_(graph)
+        , states_(states)
+        , callees_(callees) {}
+
+    /// From now on everything read, compared and set is written down there; nullptr ends it.
+    void record_in(Facts* facts) { facts_ = facts; }
+
+    /// The state after the node.
+    [[nodiscard]] State run(flow::NodeId node, State state);
+    /// The state on an edge, given the state after the node it leaves; not reached when the edge cannot be
+    /// taken.
+    [[nodiscard]] State along(const flow::Edge& edge, State after);
+
+  private:
+    [[nodiscard]] Value evaluate(const State& state, ExpressionId id, Use use);
+    [[nodiscard]] Value load_at(const State& state, FamilyId family, const Value& index, ExpressionId id,
+                                Use use);
+    [[nodiscard]] Value load_modal(const State& state, GroupId group, ExpressionId id);
+    [[nodiscard]] Value opaque(ExpressionId id);
+    [[nodiscard]] Value opaque_place(Place place, std::uint32_t what_for);
+    [[nodiscard]] Truth judge(const State& state, ExpressionId id);
+    void refine(State& state, ExpressionId id, bool holds);
+    void refine_comparison(State& state, Operation operation, ExpressionId left, ExpressionId right);
+    void refine_place(State& state, Place place, Operation operation, const Value& other);
+    void refine_entry_code(State& state, const Value& value, Operation operation, const Value& other);
+    [[nodiscard]] Value record_read(const State& state, Place place, ExpressionId id, Use use);
+
+    void apply(State& state, const Effect& effect);
+    void assign(State& state, const Assign& assign);
+    [[nodiscard]] std::optional<Step> step_of(const State& state, Place place, ExpressionId value);
+    void store(State& state, Place place, Value value, ExpressionId expression);
+    void store_at(State& state, const StoreAt& target, const Value& value, ExpressionId expression);
+    void set_modal(State& state, const SetModal& set);
+    void set_group(State& state, GroupId group, const Value& value);
+    void set_code(State& state, GroupId group, double code, OriginId origin);
+    void doubt_groups(State& state, char letter);
+    void call(State& state, const Call& call);
+    void run_program(State& state, EffectId id, const Call& call);
+    void change_groups(State& state, const Summary& summary);
+    void forget(State& state, SpaceId space);
+    void forget_shared(State& state);
+    void disturb(State& state, Place place, const Value& value);
+    void move(State& state);
+    void run_of_plain_blocks(State& state, flow::NodeId node);
+    [[nodiscard]] Origin here() const { return {Origin::Kind::effect, effect_, node_}; }
+    [[nodiscard]] std::optional<GroupId> modal_call_group() const;
+
+    const Program& program_;
+    const flow::Graph& graph_;
+    States& states_;
+    const Callees& callees_;
+    Facts* facts_ = nullptr;
+    flow::NodeId node_ = 0;
+    EffectId effect_ = 0;
+};
+
+} // namespace maclint::dataflow

@@ -1,0 +1,100 @@
+//! Tarjan's algorithm with an explicit stack: a chain of calls may be as long as the workspace.
+#include "analyzer/flow/components.hpp"
+
+#include <algorithm>
+
+namespace maclint::flow {
+namespace {
+
+constexpr std::uint32_t unseen = 0xFFFFFFFF;
+
+class Tarjan {
+  public:
+    explicit Tarjan(const Arrows& arrows)
+        : arrows_(arrows)
+        , index_(arrows.size(), unseen)
+        , low_(arrows.size(), 0)
+        , waiting_(arrows.size(), false) {
+        result_.of.assign(arrows.size(), unseen);
+    }
+
+    Components run() {
+        for (std::uint32_t node = 0; node < arrows_.size(); ++node)
+            if (index_[node] == unseen) visit_from(node);
+        return std::move(result_);
+    }
+
+  private:
+    struct Frame {
+        std::uint32_t node;
+        std::size_t next;
+    };
+
+    void enter(std::uint32_t node) {
+        index_[node] = low_[node] = count_++;
+        waiting_[node] = true;
+        stack_.push_back(node);
+        frames_.push_back({node, 0});
+    }
+
+    void visit_from(std::uint32_t root) {
+        enter(root);
+        while (!frames_.empty()) {
+            Frame& frame = frames_.back();
+            const std::uint32_t node = frame.node;
+            if (frame.next < arrows_[node].size()) {
+                const std::uint32_t to = arrows_[node][frame.next++];
+                if (index_[to] == unseen)
+                    enter(to);
+                else if (waiting_[to])
+                    low_[node] = std::min(low_[node], index_[to]);
+                continue;
+            }
+            frames_.pop_back();
+            if (!frames_.empty()) low_[frames_.back().node] = std::min(low_[frames_.back().node], low_[node]);
+            if (low_[node] == index_[node]) close_component(node);
+        }
+    }
+
+    void close_component(std::uint32_t root) {
+        std::vector<std::uint32_t> members;
+        std::uint32_t node = unseen;
+        do {
+            node = stack_.back();
+            stack_.pop_back();
+            waiting_[node] = false;
+            result_.of[node] = static_cast<std::uint32_t>(result_.members.size());
+            members.push_back(node);
+        } while (node != root);
+        std::ranges::sort(members);
+        result_.members.push_back(std::move(members));
+    }
+
+    const Arrows& arrows_;
+    std::vector<std::uint32_t> index_, low_;
+    std::vector<bool> waiting_;
+    std::vector<std::uint32_t> stack_;
+    std::vector<Frame> frames_;
+    std::uint32_t count_ = 0;
+    Components result_;
+};
+
+} // namespace
+
+Components find_components(const Arrows& arrows) { return Tarjan(arrows).run(); }
+
+std::vector<std::vector<std::uint32_t>> layers_of(const Arrows& arrows, const Components& components) {
+    std::vector<std::size_t> height(components.members.size(), 0);
+    std::vector<std::vector<std::uint32_t>> layers;
+    for (std::uint32_t component = 0; component < components.members.size(); ++component) {
+        for (const std::uint32_t node : components.members[component])
+            for (const std::uint32_t to : arrows[node])
+                if (components.of[to] != component)
+                    height[component] = std::max(height[component], height[components.of[to]] + 1);
+        if (height[component] >= layers.size()) layers.resize(height[component] + 1);
+        layers[height[component]].push_back(component);
+    }
+    return layers;
+}
+
+} // namespace maclint::flow

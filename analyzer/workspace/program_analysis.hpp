@@ -1,0 +1,92 @@
+//! Everything that is known of one program: what rules are given.
+#pragma once
+
+#include "analyzer/dataflow/analysis.hpp"
+#include "analyzer/dataflow/loops.hpp"
+#include "analyzer/flow/graph.hpp"
+#include "analyzer/flow/structure.hpp"
+#include "analyzer/program/model.hpp"
+#include "analyzer/workspace/workspace.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint {
+
+using ProgramIndex = std::uint32_t; ///< place in Workspace::programs()
+
+/// One call in a program and the program of the workspace that it means.
+struct CallSite {
+    EffectId effect;
+    std::optional<ProgramIndex> target; ///< empty: computed, not in the workspace, or several equally near
+    std::size_t candidates;             ///< programs of that number or name in the workspace
+};
+
+struct Caller {
+    ProgramIndex program;
+    EffectId effect;
+};
+
+/// How often each limit is used up on a chain of calls.
+struct CallDepth {
+    int macro = 0;
+    int subprogram = 0;
+};
+
+class ProgramAnalysis {
+  public:
+    ProgramAnalysis(const Workspace& workspace, ProgramIndex index, const WorkspaceFile& file,
+                    const Program& program)
+        : workspace_(&workspace)
+        , index_(index)
+        , file_(&file)
+        , program_(&program) {}
+
+    [[nodiscard]] const Workspace& workspace() const { return *workspace_; }
+    [[nodiscard]] ProgramIndex index() const { return index_; }
+    [[nodiscard]] const ProgramFile& file() const { return *file_->file; }
+    [[nodiscard]] bool asked() const { return file_->asked; }
+    [[nodiscard]] const Program& program() const { return *program_; }
+    [[nodiscard]] const ControlModel& control() const { return *program_->control; }
+    [[nodiscard]] const flow::Structures& structures() const { return structures_; }
+    [[nodiscard]] const flow::Graph& graph() const { return graph_; }
+    [[nodiscard]] const dataflow::Analysis& data() const { return *data_; }
+    [[nodiscard]] const dataflow::Facts& facts() const { return data_->facts(); }
+    [[nodiscard]] const std::vector<dataflow::Loop>& loops() const { return loops_; }
+    [[nodiscard]] const dataflow::Summary& summary() const { return data_->summary(); }
+
+    [[nodiscard]] const std::vector<CallSite>& calls() const { return calls_; }
+    [[nodiscard]] const CallSite* call_at(EffectId effect) const;
+    [[nodiscard]] const std::vector<Caller>& callers() const { return callers_; }
+    /// It runs on its own: nobody calls it, and it does not return to anybody.
+    [[nodiscard]] bool is_main() const { return data_->entry() == dataflow::Entry::main; }
+    /// Whether a call of it gives it local variables of its own: a caller does so, or it reads arguments and
+    /// its callers are unknown.
+    [[nodiscard]] bool is_macro() const { return is_macro_; }
+    /// It calls itself, directly or through others.
+    [[nodiscard]] bool is_recursive() const { return recursive_; }
+    /// The deepest way in which the programs of the workspace reach it.
+    [[nodiscard]] CallDepth depth() const { return depth_; }
+    /// The calls along that way for the limit, outermost first.
+    [[nodiscard]] std::vector<Caller> chain_to(Counted counted) const;
+
+  private:
+    friend class Workspace;
+    friend class WorkspaceBuilder;
+    const Workspace* workspace_;
+    ProgramIndex index_;
+    const WorkspaceFile* file_;
+    const Program* program_;
+    flow::Structures structures_;
+    flow::Graph graph_;
+    std::optional<dataflow::Analysis> data_;
+    std::vector<dataflow::Loop> loops_;
+    std::vector<CallSite> calls_;
+    std::vector<Caller> callers_;
+    bool is_macro_ = false;
+    bool recursive_ = false;
+    CallDepth depth_;
+    std::optional<Caller> deepest_macro_caller_, deepest_subprogram_caller_;
+};
+
+} // namespace maclint

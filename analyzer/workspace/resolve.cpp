@@ -1,0 +1,90 @@
+//! Program numbers and names to programs, by distance between folders.
+#include "analyzer/workspace/resolve.hpp"
+
+#include "analyzer/flow/graph.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+namespace maclint {
+namespace {
+
+/// Names are compared without case: controls store capitals, file systems do not.
+std::string folded(std::string_view name) {
+    std::string result(name);
+    std::ranges::transform(result, result.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return result;
+}
+
+std::string_view folder_of(std::string_view path) {
+    const auto slash = path.find_last_of('/');
+    return slash == std::string_view::npos ? std::string_view{} : path.substr(0, slash);
+}
+
+std::size_t depth_of(std::string_view folder) {
+    if (folder.empty()) return 0;
+    return 1 + static_cast<std::size_t>(std::ranges::count(folder, '/'));
+}
+
+/// Steps up and down from one folder to another.
+std::size_t distance(std::string_view a, std::string_view b) {
+    const auto starts_within = [](std::string_view inner, std::string_view outer) {
+        return outer.empty() || inner == outer || (inner.starts_with(outer) && inner[outer.size()] == '/');
+    };
+    std::string_view common = a;
+    while (!starts_within(b, common)) common = folder_of(common);
+    return depth_of(a) + depth_of(b) - 2 * depth_of(common);
+}
+
+} // namespace
+
+CallResolver::CallResolver(const std::deque<ProgramAnalysis>& programs)
+    : programs_(programs) {
+    for (const ProgramAnalysis& analysis : programs) {
+        const Program& program = analysis.program();
+        if (program.number) by_number_[*program.number].push_back(analysis.index());
+        by_name_[folded(program.name)].push_back(analysis.index());
+        for (const std::string& name : program.also_known_as) {
+            auto& known = by_name_[folded(name)];
+            if (known.empty() || known.back() != analysis.index()) known.push_back(analysis.index());
+        }
+    }
+}
+
+const std::vector<ProgramIndex>* CallResolver::candidates(const Program& caller, const Call& call) const {
+    if (const auto* text = std::get_if<Text>(&call.program)) {
+        const auto found = by_name_.find(folded(caller.slice(text->characters)));
+        return found == by_name_.end() ? nullptr : &found->second;
+    }
+    const auto* expression = std::get_if<ExpressionId>(&call.program);
+    if (expression == nullptr) return nullptr;
+    const auto number = flow::constant_target(caller, *expression);
+    if (!number) return nullptr;
+    const auto found = by_number_.find(*number);
+    return found == by_number_.end() ? nullptr : &found->second;
+}
+
+CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) const {
+    const auto& call = std::get<Call>(caller.program().effects[effect].what);
+    CallSite site{effect, {}, 0};
+    const std::vector<ProgramIndex>* all = candidates(caller.program(), call);
+    if (all == nullptr) return site;
+    site.candidates = all->size();
+    std::size_t nearest = static_cast<std::size_t>(-1);
+    const std::string_view here = caller.file().source->path();
+    for (const ProgramIndex index : *all) {
+        const std::string_view there = programs_[index].file().source->path();
+        const std::size_t steps = here == there ? 0 : 1 + distance(folder_of(here), folder_of(there));
+        if (steps > nearest) continue;
+        if (steps == nearest)
+            site.target.reset();
+        else
+            site.target = index;
+        nearest = steps;
+    }
+    return site;
+}
+
+} // namespace maclint

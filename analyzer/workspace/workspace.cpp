@@ -1,0 +1,214 @@
+//! Builds the workspace: calls resolved, programs analysed from callees to callers, depths from callers to
+//! callees.
+#include "analyzer/workspace/workspace.hpp"
+
+#include "analyzer/flow/components.hpp"
+#include "analyzer/workspace/parallel.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "analyzer/workspace/resolve.hpp"
+
+#include <algorithm>
+
+namespace maclint {
+class WorkspaceBuilder {
+  public:
+    WorkspaceBuilder(Workspace& workspace, std::deque<ProgramAnalysis>& programs, unsigned jobs)
+        : workspace_(workspace)
+        , programs_(programs)
+        , jobs_(jobs) {}
+
+    void run() {
+        for (const WorkspaceFile& file : workspace_.files())
+            for (const Program& program : file.file->programs)
+                programs_.emplace_back(workspace_, static_cast<ProgramIndex>(programs_.size()), file,
+                                       program);
+        resolve_calls();
+        components_ = flow::find_components(arrows_);
+        for (const auto& layer : flow::layers_of(arrows_, components_)) analyse_layer(layer);
+        measure_depth();
+    }
+
+  private:
+    void resolve_calls() {
+        const CallResolver resolver(programs_);
+        arrows_.resize(programs_.size());
+        for_each_parallel(programs_.size(), jobs_, [&](std::size_t i) {
+            ProgramAnalysis& analysis = programs_[i];
+            flow::for_each_effect(analysis.program(), [&](EffectId id) {
+                if (std::holds_alternative<Call>(analysis.program().effects[id].what))
+                    analysis.calls_.push_back(resolver.resolve(analysis, id));
+            });
+            std::ranges::sort(analysis.calls_, {}, &CallSite::effect);
+            for (const CallSite& site : analysis.calls_)
+                if (site.target) arrows_[i].push_back(*site.target);
+        });
+        for (const ProgramAnalysis& analysis : programs_)
+            for (const CallSite& site : analysis.calls_)
+                if (site.target) programs_[*site.target].callers_.push_back({analysis.index(), site.effect});
+    }
+
+    void analyse_layer(const std::vector<std::uint32_t>& layer) {
+        std::vector<ProgramIndex> members;
+        for (const std::uint32_t component : layer)
+            members.insert(members.end(), components_.members[component].begin(),
+                           components_.members[component].end());
+        for_each_parallel(members.size(), jobs_, [&](std::size_t i) { analyse(programs_[members[i]]); });
+    }
+
+    void analyse(ProgramAnalysis& analysis) {
+        const Program& program = analysis.program();
+        const std::uint32_t own = components_.of[analysis.index()];
+        analysis.recursive_ =
+            components_.members[own].size() > 1 ||
+            std::ranges::find(arrows_[analysis.index()], analysis.index()) != arrows_[analysis.index()].end();
+        static const dataflow::Summary unknown{};
+        const dataflow::Callees callees = [&](EffectId call) -> const dataflow::Summary& {
+            const CallSite* site = analysis.call_at(call);
+            // Within a cycle no summary is there yet: its calls count as unknown, whatever the order of work.
+            if (site == nullptr || !site->target || components_.of[*site->target] == own) return unknown;
+            return programs_[*site->target].summary();
+        };
+        analysis.structures_ = flow::pair_structures(program);
+        analysis.graph_ = flow::build_graph(program, analysis.structures_,
+                                            [&](EffectId call) { return callees(call).resume_labels; });
+        const bool main = runs_on_its_own(analysis);
+        analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
+        analysis.loops_ =
+            dataflow::find_loops(program, analysis.structures_, analysis.graph_, *analysis.data_);
+        analysis.is_macro_ = !main && takes_arguments(analysis);
+    }
+
+    static bool runs_on_its_own(const ProgramAnalysis& analysis) {
+        if (!analysis.callers_.empty()) return false;
+        bool returns = false;
+        flow::for_each_effect(analysis.program(), [&](EffectId id) {
+            returns |= std::holds_alternative<Return>(analysis.program().effects[id].what);
+        });
+        return !returns;
+    }
+
+    dataflow::EntryKnowledge entry_of(const ProgramAnalysis& analysis, bool main) const {
+        dataflow::EntryKnowledge entry{
+            main ? dataflow::Entry::main : dataflow::Entry::called_unknown, {}, {}};
+        for (const Caller& caller : analysis.callers_) {
+            const Program& program = programs_[caller.program].program();
+            const auto& call = std::get<Call>(program.effects[caller.effect].what);
+            entry.locals_are_callers |= program.control->calls[call.kind].frame == Frame::shared;
+            for (const Argument& argument : program.arguments_of(call))
+                entry.passed_somewhere.push_back(argument.formal);
+        }
+        if (workspace_.complete() && !analysis.callers_.empty()) entry.arguments = what_all_pass(analysis);
+        return entry;
+    }
+
+    /// Arguments that all callers pass and those that some leave out. A call that shares its locals passes
+    /// nobody knows what.
+    std::optional<std::vector<std::pair<Place, dataflow::Vacancy>>>
+    what_all_pass(const ProgramAnalysis& analysis) const {
+        std::vector<std::pair<Place, std::size_t>> counts;
+        for (const Caller& caller : analysis.callers_) {
+            const Program& program = programs_[caller.program].program();
+            const auto& call = std::get<Call>(program.effects[caller.effect].what);
+            if (program.control->calls[call.kind].frame == Frame::shared) return std::nullopt;
+            for (const Argument& argument : program.arguments_of(call)) {
+                const auto known =
+                    std::ranges::find(counts, argument.formal, &std::pair<Place, std::size_t>::first);
+                if (known == counts.end())
+                    counts.emplace_back(argument.formal, 1);
+                else
+                    ++known->second;
+            }
+        }
+        std::vector<std::pair<Place, dataflow::Vacancy>> result;
+        for (const auto& [place, count] : counts) {
+            // Passed by all: a variable that is passed on may still be vacant itself.
+            result.emplace_back(place, count < analysis.callers_.size() ? dataflow::Vacancy::maybe
+                                                                        : dataflow::Vacancy::unknown);
+        }
+        return result;
+    }
+
+    bool takes_arguments(const ProgramAnalysis& analysis) const {
+        for (const Caller& caller : analysis.callers_) {
+            const Program& program = programs_[caller.program].program();
+            const auto& call = std::get<Call>(program.effects[caller.effect].what);
+            if (program.control->calls[call.kind].frame == Frame::fresh) return true;
+        }
+        if (!analysis.callers_.empty()) return false;
+        const auto& formals = analysis.control().formals;
+        return std::ranges::any_of(analysis.facts().reads, [&](const dataflow::Read& read) {
+            const auto symbol = analysis.data().pool().symbols[read.value.symbol];
+            return symbol.kind == dataflow::Symbol::Kind::entry &&
+                   std::ranges::find(formals, read.place) != formals.end();
+        });
+    }
+
+    /// Longest ways from programs that nobody calls, callers before callees; calls within a cycle do not
+    /// count.
+    void measure_depth() {
+        for (auto component = components_.members.rbegin(); component != components_.members.rend();
+             ++component)
+            for (const std::uint32_t index : *component) deepen_callees(programs_[index]);
+    }
+
+    void deepen_callees(const ProgramAnalysis& caller) {
+        for (const CallSite& site : caller.calls_) {
+            if (!site.target || components_.of[*site.target] == components_.of[caller.index()]) continue;
+            ProgramAnalysis& callee = programs_[*site.target];
+            const auto& call = std::get<Call>(caller.program().effects[site.effect].what);
+            const bool macro = caller.control().calls[call.kind].counted == Counted::macro;
+            const int macros = caller.depth_.macro + (macro ? 1 : 0);
+            const int subprograms = caller.depth_.subprogram + (macro ? 0 : 1);
+            if (macros > callee.depth_.macro) {
+                callee.depth_.macro = macros;
+                callee.deepest_macro_caller_ = Caller{caller.index(), site.effect};
+            }
+            if (subprograms > callee.depth_.subprogram) {
+                callee.depth_.subprogram = subprograms;
+                callee.deepest_subprogram_caller_ = Caller{caller.index(), site.effect};
+            }
+        }
+    }
+
+    Workspace& workspace_;
+    std::deque<ProgramAnalysis>& programs_;
+    unsigned jobs_;
+    flow::Arrows arrows_;
+    flow::Components components_;
+};
+
+const CallSite* ProgramAnalysis::call_at(EffectId effect) const {
+    const auto found = std::ranges::lower_bound(calls_, effect, {}, &CallSite::effect);
+    return found != calls_.end() && found->effect == effect ? &*found : nullptr;
+}
+
+std::vector<Caller> ProgramAnalysis::chain_to(Counted counted) const {
+    std::vector<Caller> chain;
+    const ProgramAnalysis* at = this;
+    while (true) {
+        const auto& caller =
+            counted == Counted::macro ? at->deepest_macro_caller_ : at->deepest_subprogram_caller_;
+        if (!caller) break;
+        chain.push_back(*caller);
+        at = &workspace_->programs()[caller->program];
+    }
+    std::ranges::reverse(chain);
+    return chain;
+}
+
+Workspace::Workspace()
+    : programs_(std::make_unique<std::deque<ProgramAnalysis>>()) {}
+Workspace::~Workspace() = default;
+
+const std::deque<ProgramAnalysis>& Workspace::programs() const { return *programs_; }
+
+std::unique_ptr<Workspace> Workspace::analyse(std::vector<WorkspaceFile> files,
+                                              const WorkspaceOptions& options) {
+    std::unique_ptr<Workspace> workspace(new Workspace);
+    workspace->files_ = std::move(files);
+    workspace->complete_ = options.complete;
+    WorkspaceBuilder(*workspace, *workspace->programs_, options.jobs).run();
+    return workspace;
+}
+
+} // namespace maclint
