@@ -67,8 +67,7 @@ class LoopSearch {
         collect_body(loop);
         for (const flow::NodeId node : loop.body) {
             for (const flow::EdgeId out : graph_.out[node])
-                if (analysis_.passable(out) && mark_[graph_.edges[out].to] != round_)
-                    loop.ways_out.push_back(out);
+                if (mark_[graph_.edges[out].to] != round_) loop.ways_out.push_back(out);
             loop.can_stop |= std::ranges::binary_search(exits_, node);
             look_at_effects(loop, node);
         }

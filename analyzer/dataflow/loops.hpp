@@ -16,7 +16,7 @@ struct Loop {
     flow::EdgeId back;
     std::optional<flow::StructureId> structure; ///< WHILE or DO; empty: closed by a jump
     std::vector<flow::NodeId> body;             ///< sorted, head and latch included
-    std::vector<flow::EdgeId> ways_out;         ///< passable edges that leave the body
+    std::vector<flow::EdgeId> ways_out; ///< edges that leave the body, also those that are never taken
     bool can_stop; ///< a return, program end, alarm or pause is inside, or in a program called there
     bool has_unknown_effects; ///< a call of an unknown program or an unreadable block is inside
 

@@ -89,6 +89,7 @@ class States {
     [[nodiscard]] Vacancy vacancy_at_entry(Place place) const;
     [[nodiscard]] Value absent(const State& state, Key key);
     [[nodiscard]] std::uint32_t absent_modal(Key key);
+    [[nodiscard]] bool is_entry_of(OriginId doubt, Key key) const;
     [[nodiscard]] Value join_values(const Value& a, const Value& b, Key key, std::uint32_t node);
     [[nodiscard]] std::uint32_t join_modals(std::uint32_t a, std::uint32_t b);
 

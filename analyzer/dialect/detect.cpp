@@ -1,6 +1,6 @@
-//! Tells which dialect a file is written in, or what it is instead, by its extension and the beginning of its text.
+//! Tells which dialect a file is written in, or what it is instead, by its extension and the beginning of its
+//! text.
 #include "analyzer/dialect/dialect.hpp"
-
 #include "analyzer/source/content.hpp"
 
 #include <algorithm>
@@ -36,7 +36,9 @@ std::string extension_of(std::string_view path) {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string_view::npos || dot == 0) return {};
     std::string extension(name.substr(dot + 1));
-    std::ranges::transform(extension, extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    std::ranges::transform(extension, extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
     return extension;
 }
 
@@ -45,7 +47,8 @@ bool starts_with_any(std::string_view text, std::span<const std::string_view> he
 }
 
 bool holds_any(std::string_view text, std::span<const std::string_view> parts) {
-    return std::ranges::any_of(parts, [&](std::string_view part) { return text.find(part) != std::string_view::npos; });
+    return std::ranges::any_of(
+        parts, [&](std::string_view part) { return text.find(part) != std::string_view::npos; });
 }
 
 /// Behind a sequence number `N10` or Klartext's bare line number.
@@ -60,15 +63,15 @@ std::string_view behind_number(std::string_view line) {
 // ---- one line of each language; lines come in capitals and trimmed ----
 
 bool is_klartext(std::string_view line) {
-    static constexpr std::string_view heads[] = {"BEGIN PGM",  "END PGM", "TOOL CALL", "TOOL DEF", "CYCL DEF",
-                                                 "BLK FORM",   "CALL LBL", "LBL ",     "FN 0:",    "FN0:",
-                                                 "CYCL CALL"};
+    static constexpr std::string_view heads[] = {"BEGIN PGM", "END PGM",  "TOOL CALL", "TOOL DEF",
+                                                 "CYCL DEF",  "BLK FORM", "CALL LBL",  "LBL ",
+                                                 "FN 0:",     "FN0:",     "CYCL CALL"};
     return starts_with_any(behind_number(line), heads);
 }
 
 bool is_din_plus(std::string_view line) {
-    static constexpr std::string_view sections[] = {"PROGRAM HEAD", "PROGRAMMKOPF", "MACHINING", "BEARBEITUNG",
-                                                    "#UNIT"};
+    static constexpr std::string_view sections[] = {"PROGRAM HEAD", "PROGRAMMKOPF", "MACHINING",
+                                                    "BEARBEITUNG", "#UNIT"};
     return starts_with_any(line, sections);
 }
 
@@ -90,12 +93,12 @@ int siemens_signs(std::string_view line) {
     static constexpr std::string_view certain[] = {"%_N_", ";$PATH=", "; $PATH="};
     if (starts_with_any(line, certain)) return 4;
     const std::string_view code = behind_number(line.substr(0, line.find(';')));
-    static constexpr std::string_view heads[] = {"DEF REAL", "DEF INT",  "DEF STRING", "DEF BOOL", "DEF AXIS",
-                                                 "DEF CHAR", "DEF FRAME", "PROC ",     "EXTERN ",  "MSG(",
-                                                 "WORKPIECE(", "STOPRE", "ENDPROC",    "MSG (",    "GOTOF ",
-                                                 "GOTOB ",   "REPEATB ", "ENDFOR",     "SETMS"};
-    static constexpr std::string_view parts[] = {"CYCLE8", "CYCLE9", " GOTOF ", " GOTOB ", "$P_", "$AA_", "$A_", "$TC_",
-                                                 "$MC_", "$MN_", "T=\"", "D0 M17"};
+    static constexpr std::string_view heads[] = {
+        "DEF REAL", "DEF INT", "DEF STRING", "DEF BOOL",   "DEF AXIS", "DEF CHAR", "DEF FRAME",
+        "PROC ",    "EXTERN ", "MSG(",       "WORKPIECE(", "STOPRE",   "ENDPROC",  "MSG (",
+        "GOTOF ",   "GOTOB ",  "REPEATB ",   "ENDFOR",     "SETMS"};
+    static constexpr std::string_view parts[] = {"CYCLE8", "CYCLE9", " GOTOF ", " GOTOB ", "$P_",  "$AA_",
+                                                 "$A_",    "$TC_",   "$MC_",    "$MN_",    "T=\"", "D0 M17"};
     int signs = 0;
     if (starts_with_any(code, heads)) signs += 2;
     if (holds_any(code, parts)) signs += 1;
@@ -118,22 +121,25 @@ bool is_o_word(std::string_view line) {
         while (at < line.size() && is_digit(line[at])) ++at;
         if (at == digits) return false;
     }
-    static constexpr std::string_view words[] = {"SUB",  "ENDSUB", "CALL",   "IF",     "ELSE",    "ENDIF",    "WHILE",
-                                                 "ENDWHILE", "DO", "REPEAT", "RETURN", "ENDREPEAT", "BREAK", "CONTINUE"};
+    static constexpr std::string_view words[] = {"SUB",    "ENDSUB",    "CALL",     "IF",      "ELSE",
+                                                 "ENDIF",  "WHILE",     "ENDWHILE", "DO",      "REPEAT",
+                                                 "RETURN", "ENDREPEAT", "BREAK",    "CONTINUE"};
     return starts_with_any(trim(line.substr(at)), words);
 }
 
-/// A block that a control of the Fanuc family could hold: a word, a variable, a keyword, a comment, a tape mark.
+/// A block that a control of the Fanuc family could hold: a word, a variable, a keyword, a comment, a tape
+/// mark.
 bool is_block(std::string_view line) {
     while (!line.empty() && (line.front() == '/' || line.front() == ' ')) line.remove_prefix(1);
     if (line.empty()) return true;
     const char first = line.front();
     if (first == '(' || first == '%' || first == ';' || first == ':' || first == '<') return true;
     const std::string_view code = behind_number(line);
-    if (code.empty() || code.front() == '#' || code.front() == '(' || code.front() == '/' || code.front() == ';')
+    if (code.empty() || code.front() == '#' || code.front() == '(' || code.front() == '/' ||
+        code.front() == ';')
         return true;
-    static constexpr std::string_view keywords[] = {"IF[", "IF [", "WHILE", "GOTO", "END", "DO", "POPEN", "PCLOS", "DPRNT",
-                                                    "BPRNT", "SETVN"};
+    static constexpr std::string_view keywords[] = {"IF[",   "IF [",  "WHILE", "GOTO",  "END",  "DO",
+                                                    "POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"};
     if (starts_with_any(code, keywords)) return true;
     if (!is_letter(code.front())) return false;
     std::size_t value = 1;
@@ -150,12 +156,14 @@ std::optional<std::string> other_text(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return std::nullopt;
     const std::string_view begin = text.substr(first);
-    if (begin.front() == '{' || (begin.front() == '[' && begin.size() > 1 && (begin.find_first_of("{\"") < 20)))
+    if (begin.front() == '{' ||
+        (begin.front() == '[' && begin.size() > 1 && (begin.find_first_of("{\"") < 20)))
         return "JSON";
-    if (begin.starts_with("<?xml") || begin.starts_with("<!DOCTYPE") || begin.starts_with("<html")) return "XML or HTML";
+    if (begin.starts_with("<?xml") || begin.starts_with("<!DOCTYPE") || begin.starts_with("<html"))
+        return "XML or HTML";
     if (head.starts_with("#!")) return "a script";
-    static constexpr std::string_view c_lines[] = {"#include", "#define", "#ifndef", "#ifdef", "#pragma", "int main",
-                                                   "typedef ", "namespace ", "/*"};
+    static constexpr std::string_view c_lines[] = {"#include", "#define",  "#ifndef",    "#ifdef", "#pragma",
+                                                   "int main", "typedef ", "namespace ", "/*"};
     std::size_t c_signs = 0;
     std::size_t lines = 0;
     for (std::size_t at = first; at < text.size() && lines < 200; ++lines) {
@@ -226,8 +234,9 @@ std::string in_line(std::string_view what, std::size_t line) {
 }
 
 // Extensions that are worth opening. Files without one are when they are named like a program: O9100.
-constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc",  "tap", "ngc", "gcode", "gc", "g",   "eia",
-                                           "iso", "pim", "min", "fan",  "nct", "mac", "prg",   "pgm", "sub", "txt"};
+constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "ngc", "gcode",
+                                           "gc",  "g",   "eia", "iso", "pim", "min", "fan",
+                                           "nct", "mac", "prg", "pgm", "sub", "txt"};
 
 bool is_program_name(std::string_view path) {
     const std::size_t slash = path.find_last_of("/\\");
@@ -256,14 +265,16 @@ Detection detect_dialect(const Source& source) {
         return {nullptr, in_line("HEIDENHAIN Klartext (BEGIN PGM or the like", lines.klartext_line), false};
     if (lines.din_plus != 0)
         return {nullptr, in_line("HEIDENHAIN DIN PLUS (a section word", lines.din_plus_line), false};
-    if (lines.o_words != 0) return {nullptr, in_line("LinuxCNC (an o-word or a named parameter", lines.o_word_line), false};
+    if (lines.o_words != 0)
+        return {nullptr, in_line("LinuxCNC (an o-word or a named parameter", lines.o_word_line), false};
     if (extension == "mpf" || extension == "spf" || extension == "arc")
         return {nullptr, "SINUMERIK (extension ." + extension + ")", false};
     if (lines.siemens >= 4) return {nullptr, in_line("SINUMERIK (its words", lines.siemens_line), false};
     if (lines.blocks * 3 < lines.filled) return {nullptr, "no NC program (few lines look like blocks)", true};
     if (has_nct_head(lines.first) && lines.nct != 0)
         return {find_dialect("nct"), in_line("content (an NCT form", lines.nct_line), false};
-    return {fanuc, extension.empty() ? std::string("content") : "extension ." + extension + " and content", false};
+    return {fanuc, extension.empty() ? std::string("content") : "extension ." + extension + " and content",
+            false};
 }
 
 bool has_nc_extension(std::string_view path) {

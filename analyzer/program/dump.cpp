@@ -52,7 +52,7 @@ std::string describe(const Program& program, const Call& call) {
 
 std::string describe(const Program& program, const Structure& structure) {
     static constexpr std::string_view constructs[] = {"while", "endless", "choice", "selection"};
-    static constexpr std::string_view parts[] = {"open", "middle", "close"};
+    static constexpr std::string_view parts[] = {"open", "middle", "leave", "close"};
     std::string out(parts[static_cast<std::size_t>(structure.part)]);
     out += ' ';
     out += constructs[static_cast<std::size_t>(structure.construct)];

@@ -195,8 +195,8 @@ struct UnreadableBlock {
 };
 
 struct Effect {
-    std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call, EndModalCall,
-                 Return, Exchange, Guarded, UnreadableBlock>
+    std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call,
+                 EndModalCall, Return, Exchange, Guarded, UnreadableBlock>
         what;
     Span span;
 };

@@ -45,13 +45,13 @@ struct Place {
 
 /// What a rule may say about a modal group that a program leaves changed.
 enum class Concern : std::uint8_t {
-    none,        ///< nothing: no custom asks to put it back
-    state,       ///< a way of reading words (plane, distance, units): MAC501
-    operation,   ///< something that acts on every later move until cancelled: MAC502
-    cycle,       ///< a canned cycle, which every later position runs until cancelled, at most to the program's
-                 ///< end: MAC502
-    value,       ///< feed or speed: MAC503
-    motion,      ///< the motion mode itself: MAC504
+    none,      ///< nothing: no custom asks to put it back
+    state,     ///< a way of reading words (plane, distance, units): MAC501
+    operation, ///< something that acts on every later move until cancelled: MAC502
+    cycle,     ///< a canned cycle, which every later position runs until cancelled, at most to the program's
+               ///< end: MAC502
+    value,     ///< feed or speed: MAC503
+    motion,    ///< the motion mode itself: MAC504
     suppression, ///< single block, feed hold, override switched off: MAC515
     modal_call,  ///< a macro called after every move: MAC413
     own_rule,    ///< a rule of its own speaks of it, found by the group's name
@@ -92,6 +92,7 @@ struct VariableRange {
     bool changes_by_itself; ///< inputs, timers, positions: a loop that waits for it can end
     std::string_view what;  ///< "modal G code of group 03"
     std::string_view source;
+    bool is_bit = false; ///< 0 or 1, nothing else
 };
 
 /// All variable numbers that one kind of index can reach (`#[…]` on Fanuc-like controls).

@@ -21,7 +21,7 @@ Span span_of(const ProgramAnalysis& analysis, const dataflow::ModalPart& part) {
 
 std::optional<Leftover> leftover_of(const ProgramAnalysis& analysis, GroupId group, const IsFault& is_fault) {
     std::optional<Leftover> last;
-    bool on_every_way = true;
+    bool elsewhere_right = false;
     for (const dataflow::ExitState& exit : analysis.facts().exits) {
         if (exit.exit.kind == flow::ExitKind::alarm) continue;
         const dataflow::ModalValue& value = analysis.data().modal(exit.state, group);
@@ -29,12 +29,13 @@ std::optional<Leftover> leftover_of(const ProgramAnalysis& analysis, GroupId gro
         for (const dataflow::ModalPart& part : value.parts) {
             const bool fault = part.origin != 0 && !is_from_call(analysis, part) &&
                                is_fault(analysis.control().groups[group], group, exit, part);
-            on_every_way &= fault;
+            // A way on which nothing sets the group, as when a word is ignored, puts nothing back.
+            elsewhere_right |= part.origin != 0 && !fault;
             if (fault && (!last || span_of(analysis, last->part).begin < span_of(analysis, part).begin))
                 last = Leftover{group, part, &exit, true};
         }
     }
-    if (last) last->on_every_way = on_every_way;
+    if (last) last->on_every_way = !elsewhere_right;
     return last;
 }
 
@@ -46,11 +47,22 @@ std::string words_for(flow::ExitKind kind) {
     }
 }
 
+/// A jump that nobody can say whether it is taken: to blocks that run as a subprogram of this program. A
+/// return then need not leave it.
+bool may_return_within(const Program& program) {
+    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
+        const auto* guarded = std::get_if<Guarded>(&effect.what);
+        return guarded != nullptr &&
+               std::holds_alternative<Unreadable>(program.expressions[guarded->condition].node);
+    });
+}
+
 } // namespace
 
 std::vector<Leftover> find_leftovers(const ProgramAnalysis& analysis, Concern concern,
                                      const IsFault& is_fault) {
     std::vector<Leftover> leftovers;
+    if (may_return_within(analysis.program())) return leftovers;
     const auto& groups = analysis.control().groups;
     for (std::size_t group = 0; group < groups.size(); ++group) {
         if (groups[group].concern != concern) continue;

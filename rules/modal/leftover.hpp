@@ -16,7 +16,7 @@ struct Leftover {
     GroupId group;
     dataflow::ModalPart part;        ///< the last in the text that sets the group so
     const dataflow::ExitState* exit; ///< where it is still in force
-    bool on_every_way;               ///< false: on other ways the group is as it should be
+    bool on_every_way;               ///< false: on other ways the program puts the group right
 };
 
 /// Whether this way of a group at an exit is one that the rule speaks of.

@@ -136,7 +136,9 @@ std::optional<Irregularity> Clues::parenthesis_as_bracket() const {
         const bool touches = before.span.end == comment.span.begin;
         const bool certain =
             is_function(word) || ((word == "IF" || word == "WHILE") && looks_like_expression(comment));
-        const bool operand = wants_value(before) && looks_like_expression(comment);
+        const bool operand = (wants_value(before) || before.kind == TokenKind::sharp || word == "GOTO" ||
+                              word == "DO" || word == "END") &&
+                             looks_like_expression(comment);
         const bool address =
             word.size() == 1 && touches && looks_like_expression(comment) && word != "N" && word != "O";
         if (!certain && !operand && !address) continue;
@@ -199,7 +201,12 @@ std::optional<Irregularity> Clues::unknown_keyword() const {
         if (i > 0 && tokens_[i - 1].kind == TokenKind::sharp) continue; // a name
         const std::string word = capitals(token);
         if (word == "DPRNT" || word == "BPRNT" || word == "SETVN") return std::nullopt; // free text follows
-        if (is_known(token, at(i + 1), depth)) continue;
+        const Token* next = at(i + 1);
+        if (is_operator_word(word) && next != nullptr && next->kind == TokenKind::letters &&
+            (capitals(*next) == "THEN" || capitals(*next) == "GOTO"))
+            return make(Irregular::unknown_keyword, join(token.span, next->span),
+                        text_.substr(token.span.begin, next->span.end - token.span.begin), capitals(*next));
+        if (is_known(token, next, depth)) continue;
         return make(Irregular::unknown_keyword, token.span, text(token), explain(word).meant);
     }
     return std::nullopt;
@@ -292,12 +299,20 @@ const syntax::Node* first_error(const syntax::Tree& tree) {
     return nullptr;
 }
 
+/// What the parser put in, in the user's words.
+std::string expected_word(const syntax::Node& node) {
+    if (kind_of(node) == Kind::variable) return "a variable";
+    if (kind_of(node) == Kind::number) return "a number";
+    const std::string name(syntax::symbol_name(grammar, node.symbol));
+    return node.named ? name : "'" + name + "'";
+}
+
 Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& tree) {
     Span span = block;
     std::string expected;
     if (const syntax::Node* error = first_error(tree)) {
         if (error->missing)
-            expected = "'" + std::string(syntax::symbol_name(grammar, error->symbol)) + "'";
+            expected = expected_word(*error);
         else if (!error->span.empty())
             span = {block.begin + error->span.begin, block.begin + error->span.end};
     }

@@ -110,9 +110,11 @@ class Reader {
     }
 
     Offset read_with_grammar(Offset at) {
-        cut_block(text_, at, raw_);
-        if (raw_.span.empty()) return raw_.next > at ? raw_.next : at + 1;
-        if (text_[raw_.span.begin] == '%') return take_tape_mark(raw_.span.begin);
+        const Offset first = skip_blanks(text_, at);
+        if (first == text_.size()) return first;
+        if (text_[first] == '%') return take_tape_mark(first);
+        cut_block(text_, first, raw_);
+        if (raw_.span.empty()) return raw_.next;
         const std::string code = bare(text_, raw_);
         const bool only_comments = code.empty();
         if (!only_comments) {
@@ -224,7 +226,8 @@ class Reader {
         return trees.parse(block, shape_);
     }
 
-    /// The lexer that tree-sitter generates must not meet the end of the text inside `DPRNT[`: it would not return.
+    /// The lexer that tree-sitter generates must not meet the end of the text inside `DPRNT[`: it would not
+    /// return.
     std::string_view with_end_of_block(Span block) {
         const std::string_view text = text_.substr(block.begin, raw_.next - block.begin);
         if (is_line_end(text.back()) || text.back() == ';') return text;
@@ -294,7 +297,7 @@ class Reader {
     RunTotals run_;
     RawBlock raw_;
     std::string shape_;
-    std::string ended_; ///< a copy of the last block, with an end of block
+    std::string ended_;       ///< a copy of the last block, with an end of block
     std::size_t waiting_ = 0; ///< first comment without a next block
     bool tape_open_ = true;
     bool program_open_ = false;
