@@ -111,11 +111,17 @@ Span place_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return back.jump ? effects[*back.jump].span : analysis.graph().nodes[loop.latch].part;
 }
 
+bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    return loop.structure &&
+           analysis.structures().all[*loop.structure].construct == Construct::endless_loop;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Loop& loop : analysis.loops()) {
         if (loop.can_stop) continue;
         // A jump back without a condition and a way out repeats a program on purpose, as M99 does.
         if (!loop.structure && loop.ways_out.empty()) continue;
+        if (has_no_condition(analysis, loop)) continue; // MAC318 owns DO without WHILE
         const Deciders deciders = deciders_of(analysis, loop);
         if (!deciders.fixed) continue;
         const Span span = place_of(analysis, loop);
