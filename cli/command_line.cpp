@@ -95,7 +95,8 @@ void declare_check(CLI::App& check, CheckWords& words) {
     const auto repeatable = [](CLI::Option* option) {
         return option->type_size(1)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     };
-    check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)");
+    check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)")
+        ->type_name("");
     check.add_option("--format", words.format, "What goes to standard output: text, concise, json or sarif")
         ->type_name("FORMAT");
     repeatable(check.add_option("--output", words.outputs, "Also write a report to a file; may be repeated"))
@@ -243,7 +244,7 @@ void parse(CLI::App& app, std::vector<std::string> arguments) {
     refuse_unknown(app);
 }
 
-std::string help_of(const CLI::App& app) { return app.help("maclint " + app.get_name()); }
+std::string help_of(const CLI::App& app) { return app.help("maclint"); }
 
 /// A path that does not exist but looks like a command was meant as one.
 void suggest_command(const std::vector<std::string>& paths) {
@@ -254,14 +255,15 @@ void suggest_command(const std::vector<std::string>& paths) {
                *command + "'?");
 }
 
-std::string overview(const CLI::App& check) {
+std::string overview(CLI::App& check) {
+    check.name("[check]");
     return "maclint finds in NC programs what the control would only find with the spindle turning.\n\n"
            "Commands:\n"
            "  maclint [check] [PATH...]   lint files and folders\n"
            "  maclint rules               the list of rules\n"
            "  maclint explain RULE        a rule's page\n"
            "  maclint --version           the version\n\n" +
-           check.help("maclint [check]") +
+           check.help("maclint") +
            "\nExit status: 0 nothing at or above --fail-on, 1 findings, 2 wrong usage, configuration or "
            "input.\n";
 }
@@ -304,7 +306,7 @@ Request read_explain(std::vector<std::string> arguments) {
     CLI::App app("A rule's page.", "explain");
     ExplainRequest request;
     app.set_help_flag("--help,-h", "This text");
-    app.add_option("RULE", request.rule, "Code or name, in any case");
+    app.add_option("RULE", request.rule, "Code or name, in any case")->type_name("");
     try {
         parse(app, std::move(arguments));
     } catch (const Refused& refused) {

@@ -22,6 +22,8 @@ constexpr std::string_view schema = "https://json.schemastore.org/sarif-2.1.0.js
 constexpr std::string_view root_id = "%SRCROOT%";
 constexpr Offset longest_snippet = 4096; ///< bytes; a report is no copy of the programs
 constexpr std::string_view help_base = MACLINT_HELP_BASE_URL;
+/// For builds without a published address: ".invalid" never leads anywhere (RFC 2606).
+constexpr std::string_view no_address = "https://maclint.invalid";
 
 struct NoticeRow {
     NoticeKind kind;
@@ -276,7 +278,10 @@ class SarifWriter {
         for (const Rule* rule : all_rules()) rules.push_back(rule_of(*rule));
         Json notices = Json::array();
         for (const NoticeRow& row : notice_rows)
-            notices.push_back({{"id", row.id}, {"shortDescription", text_message(row.description)}});
+            notices.push_back({{"id", row.id},
+                               {"shortDescription", text_message(row.description)},
+                               {"fullDescription", text_message(row.description)},
+                               {"help", text_message("The message tells what to do.")}});
         Json driver = {{"name", "maclint"},
                        {"fullName", "maclint, a static analyser for NC programs"},
                        {"version", MACLINT_VERSION},
@@ -284,7 +289,7 @@ class SarifWriter {
                        {"language", "en"},
                        {"rules", std::move(rules)},
                        {"notifications", std::move(notices)}};
-        if (!help_base.empty()) driver["informationUri"] = help_base;
+        driver["informationUri"] = help_base.empty() ? no_address : help_base;
         Json supported = Json::array();
         for (const auto& [control, alarms] : alarms_by_control())
             supported.push_back({{"name", taxonomy_name(control)}});
