@@ -3,6 +3,7 @@
 
 #include "analyzer/source/encoding.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace maclint {
@@ -63,22 +64,56 @@ Span span_of(const ProgramAnalysis& analysis, const dataflow::Origin& origin) {
                                                             : analysis.graph().nodes[0].part;
 }
 
+/// The nodes from which the end can be reached.
+std::vector<bool> leading_to(const ProgramAnalysis& analysis, flow::NodeId end) {
+    const flow::Graph& graph = analysis.graph();
+    std::vector<bool> leads(graph.nodes.size(), false);
+    std::vector<flow::NodeId> stack{end};
+    leads[end] = true;
+    while (!stack.empty()) {
+        const flow::NodeId node = stack.back();
+        stack.pop_back();
+        for (const flow::EdgeId id : graph.in[node]) {
+            const flow::NodeId from = graph.edges[id].from;
+            if (leads[from] || !analysis.data().passable(id)) continue;
+            leads[from] = true;
+            stack.push_back(from);
+        }
+    }
+    return leads;
+}
+
+/// Whether the other side of a branch would have led there, too.
+bool has_choice(const ProgramAnalysis& analysis, flow::EdgeId taken, const std::vector<bool>& leads) {
+    const flow::Graph& graph = analysis.graph();
+    return std::ranges::any_of(graph.out[graph.edges[taken].from], [&](flow::EdgeId id) {
+        return id != taken && analysis.data().passable(id) && leads[graph.edges[id].to];
+    });
+}
+
 } // namespace
 
-std::vector<Remark> way_between(const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to) {
+std::vector<Remark> steps_along(const ProgramAnalysis& analysis, std::span<const flow::EdgeId> way) {
     std::vector<Remark> remarks;
+    if (way.empty()) return remarks;
+    const flow::Graph& graph = analysis.graph();
+    const std::vector<bool> leads = leading_to(analysis, graph.edges[way.back()].to);
+    for (const flow::EdgeId id : way) {
+        const flow::Edge& edge = graph.edges[id];
+        if (edge.kind == flow::EdgeKind::branch && !has_choice(analysis, id, leads)) continue;
+        std::string words = words_for(analysis, edge);
+        if (!words.empty())
+            remarks.push_back({&analysis.file(), span_of(analysis.program(), edge, graph), std::move(words)});
+    }
+    if (remarks.size() > most_steps)
+        remarks.erase(remarks.begin(), remarks.end() - static_cast<std::ptrdiff_t>(most_steps));
+    return remarks;
+}
+
+std::vector<Remark> way_between(const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to) {
     const auto passable = [&](flow::EdgeId edge) { return analysis.data().passable(edge); };
     const auto way = analysis.graph().way(from, to, passable);
-    if (!way) return remarks;
-    for (const flow::EdgeId id : *way) {
-        if (remarks.size() == most_steps) break;
-        const flow::Edge& edge = analysis.graph().edges[id];
-        std::string words = words_for(analysis, edge);
-        if (words.empty()) continue;
-        remarks.push_back(
-            {&analysis.file(), span_of(analysis.program(), edge, analysis.graph()), std::move(words)});
-    }
-    return remarks;
+    return way ? steps_along(analysis, *way) : std::vector<Remark>{};
 }
 
 Remark remark_at(const ProgramAnalysis& analysis, dataflow::OriginId origin, std::string text) {

@@ -4,12 +4,18 @@
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/finding.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
 namespace maclint {
 
-/// The jumps and branches on a shortest possible way between two nodes, in execution order; at most twelve.
+/// The jumps and branches on this way, in execution order. Branches whose other side does not lead to the
+/// way's end go without saying; of the rest the last twelve are told.
+[[nodiscard]] std::vector<Remark> steps_along(const ProgramAnalysis& analysis,
+                                              std::span<const flow::EdgeId> way);
+
+/// The steps along a shortest possible way between two nodes.
 [[nodiscard]] std::vector<Remark> way_between(const ProgramAnalysis& analysis, flow::NodeId from,
                                               flow::NodeId to);
 

@@ -16,10 +16,10 @@ extern const Rule infinite_loop_unchanged{
     .code = "MAC319",
     .name = "infinite-loop-unchanged",
     .aliases = "DIN406",
-    .summary = "Nothing that decides whether a loop ends changes in its body: once entered, it never ends.",
+    .summary = "Nothing that decides whether a loop ends changes in its body: once entered, it never ends",
     .why = "The control repeats the same moves until somebody presses reset, or stands still without an "
            "alarm when "
-           "nothing in the loop moves.",
+           "nothing in the loop moves",
     .severity = Severity::error,
     .precision = Precision::high,
     .on_by_default = true,
@@ -60,9 +60,22 @@ struct Deciders {
     bool fixed = true;
 };
 
+/// A loop that neither moves nor computes waits for somebody else: an operator, a robot, another path.
+bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    for (const flow::NodeId node : loop.body) {
+        const flow::Node& n = analysis.graph().nodes[node];
+        if (n.is_run && std::get<Run>(analysis.program().items[n.item]).moves) return false;
+        for (const Effect& effect : analysis.program().effects_in(n.effects))
+            if (std::holds_alternative<Motion>(effect.what) || std::holds_alternative<Assign>(effect.what))
+                return false;
+    }
+    return true;
+}
+
 bool can_change(const ProgramAnalysis& analysis, const dataflow::Loop& loop, Place place) {
     const bool own = analysis.control().spaces[place.space].scope == Scope::frame;
-    return (!own && loop.has_unknown_effects) || dataflow::disturbed_in(loop, analysis.facts(), place) ||
+    return (!own && (loop.has_unknown_effects || waits(analysis, loop))) ||
+           dataflow::disturbed_in(loop, analysis.facts(), place) ||
            !dataflow::stores_in(loop, analysis.facts(), place).empty();
 }
 
@@ -99,11 +112,17 @@ Span place_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return back.jump ? effects[*back.jump].span : analysis.graph().nodes[loop.latch].part;
 }
 
+bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    return loop.structure &&
+           analysis.structures().all[*loop.structure].construct == Construct::endless_loop;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Loop& loop : analysis.loops()) {
         if (loop.can_stop) continue;
         // A jump back without a condition and a way out repeats a program on purpose, as M99 does.
         if (!loop.structure && loop.ways_out.empty()) continue;
+        if (has_no_condition(analysis, loop)) continue; // MAC318 owns DO without WHILE
         const Deciders deciders = deciders_of(analysis, loop);
         if (!deciders.fixed) continue;
         const Span span = place_of(analysis, loop);

@@ -18,7 +18,7 @@ extern const Rule compensation_or_transform_left_active{
     .aliases = "",
     .summary = "A program ends with cutter compensation, a canned cycle, rotation, polar "
                "coordinates, scaling, mirror image or a local offset active that it switched on "
-               "itself.",
+               "itself",
     .why = "Every later move is shifted, turned, mirrored or drilled: the caller, or the next "
            "program when reset does not cancel it, cuts somewhere else than it was told to.",
     .severity = Severity::warning,

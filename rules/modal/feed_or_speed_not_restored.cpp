@@ -16,9 +16,9 @@ extern const Rule feed_or_speed_not_restored{
     .code = "MAC503",
     .name = "feed-or-speed-not-restored",
     .aliases = "",
-    .summary = "A macro changes F or S and does not put the caller's value back.",
+    .summary = "A macro changes F or S and does not put the caller's value back",
     .why = "The caller's next block without F or S moves or turns at the macro's value: a plunge "
-           "feed for a finishing cut, or a rapid one into the material.",
+           "feed for a finishing cut, or a rapid one into the material",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,
@@ -46,12 +46,14 @@ extern const Rule feed_or_speed_not_restored{
 namespace {
 
 /// A value of this macro's own: not the caller's, not what may be a saved copy, not MAC505's wrong variable.
-bool is_fault(const ProgramAnalysis& analysis, const dataflow::ExitState& exit,
+/// A speed that the caller passes is the speed it wants.
+bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
               const dataflow::ModalPart& part) {
     if (exit.exit.kind != flow::ExitKind::returns) return false;
     const dataflow::Symbol& symbol = analysis.data().pool().symbols[part.symbol];
     using Kind = dataflow::Symbol::Kind;
-    return symbol.kind == Kind::constant || symbol.kind == Kind::entry || symbol.kind == Kind::result;
+    if (symbol.kind == Kind::entry) return group.letter == 'F';
+    return symbol.kind == Kind::constant || symbol.kind == Kind::result;
 }
 
 /// #4109 for F.
@@ -65,9 +67,10 @@ std::string variable_of(const ControlModel& control, GroupId group) {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.is_macro()) return;
-    const auto leftovers = find_leftovers(analysis, Concern::value,
-                                          [&](const ModalGroup&, GroupId, const auto& exit,
-                                              const auto& part) { return is_fault(analysis, exit, part); });
+    const auto leftovers = find_leftovers(
+        analysis, Concern::value, [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+            return is_fault(analysis, group, exit, part);
+        });
     for (const Leftover& leftover : leftovers) {
         const ModalGroup& group = analysis.control().groups[leftover.group];
         report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",

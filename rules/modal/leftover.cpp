@@ -47,11 +47,22 @@ std::string words_for(flow::ExitKind kind) {
     }
 }
 
+/// A jump that nobody can say whether it is taken: to blocks that run as a subprogram of this program. A
+/// return then need not leave it.
+bool may_return_within(const Program& program) {
+    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
+        const auto* guarded = std::get_if<Guarded>(&effect.what);
+        return guarded != nullptr &&
+               std::holds_alternative<Unreadable>(program.expressions[guarded->condition].node);
+    });
+}
+
 } // namespace
 
 std::vector<Leftover> find_leftovers(const ProgramAnalysis& analysis, Concern concern,
                                      const IsFault& is_fault) {
     std::vector<Leftover> leftovers;
+    if (may_return_within(analysis.program())) return leftovers;
     const auto& groups = analysis.control().groups;
     for (std::size_t group = 0; group < groups.size(); ++group) {
         if (groups[group].concern != concern) continue;

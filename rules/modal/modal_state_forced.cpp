@@ -17,7 +17,7 @@ extern const Rule modal_state_forced{
     .name = "modal-state-forced",
     .aliases = "",
     .summary = "A called program ends with a group set to its customary code (G90, G17, G94 ...) "
-               "without having saved what the caller had.",
+               "without having saved what the caller had",
     .why = "A caller in another mode comes back to the customary one, and its next words mean "
            "something else.",
     .severity = Severity::note,

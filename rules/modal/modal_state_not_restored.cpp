@@ -17,7 +17,7 @@ extern const Rule modal_state_not_restored{
     .name = "modal-state-not-restored",
     .aliases = "",
     .summary = "A called program leaves a modal group at a code that is not the customary one, on "
-               "every way out or on some.",
+               "every way out or on some",
     .why = "The caller goes on in another mode than the one it was written in: with G91 its next "
            "absolute position is an incremental move, with G18 its next arc lies in another "
            "plane.",

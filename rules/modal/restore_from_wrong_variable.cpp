@@ -18,7 +18,7 @@ extern const Rule restore_from_wrong_variable{
     .name = "restore-from-wrong-variable",
     .aliases = "",
     .summary = "A word is given a copy of a system variable of another meaning: F from #4019, G "
-               "from #4109.",
+               "from #4109",
     .why = "The caller's feed, speed or mode is replaced by an unrelated number: F19. instead of "
            "F800., or a G code that the control does not know.",
     .severity = Severity::error,

@@ -19,7 +19,7 @@ extern const Rule saved_after_change{
     .name = "saved-after-change",
     .aliases = "",
     .summary = "A modal value is saved after the program has already changed that group: what is "
-               "put back is the program's own value.",
+               "put back is the program's own value",
     .why = "The caller comes back to the mode of the macro, although the macro looks as if it "
            "restored it.",
     .severity = Severity::warning,

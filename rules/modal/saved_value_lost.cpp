@@ -19,7 +19,7 @@ extern const Rule saved_value_lost{
     .name = "saved-value-lost",
     .aliases = "",
     .summary = "The variable that holds a saved modal value is overwritten before the value is "
-               "put back.",
+               "put back",
     .why = "The word that should restore the caller's mode gives the control some other number: "
            "another G code, or one that it does not know.",
     .severity = Severity::warning,

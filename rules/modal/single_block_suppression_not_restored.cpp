@@ -17,7 +17,7 @@ extern const Rule single_block_suppression_not_restored{
     .name = "single-block-suppression-not-restored",
     .aliases = "",
     .summary = "#3003 or #3004 is set and not put back to 0 on every way out: single block, feed "
-               "hold and override stay disabled.",
+               "hold and override stay disabled",
     .why = "The operator presses feed hold or switches to single block, and the machine goes on "
            "moving.",
     .severity = Severity::warning,

@@ -16,7 +16,7 @@ extern const Rule float_loop_counter{
     .name = "float-loop-counter",
     .aliases = "",
     .summary = "A loop advances by a step that binary arithmetic cannot hold: the last pass is "
-               "missing or comes twice.",
+               "missing or comes twice",
     .why = "Ten steps of 0.1 are not 1. Whether the last pass runs depends on the control, and on "
            "the numbers of the day.",
     .severity = Severity::warning,

@@ -1,7 +1,8 @@
 //! MAC209: a local variable is read although nothing can have set it.
+#include "analyzer/dataflow/ways.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
 #include "rules/rule.hpp"
-#include "rules/trace.hpp"
 
 #include <algorithm>
 
@@ -15,10 +16,10 @@ extern const Rule uninitialised_local{
     .code = "MAC209",
     .name = "uninitialised-local",
     .aliases = "DIN301",
-    .summary = "A local variable is read before anything has set it, and no argument can have done so.",
+    .summary = "A local variable is read before anything has set it, and no argument can have done so",
     .why = "Such a variable is vacant: a word that uses it is ignored (the axis stays where it is, the feed "
            "does "
-           "not change), and arithmetic takes it for 0. The control raises no alarm.",
+           "not change), and arithmetic takes it for 0. The control raises no alarm",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,
@@ -66,6 +67,22 @@ bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read
            analysis.data().value_at_entry(read.place).vacancy == dataflow::Vacancy::vacant;
 }
 
+/// How the program can get here without setting the variable; nothing when it cannot. A comparison may be the
+/// very test that takes care of vacancy.
+std::optional<std::vector<flow::EdgeId>> way_to(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (read.value.vacancy == dataflow::Vacancy::maybe && read.use == dataflow::Use::comparison)
+        return std::nullopt;
+    return dataflow::way_without_assignment(analysis.program(), analysis.graph(), analysis.data(), read.place,
+                                            read.node);
+}
+
+/// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
+bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    return std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
+        return store.effect == read.effect && store.place == read.place && store.step;
+    });
+}
+
 std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     if (read.value.vacancy == dataflow::Vacancy::maybe) return "some-ways";
     if (analysis.is_main()) return "main";
@@ -79,14 +96,21 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     std::vector<Place> known;
     for (const dataflow::Read& read : analysis.facts().reads) {
-        if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
+        if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read) ||
+            counts(analysis, read))
+            continue;
         if (std::ranges::find(known, read.place) != known.end()) continue;
+        const auto way = way_to(analysis, read);
+        if (!way && read.value.vacancy != dataflow::Vacancy::vacant) continue;
         known.push_back(read.place);
         const Span span = program.expressions[read.expression].span;
         const std::string name = program.spell(read.place);
         Finding& finding = reporter.report(analysis.file(), span, message_for(analysis, read), {name});
-        trace(finding, analysis, read.value.doubt, name + " is vacant when the program begins", read.node,
-              name + " is read");
+        finding.path.push_back(
+            remark_at(analysis, read.value.doubt, name + " is vacant when the program begins"));
+        for (Remark& step : way ? steps_along(analysis, *way) : way_between(analysis, 0, read.node))
+            finding.path.push_back(std::move(step));
+        finding.path.push_back({&analysis.file(), span, name + " is read"});
     }
 }
 

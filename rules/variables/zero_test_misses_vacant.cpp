@@ -17,10 +17,10 @@ extern const Rule zero_test_misses_vacant{
     .code = "MAC220",
     .name = "zero-test-misses-vacant",
     .aliases = "",
-    .summary = "EQ 0 or NE 0 on a value that can be vacant: vacant is not equal to 0 there.",
+    .summary = "EQ 0 or NE 0 on a value that can be vacant: vacant is not equal to 0 there",
     .why =
         "When the argument is missing, the test takes it for a number other than 0: the check is passed, and "
-        "arithmetic behind it works with 0 all the same.",
+        "arithmetic behind it works with 0 all the same",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,
@@ -67,6 +67,16 @@ bool tests_both(const ProgramAnalysis& analysis, const dataflow::Comparison& com
     });
 }
 
+/// IF[#3EQ0]GOTO1, IF[#3EQ1]GOTO2 …: a choice among numbers, whose default a missing argument takes as well.
+bool is_choice(const ProgramAnalysis& analysis, Place place) {
+    const Program& program = analysis.program();
+    return std::ranges::any_of(analysis.facts().comparisons, [&](const dataflow::Comparison& other) {
+        const auto constant = other.right.constant();
+        return other.operation == Operation::equal && constant && *constant != 0 &&
+               dataflow::plain_place(program, other.left_expression) == place;
+    });
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
@@ -78,7 +88,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (value.vacancy != dataflow::Vacancy::maybe || value.doubt == 0) continue;
         const auto place = dataflow::plain_place(program, zero_left ? comparison.right_expression
                                                                     : comparison.left_expression);
-        if (!place || tests_both(analysis, comparison, *place)) continue;
+        if (!place || tests_both(analysis, comparison, *place) || is_choice(analysis, *place)) continue;
         const Span span = program.expressions[comparison.expression].span;
         const std::string name = program.spell(*place);
         Finding& finding = reporter.report(analysis.file(), span,

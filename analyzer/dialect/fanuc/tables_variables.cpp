@@ -64,8 +64,10 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({  100,    199,  place,   spaces::common,   0,            store,     false, "common variable",                         "SEED-001:162"});
     add({  200,    499,  place,   spaces::common,   0,            store,     false, "common variable (option)",                "T"});
     add({  500,    999,  place,   spaces::retained, 0,            store,     false, "retained common variable",                "SEED-001:162"});
-    add({ 1000,   1099,  machine, here,             0,            forbidden, true,  "input from the PMC",                      "T"});
-    add({ 1100,   1199,  machine, here,             0,            store,     false, "output to the PMC",                       "T; HAAS-LA"});
+    add({ 1000,   1031,  machine, here,             0,            forbidden, true,  "input from the PMC",                      "T", true});
+    add({ 1032,   1099,  machine, here,             0,            forbidden, true,  "input word from the PMC",                 "T"});
+    add({ 1100,   1131,  machine, here,             0,            store,     false, "output to the PMC",                       "T; HAAS-LA", true});
+    add({ 1132,   1199,  machine, here,             0,            store,     false, "output word to the PMC",                  "T"});
     add({ 1200,   1999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
     add({ 2000,   2999,  machine, here,             0,            store,     false, "tool or work offset",                     "SEED-001:1312-1333; T"});
     add({ 3000,   3000,  machine, here,             0,            alarm,     false, "macro alarm",                             "CNCCI; ZAPP-ALM"});
