@@ -20,17 +20,25 @@ std::unique_ptr<Workspace> analyse(const std::vector<ReadFile>& files, unsigned 
     return Workspace::analyse(std::move(members), {complete, jobs});
 }
 
-/// What any file wants; each file drops what it did not.
+/// What any file wants, or needs to have its suppressions judged; each file drops what it did not want.
 Selection selection_of(const std::vector<ReadFile>& files) {
-    std::vector<const RuleStates*> states;
-    for (const ReadFile& file : files)
-        if (file.file && file.input.asked) states.push_back(file.settings.rules.get());
-    std::ranges::sort(states);
-    states.erase(std::ranges::unique(states).begin(), states.end());
+    const Rule& unused_suppression = *find_rule("MAC001");
+    std::vector<bool> wanted(all_rules().size());
+    std::vector<const RuleStates*> seen;
+    for (const ReadFile& file : files) {
+        if (!file.file || !file.input.asked) continue;
+        const RuleStates& states = *file.settings.rules;
+        if (states.of(unused_suppression).on)
+            for (const Rule* rule : rules_in_suppressions(*file.file))
+                wanted[RuleStates::index_of(*rule)] = true;
+        if (std::ranges::find(seen, &states) != seen.end()) continue;
+        seen.push_back(&states);
+        for (std::size_t i = 0; i < wanted.size(); ++i)
+            if (states.all()[i].on) wanted[i] = true;
+    }
     Selection selection;
-    for (const Rule* rule : all_rules())
-        if (std::ranges::any_of(states, [rule](const RuleStates* all) { return all->of(*rule).on; }))
-            selection.rules.push_back(rule);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i]) selection.rules.push_back(all_rules()[i]);
     return selection;
 }
 

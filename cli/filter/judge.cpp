@@ -122,13 +122,10 @@ class Suppressions {
     std::unordered_map<const Rule*, Allowance*> off_;
 };
 
-/// Whether it is known that the token could have been of use: what it names has run.
-bool has_run(const RuleToken& token, const RuleStates& rules) {
-    const auto is_on = [&](const Rule* rule) { return rules.of(*rule).on; };
-    const auto expected = [&](const Rule* rule) { return !rule->on_by_default || is_on(rule); };
+/// Whether MAC001 may speak of the token: what it names has run, see rules_in_suppressions.
+bool is_judged(const RuleToken& token) {
     const bool only_itself = token.rules.size() == 1 && token.rules.front()->code == unused_suppression;
-    return !only_itself && std::ranges::any_of(token.rules, is_on) &&
-           std::ranges::all_of(token.rules, expected);
+    return !token.rules.empty() && !only_itself;
 }
 
 /// The comment with what separates it from its neighbours; the whole line when nothing else stands on it.
@@ -197,12 +194,12 @@ class FileJudge {
     void take(std::vector<Finding> findings) {
         std::ranges::stable_sort(findings, comes_before);
         for (Finding& finding : findings) {
-            const RuleState& state = rules_.of(*finding.rule);
-            if (!state.on) continue;
-            finding.severity = state.severity == finding.rule->severity ? finding.severity : state.severity;
             std::optional<Suppression> suppressed;
             if (const Allowance* allowance = suppressions_.find(finding))
                 suppressed = Suppression{allowance->directive->comment->span, allowance->directive->reason};
+            const RuleState& state = rules_.of(*finding.rule);
+            if (!state.on) continue; // it ran only to tell whether its suppressions are of use
+            finding.severity = state.severity == finding.rule->severity ? finding.severity : state.severity;
             judged_.push_back({std::move(finding), std::move(suppressed)});
         }
     }
@@ -214,7 +211,7 @@ class FileJudge {
             const Directive& directive = *all[i].directive;
             std::vector<const RuleToken*> tokens;
             for (; i < all.size() && all[i].directive == &directive; ++i)
-                if (!all[i].used && has_run(*all[i].token, rules_)) tokens.push_back(all[i].token);
+                if (!all[i].used && is_judged(*all[i].token)) tokens.push_back(all[i].token);
             if (!tokens.empty()) report_unused(directive, tokens, reporter);
         }
         return reporter.take();
@@ -241,6 +238,17 @@ class FileJudge {
 };
 
 } // namespace
+
+std::vector<const Rule*> rules_in_suppressions(const ProgramFile& file) {
+    std::vector<const Rule*> rules;
+    for (const Comment& comment : file.comments) {
+        const auto directive = read_directive(file, comment);
+        if (!directive || !directive->valid) continue;
+        for (const RuleToken& token : directive->tokens)
+            rules.insert(rules.end(), token.rules.begin(), token.rules.end());
+    }
+    return rules;
+}
 
 std::vector<JudgedFinding> judge(std::vector<Finding> findings, const std::vector<FileRules>& files) {
     std::unordered_map<const ProgramFile*, std::vector<Finding>> by_file;

@@ -8,11 +8,11 @@
 namespace maclint::cli {
 namespace {
 
-std::variant<Source, InputError> open(const ReadFile& file) {
-    auto result = file.input.standard_input ? Source::read_standard_input(file.input.path)
-                                            : Source::read_file(file.input.path);
+std::variant<Source, InputError> open(const InputFile& input, const FileSettings& settings) {
+    auto result =
+        input.standard_input ? Source::read_standard_input(input.path) : Source::read_file(input.path);
     if (const auto* source = std::get_if<Source>(&result)) {
-        const auto& configuration = file.settings.configuration;
+        const auto& configuration = settings.configuration;
         if (configuration && configuration->encoding && *configuration->encoding != source->encoding())
             return source->read_as(*configuration->encoding);
     }
@@ -38,13 +38,25 @@ std::shared_ptr<const ProgramFile> empty_file(std::shared_ptr<const Source> sour
     return file;
 }
 
-void read(ReadFile& file) {
-    auto result = open(file);
-    if (auto* error = std::get_if<InputError>(&result)) {
-        file.notice = Notice{NoticeKind::unreadable, std::move(error->path), std::move(error->message)};
-        return;
-    }
-    auto source = std::make_shared<const Source>(std::get<Source>(std::move(result)));
+ReadFile read(InputFile input, FileSettings settings) {
+    auto result = open(input, settings);
+    if (auto* source = std::get_if<Source>(&result))
+        return read_source(std::move(input), std::move(settings), std::move(*source));
+    auto& error = std::get<InputError>(result);
+    ReadFile file;
+    file.input = std::move(input);
+    file.settings = std::move(settings);
+    file.notice = Notice{NoticeKind::unreadable, std::move(error.path), std::move(error.message)};
+    return file;
+}
+
+} // namespace
+
+ReadFile read_source(InputFile input, FileSettings settings, Source bytes) {
+    ReadFile file;
+    file.input = std::move(input);
+    file.settings = std::move(settings);
+    auto source = std::make_shared<const Source>(std::move(bytes));
     const Detection detection = detect_dialect(*source);
     const bool told = file.settings.dialect != nullptr;
     file.dialect = told ? file.settings.dialect : detection.dialect;
@@ -53,32 +65,31 @@ void read(ReadFile& file) {
         if (file.dialect == nullptr) file.dialect = &dialects().front();
         file.not_nc = detection.reason;
         file.file = empty_file(std::move(source), control_of(file));
-        return;
+        return file;
     }
     if (file.dialect == nullptr || detection.not_nc_text) {
         file.dialect = nullptr;
         file.notice = foreign(file, detection.reason);
-        return;
+        return file;
     }
     file.file = std::make_shared<const ProgramFile>(file.dialect->read(std::move(source), control_of(file)));
+    return file;
 }
-
-} // namespace
 
 std::vector<ReadFile> read_files(std::vector<InputFile> inputs, Settings& settings, unsigned jobs,
                                  Progress& progress) {
-    std::vector<ReadFile> files;
+    std::vector<InputFile> known;
+    std::vector<FileSettings> known_settings;
     for (InputFile& input : inputs) {
         auto found = settings.for_file(input.path);
         if (!found) continue;
-        ReadFile file;
-        file.input = std::move(input);
-        file.settings = *std::move(found);
-        files.push_back(std::move(file));
+        known.push_back(std::move(input));
+        known_settings.push_back(*std::move(found));
     }
+    std::vector<ReadFile> files(known.size());
     progress.begin("reading", files.size());
     for_each_parallel(files.size(), jobs, [&](std::size_t i) {
-        read(files[i]);
+        files[i] = read(std::move(known[i]), std::move(known_settings[i]));
         progress.step();
     });
     return files;

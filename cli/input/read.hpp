@@ -24,6 +24,9 @@ struct ReadFile {
     std::optional<Notice> notice;
 };
 
+/// Finds out what a source is and turns it into programs.
+[[nodiscard]] ReadFile read_source(InputFile input, FileSettings settings, Source source);
+
 /// In the order of `inputs`. Files whose configuration is wrong are left out; `settings` has the notices.
 [[nodiscard]] std::vector<ReadFile> read_files(std::vector<InputFile> inputs, Settings& settings,
                                                unsigned jobs, Progress& progress);

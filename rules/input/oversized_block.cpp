@@ -6,11 +6,11 @@ namespace maclint::rules {
 namespace {
 void check(const ProgramFile& file, Reporter& reporter);
 
-/// A block of some 5 KiB: a comment in it would not count, words do.
+/// An expression of some 5 KiB.
 const std::string& long_block() {
     static const std::string text = [] {
-        std::string block = "O0004(LONG BLOCK)\nG1 ";
-        for (int i = 0; i < 1000; ++i) block += "X1.5 ";
+        std::string block = "O0004(LONG BLOCK)\n#100=1";
+        for (int i = 0; i < 1000; ++i) block += "+#101";
         return block + "\nM30\n";
     }();
     return text;

@@ -1,0 +1,148 @@
+//! What .maclint.json may say, and what its author is told when it says something else.
+#include "cli/config/configuration.hpp"
+#include "cli/config/json_tree.hpp"
+#include "cli/config/settings.hpp"
+#include "tests/support/folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::cli {
+namespace {
+
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::shared_ptr<const Configuration> load(const TemporaryFolder& folder, std::string_view text) {
+    auto result = load_configuration(folder.write(".maclint.json", text));
+    if (const auto* notice = std::get_if<Notice>(&result)) ADD_FAILURE() << notice->message;
+    return std::get<0>(result);
+}
+
+std::string refusal(std::string_view text) {
+    const TemporaryFolder folder;
+    auto result = load_configuration(folder.write(".maclint.json", text));
+    const auto* notice = std::get_if<Notice>(&result);
+    return notice == nullptr ? "accepted" : notice->message;
+}
+
+const RuleState& state(const FileSettings& settings, std::string_view code) {
+    return settings.rules->of(*find_rule(code));
+}
+
+TEST(JsonTree, KnowsWhereKeysAndValuesStand) {
+    const std::string_view text = "// head\n{ \"a\\\"b\": [\"x\", 12] }";
+    const auto parsed = parse_json(text);
+    const auto& object = std::get<JsonNode::Object>(std::get<JsonNode>(parsed).value);
+    ASSERT_EQ(object.size(), 1U);
+    EXPECT_EQ(object[0].key, "a\"b");
+    EXPECT_EQ(text.substr(object[0].key_span.begin, object[0].key_span.length()), "\"a\\\"b\"");
+    const auto& list = std::get<JsonNode::Array>(object[0].node.value);
+    EXPECT_EQ(text.substr(list[0].span.begin, list[0].span.length()), "\"x\"");
+}
+
+TEST(JsonTree, RefusesWhatIsNoJson) {
+    EXPECT_TRUE(std::holds_alternative<JsonError>(parse_json("")));
+    EXPECT_TRUE(std::holds_alternative<JsonError>(parse_json("{\"a\":}")));
+    EXPECT_TRUE(std::holds_alternative<JsonError>(parse_json("{\"a\":1,\"a\":2}")));
+    EXPECT_TRUE(std::holds_alternative<JsonError>(parse_json(std::string(100'000, '['))));
+    EXPECT_TRUE(std::holds_alternative<JsonError>(parse_json("\"\xFF\"")));
+}
+
+TEST(Configuration, SaysWhichControlAndDialectFilesAreFor) {
+    const TemporaryFolder folder;
+    folder.write(".maclint.json", R"({
+        // the lathe has one macro level more
+        "controls": {"L1": {"model": "fanuc-16i", "limits": {"macro-calls": 5}}},
+        "files": [{"glob": "lathe/**", "control": "L1", "dialect": "fanuc"}]})");
+    Settings settings({});
+    const auto lathe = settings.for_file((folder.path() / "lathe/O1.nc").string());
+    ASSERT_TRUE(lathe && lathe->control != nullptr);
+    EXPECT_EQ(lathe->control->limits.macro_calls, 5);
+    EXPECT_FALSE(lathe->control->assumed);
+    EXPECT_EQ(lathe->dialect, find_dialect("fanuc"));
+    const auto mill = settings.for_file((folder.path() / "mill/O1.nc").string());
+    ASSERT_TRUE(mill);
+    EXPECT_EQ(mill->control, nullptr);
+}
+
+TEST(Configuration, TellsUnknownKeysWithTheirPlaceAndTheLikelyOne) {
+    EXPECT_THAT(refusal("{\n  \"selct\": []\n}"), AllOf(HasSubstr("line 2, column 3"), HasSubstr("'selct'"),
+                                                        HasSubstr("Did you mean 'select'?")));
+    EXPECT_THAT(refusal(R"({"controls": {"L1": {"modle": "fanuc"}}})"), HasSubstr("has no 'model'"));
+    EXPECT_THAT(refusal(R"({"controls": {"L1": {"model": "fanuc-16"}}})"),
+                HasSubstr("Did you mean 'fanuc-16i'?"));
+    EXPECT_THAT(refusal(R"({"files": [{"glob": "*", "control": "L1"}]})"), HasSubstr("no control 'L1'"));
+    EXPECT_THAT(refusal(R"({"files": [{"control": "fanuc"}]})"), HasSubstr("no 'glob'"));
+    EXPECT_THAT(refusal(R"({"files": [{"glob": "*", "dialect": "fanu"}]})"),
+                HasSubstr("Did you mean 'fanuc'?"));
+    EXPECT_THAT(refusal(R"({"severity": {"MAC301": "fatal"}})"), HasSubstr("error, warning or note"));
+    EXPECT_THAT(refusal(R"({"encoding": "utf8"})"), HasSubstr("Did you mean 'utf-8'?"));
+    EXPECT_THAT(refusal(R"({"ignore": "MAC301"})"), HasSubstr("must be a list"));
+    EXPECT_THAT(refusal(R"({"complete": 1})"), HasSubstr("true or false"));
+    EXPECT_THAT(refusal("{"), HasSubstr("this is no JSON"));
+}
+
+TEST(Configuration, OfTheNearestFolderUpwardHolds) {
+    const TemporaryFolder folder;
+    folder.write(".maclint.json", R"({"ignore": ["MAC301"]})");
+    folder.write("a/.maclint.json", R"({"ignore": ["MAC303"]})");
+    Settings settings({});
+    const auto near = settings.for_file((folder.path() / "a/b/O1.nc").string());
+    const auto far = settings.for_file((folder.path() / "c/O1.nc").string());
+    EXPECT_TRUE(state(*near, "MAC301").on);
+    EXPECT_FALSE(state(*near, "MAC303").on);
+    EXPECT_FALSE(state(*far, "MAC301").on);
+}
+
+TEST(Configuration, ExtendsAnotherAndReplacesItsLists) {
+    const TemporaryFolder folder;
+    folder.write(
+        "shop.json",
+        R"({"ignore": ["MAC301"], "complete": true, "severity": {"MAC501": "error", "MAC503": "note"}})");
+    const auto configuration =
+        load(folder, R"({"extends": "shop.json", "ignore": ["MAC303"], "severity": {"MAC501": "note"}})");
+    ASSERT_EQ(configuration->ignore.size(), 1U);
+    EXPECT_EQ(configuration->ignore[0].word, "MAC303");
+    EXPECT_TRUE(configuration->complete);
+    ASSERT_EQ(configuration->severity.size(), 2U);
+    EXPECT_EQ(configuration->severity[0].severity, Severity::note);
+}
+
+TEST(Configuration, ThatExtendsItselfIsRefused) {
+    EXPECT_THAT(refusal(R"({"extends": ".maclint.json"})"), HasSubstr("circle"));
+}
+
+TEST(Settings, LayTheCommandLineOverTheConfiguration) {
+    const TemporaryFolder folder;
+    folder.write(".maclint.json",
+                 R"({"select": ["MAC3"], "ignore": ["MAC303"], "per-file-ignores": {"O9*": ["MAC301"]}})");
+    const std::string file = (folder.path() / "O1.nc").string();
+    Settings configured({});
+    EXPECT_TRUE(state(*configured.for_file(file), "MAC301").on);
+    EXPECT_FALSE(state(*configured.for_file(file), "MAC303").on);
+    EXPECT_FALSE(state(*configured.for_file(file), "MAC501").on);
+    EXPECT_FALSE(state(*configured.for_file((folder.path() / "O9001.nc").string()), "MAC301").on);
+    Overrides overrides;
+    overrides.select = {"jump-into-loop"};
+    overrides.severity = {{"MAC303", Severity::note}};
+    Settings overridden(overrides);
+    EXPECT_TRUE(state(*overridden.for_file(file), "MAC303").on);
+    EXPECT_EQ(state(*overridden.for_file(file), "MAC303").severity, Severity::note);
+    EXPECT_FALSE(state(*overridden.for_file(file), "MAC301").on);
+}
+
+TEST(Settings, OfAFileUnderAWrongConfigurationAreNotKnown) {
+    const TemporaryFolder folder;
+    folder.write(".maclint.json", "{]");
+    Settings settings({});
+    EXPECT_FALSE(settings.for_file((folder.path() / "O1.nc").string()));
+    EXPECT_FALSE(settings.for_file((folder.path() / "O2.nc").string()));
+    EXPECT_EQ(settings.take_notices().size(), 1U);
+    EXPECT_THAT(settings.take_notices(), IsEmpty());
+}
+
+} // namespace
+} // namespace maclint::cli

@@ -1,0 +1,119 @@
+//! Comments that allow findings, and what is said about those that allow nothing.
+#include "tests/support/linted.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A main program with one jump to a label that is not there (MAC301) on line `3`, and room for comments.
+std::string program(const std::string& before, const std::string& beside, const std::string& after) {
+    return "O1(TEST)\n" + before + "\nGOTO 99 " + beside + "\n" + after + "\nM30\n";
+}
+
+std::vector<std::string> codes_of(const std::string& text) { return codes(lint_text(text)); }
+
+std::vector<std::string> under_select(const std::string& text, const std::string& rule) {
+    cli::Overrides overrides;
+    overrides.select = {rule};
+    return codes(lint_texts({{"O1.nc", text}}, overrides));
+}
+
+/// The text with the fix of its only finding applied.
+std::string fixed(const std::string& text) {
+    const auto result = lint_text(text);
+    std::string out = text;
+    for (const auto& [finding, suppressed] : result.findings)
+        for (const Edit& edit : finding.fix) out.replace(edit.span.begin, edit.span.length(), edit.text);
+    return out;
+}
+
+TEST(Suppression, TheTestProgramHasOneFinding) {
+    EXPECT_THAT(codes_of(program("", "", "")), ElementsAre("MAC301"));
+}
+
+TEST(Suppression, AtTheEndOfABlockIsForThatBlock) {
+    EXPECT_THAT(codes_of(program("", "(MACLINT ALLOW MAC301 - WANTED)", "")), IsEmpty());
+    EXPECT_THAT(codes_of(program("G0 X1. (MACLINT ALLOW MAC301)", "", "")), ElementsAre("MAC001", "MAC301"));
+}
+
+TEST(Suppression, AloneIsForTheNextBlock) {
+    EXPECT_THAT(codes_of(program("(MACLINT ALLOW MAC301)", "", "")), IsEmpty());
+    EXPECT_THAT(codes_of(program("(MACLINT ALLOW MAC301)\n(WHY)", "", "")), IsEmpty());
+    EXPECT_THAT(codes_of(program("", "", "(MACLINT ALLOW MAC301)")), ElementsAre("MAC301", "MAC001"));
+}
+
+TEST(Suppression, TakesNamesPrefixesListsAndAnyCase) {
+    EXPECT_THAT(codes_of(program("", "(maclint allow jump-target-missing)", "")), IsEmpty());
+    EXPECT_THAT(codes_of(program("", "(MACLINT ALLOW MAC3 - ALL JUMPS)", "")), IsEmpty());
+    EXPECT_THAT(codes_of(program("", "(MACLINT ALLOW MAC303, MAC301)", "")), ElementsAre("MAC001"));
+    EXPECT_THAT(codes_of(program("", "(MACLINT ALLOW ALL)", "")), IsEmpty());
+}
+
+TEST(Suppression, OfAFileHoldsEverywhere) {
+    EXPECT_THAT(codes_of(program("", "", "(MACLINT ALLOW-FILE MAC301)")), IsEmpty());
+}
+
+TEST(Suppression, OffHoldsUntilOn) {
+    EXPECT_THAT(codes_of(program("(MACLINT OFF MAC301)", "", "(MACLINT ON MAC301)")), IsEmpty());
+    EXPECT_THAT(codes_of(program("(MACLINT OFF MAC301)", "", "")), IsEmpty());
+    EXPECT_THAT(codes_of(program("(MACLINT OFF MAC301)\n(MACLINT ON MAC301)", "", "")),
+                ElementsAre("MAC001", "MAC301"));
+    EXPECT_THAT(codes_of(program("(MACLINT OFF MAC3)\n(MACLINT ON)", "", "")),
+                ElementsAre("MAC001", "MAC301"));
+    EXPECT_THAT(codes_of(program("(MACLINT OFF MAC3)\n(MACLINT ON MAC303)", "", "")), IsEmpty());
+}
+
+TEST(Suppression, KeepsTheFindingWithItsReason) {
+    const auto result = lint_text(program("", "(MACLINT ALLOW MAC301 - O99 IS LOADED LATER)", ""));
+    ASSERT_EQ(result.findings.size(), 1U);
+    ASSERT_TRUE(result.findings[0].suppressed);
+    EXPECT_EQ(result.findings[0].suppressed->reason, "O99 IS LOADED LATER");
+}
+
+TEST(UnusedSuppression, IsRemovedByItsFix) {
+    EXPECT_EQ(fixed("O1\nG0 X1. (MACLINT ALLOW MAC301)\nM30\n"), "O1\nG0 X1.\nM30\n");
+    EXPECT_EQ(fixed("O1\n(MACLINT ALLOW MAC301)\nM30\n"), "O1\nM30\n");
+    EXPECT_EQ(fixed("O1\n(MACLINT OFF MAC301)\r\nM30\n"), "O1\nM30\n");
+}
+
+TEST(UnusedSuppression, LosesOnlyTheWordThatIsOfNoUse) {
+    EXPECT_EQ(fixed(program("", "(MACLINT ALLOW MAC303 MAC301 - X)", "")),
+              program("", "(MACLINT ALLOW MAC301 - X)", ""));
+    EXPECT_EQ(fixed(program("", "(MACLINT ALLOW MAC301, MAC303 - X)", "")),
+              program("", "(MACLINT ALLOW MAC301 - X)", ""));
+}
+
+TEST(UnusedSuppression, IsToldWhateverElseIsSelected) {
+    const std::string used = program("", "(MACLINT ALLOW MAC301)", "");
+    const std::string unused = program("", "(MACLINT ALLOW MAC301 MAC303)", "");
+    EXPECT_THAT(under_select(used, "MAC001"), IsEmpty());
+    EXPECT_THAT(under_select(unused, "MAC001"), ElementsAre("MAC001"));
+    EXPECT_THAT(under_select(unused, "MAC303"), IsEmpty());
+}
+
+TEST(UnknownRule, IsToldWithTheLikelyOne) {
+    const auto result = lint_text(program("", "(MACLINT ALLOW MAC301 JUMP-INTO-LOP)", ""));
+    ASSERT_THAT(codes(result), ElementsAre("MAC002"));
+    EXPECT_THAT(result.findings.back().finding.message(), HasSubstr("'jump-into-loop'"));
+}
+
+TEST(UnknownRule, IsToldForCommentsThatSayTooLittle) {
+    EXPECT_THAT(codes_of("O1\nM30 (MACLINT)\n"), ElementsAre("MAC002"));
+    EXPECT_THAT(codes_of("O1\nM30 (MACLINT ALLOW)\n"), ElementsAre("MAC002"));
+    EXPECT_THAT(codes_of("O1\nM30 (MACLINT ALLOW - BECAUSE)\n"), ElementsAre("MAC002"));
+    EXPECT_THAT(codes_of("O1\nM30 (MACLINT IGNORE MAC301)\n"), ElementsAre("MAC002"));
+    EXPECT_THAT(codes_of("O1\nM30 (CHECKED WITH MACLINT)\n"), IsEmpty());
+}
+
+TEST(UnknownRule, InAnOtherwiseUsefulCommentDoesNotHideIt) {
+    EXPECT_THAT(codes_of(program("", "(MACLINT ALLOW MAC999 MAC301)", "")), ElementsAre("MAC002"));
+}
+
+} // namespace
+} // namespace maclint::test

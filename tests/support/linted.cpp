@@ -1,0 +1,31 @@
+//! Texts in place of files.
+#include "tests/support/linted.hpp"
+
+#include <stdexcept>
+
+namespace maclint::test {
+
+cli::LintResult lint_texts(const std::vector<LintedText>& texts, cli::Overrides overrides) {
+    overrides.isolated = true;
+    for (const auto* words : {&overrides.select, &overrides.ignore})
+        for (const std::string& word : *words)
+            if (cli::rules_named(word).empty()) throw std::invalid_argument("no rule " + word);
+    cli::Settings settings(std::move(overrides));
+    std::vector<cli::ReadFile> files;
+    for (const LintedText& text : texts)
+        files.push_back(cli::read_source({text.path, true, true, false}, *settings.for_file(text.path),
+                                         Source::from_bytes(text.path, text.text)));
+    cli::Progress progress(cli::Progress::Shown::never);
+    return cli::lint(files, settings, 1, progress);
+}
+
+cli::LintResult lint_text(std::string_view text) { return lint_texts({{"O1.nc", std::string(text)}}, {}); }
+
+std::vector<std::string> codes(const cli::LintResult& result) {
+    std::vector<std::string> all;
+    for (const cli::JudgedFinding& judged : result.findings)
+        if (!judged.suppressed) all.emplace_back(judged.finding.rule->code);
+    return all;
+}
+
+} // namespace maclint::test

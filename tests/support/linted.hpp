@@ -1,0 +1,26 @@
+//! Lints texts without files: the whole way from bytes to judged findings.
+#pragma once
+
+#include "cli/lint.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace maclint::test {
+
+struct LintedText {
+    std::string path;
+    std::string text;
+};
+
+/// All texts as one workspace, isolated from any configuration. Rule words are checked.
+[[nodiscard]] cli::LintResult lint_texts(const std::vector<LintedText>& texts, cli::Overrides overrides);
+
+/// The same for one text under the default selection.
+[[nodiscard]] cli::LintResult lint_text(std::string_view text);
+
+/// "MAC303", one a finding, in the order of reports; suppressed ones left out.
+[[nodiscard]] std::vector<std::string> codes(const cli::LintResult& result);
+
+} // namespace maclint::test
