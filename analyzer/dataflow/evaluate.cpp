@@ -2,8 +2,10 @@
 #include "analyzer/dataflow/transfer.hpp"
 #include "analyzer/program/overloaded.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace maclint::dataflow {
 
@@ -195,11 +197,22 @@ void Transfer::refine_entry_code(State& state, const Value& value, Operation ope
     const auto group = states_.pool().entry_group_of(value.symbol);
     const auto code = other.constant();
     if (!group || !code) return;
-    if (operation == Operation::equal) states_.know_entry_code(state, *group, *code);
+    if (operation == Operation::equal) know_entry_code(state, *group, *code);
     const auto& members = program_.control->groups[*group].members;
     if (operation == Operation::not_equal && members.size() == 2 &&
         (members[0] == *code || members[1] == *code))
-        states_.know_entry_code(state, *group, members[0] == *code ? members[1] : members[0]);
+        know_entry_code(state, *group, members[0] == *code ? members[1] : members[0]);
+}
+
+/// The caller's code is this one here: where the program has set it, it has set the caller's.
+void Transfer::know_entry_code(State& state, GroupId group, double code) {
+    states_.know_entry_code(state, group, code);
+    ModalValue value = states_.read(state, group);
+    for (ModalPart& part : value.parts)
+        if (states_.pool().number_of(part.symbol) == code)
+            part.symbol = states_.pool().symbols({Symbol::Kind::entry_group, group, 0, 0});
+    std::ranges::sort(value.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
+    states_.write(state, group, std::move(value));
 }
 
 namespace {
@@ -267,11 +280,13 @@ void Transfer::refine_place(State& state, Place place, Operation operation, cons
         }
         if (value.low == value.high && value.vacancy == Vacancy::set && operation == Operation::equal &&
             other.constant()) {
-            const OriginId origin = value.origin;
             value = number_value(states_.pool(), value.low);
-            value.origin = origin;
+            value.origin = before.origin;
+            // A saved copy of the caller's code stays one.
+            if (states_.pool().entry_group_of(before.symbol)) value.symbol = before.symbol;
         }
     }
+    if (value.vacancy == Vacancy::set && before.vacancy != Vacancy::set) value.doubt = 0;
     if (!(value == before)) states_.write(state, place, value);
 }
 

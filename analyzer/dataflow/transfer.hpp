@@ -35,6 +35,7 @@ class Transfer {
     void refine(State& state, ExpressionId id, bool holds);
     void refine_comparison(State& state, Operation operation, ExpressionId left, ExpressionId right);
     void refine_place(State& state, Place place, Operation operation, const Value& other);
+    void know_entry_code(State& state, GroupId group, double code);
     void refine_entry_code(State& state, const Value& value, Operation operation, const Value& other);
     [[nodiscard]] Value record_read(const State& state, Place place, ExpressionId id, Use use);
 

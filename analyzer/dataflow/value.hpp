@@ -64,7 +64,10 @@ struct Value {
         return low == high && vacancy != Vacancy::vacant && vacancy != Vacancy::maybe ? std::optional(low)
                                                                                       : std::nullopt;
     }
+    /// Vacant counts as 0, as it does in arithmetic.
     [[nodiscard]] bool can_be(double number) const {
+        const bool may_be_vacant = vacancy == Vacancy::vacant || vacancy == Vacancy::maybe;
+        if (number == 0 && may_be_vacant) return true;
         return low <= number && number <= high && !(nonzero && number == 0);
     }
     friend bool operator==(const Value&, const Value&) = default;

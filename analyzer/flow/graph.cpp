@@ -210,7 +210,8 @@ class Building {
         const Paired& paired = structures_.all[found->second];
         switch (structure.part) {
         case Structure::Part::open: {
-            if (!paired.close) return; // without its END the loop is read as plain text
+            // Without its END, or crossing another, the loop is read as plain text.
+            if (!paired.close || paired.crossed) return;
             Open open{node, paired.condition, {}, {}};
             loose_.clear();
             if (paired.condition) {

@@ -40,7 +40,7 @@ class Pairing {
     }
 
     void open(EffectId id, const Structure& structure) {
-        Paired paired{structure.construct, id, {}, {}, {}, 0, structure.number, structure.condition};
+        Paired paired{structure.construct, id, {}, {}, false, {}, 0, structure.number, structure.condition};
         if (!open_.empty()) {
             paired.parent = open_.back();
             paired.loop_level = result_.all[open_.back()].loop_level;
@@ -91,6 +91,8 @@ class Pairing {
         const auto close = crossing_close_.begin() + (inner - crossed_.begin());
         result_.all[*inner].close = id;
         fault(Imbalance::crossed, *close, result_.all[*inner].open);
+        result_.all[*inner].crossed = true;
+        for (Paired& outer : result_.all) outer.crossed |= outer.close == *close;
         crossing_close_.erase(close);
         crossed_.erase(inner);
         return true;

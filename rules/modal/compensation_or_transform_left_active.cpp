@@ -36,12 +36,11 @@ extern const Rule compensation_or_transform_left_active{
                       "G68 X0 Y0 R30.\n"
                       "G1 X20. F200.\n"
                       "M99\n"}},
-    .also = {"MAC503"},
+    .also = {},
     .good = {{"fanuc", "O9502(SLOT AT AN ANGLE)\n"
-                       "#33=#4109\n"
                        "G68 X0 Y0 R30.\n"
                        "G1 X20. F200.\n"
-                       "G69 F#33\n"
+                       "G69\n"
                        "M99\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "044", "G27-G30 NOT ALLOWED IN FIXED CYC"}},
     .sources = {"SEED-001:206,714", "SEED-002:396-528"},

@@ -84,7 +84,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto place = dataflow::plain_place(program, write.expression);
         const dataflow::Store* store = store_of(analysis, write.value);
         if (!place || store == nullptr || !(store->place == *place)) continue;
-        if (copy_source(analysis, store->expression, store->value)) continue; // saved anew
+        const auto source = copy_source(analysis, store->expression, store->value);
+        if (source && source->group) continue; // saved anew
         const auto saved = saved_before(analysis, *store);
         if (!saved || !would_restore(analysis, write, *saved->group)) continue;
         if (write.stated && is_computed_from(analysis, *store)) continue;

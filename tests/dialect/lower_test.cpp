@@ -180,7 +180,7 @@ TEST(FanucCall, WithoutProgramIsIrregular) {
 }
 
 TEST(FanucCall, OfBlocksOfTheSameProgramMayJumpThereAndGoesOnHere) {
-    EXPECT_EQ(lower("M97P#4L2"), "if unreadable {jump #4}; call M98 subprogram call unreadable");
+    EXPECT_EQ(lower("M97P#4L2"), "values #4; if unreadable {jump #4}; call M98 subprogram call unreadable");
 }
 
 TEST(FanucOutput, SendsVariables) {

@@ -22,11 +22,11 @@ IF [#28 NE #5] THEN #3000 = 147 (J DOES NOT FIT) (EXPECT MAC710)
 G90 G0 X[#24 + #4] Y#25
 Z[#18 + 1.]
 #27 = 0
-WHILE [#27 LE #6] DO 1 (EXPECT MAC711)
+WHILE [#27 LE #6] DO 1
   #29 = #4 + #27 * TAN[#1]
   G1 X[#24 + #29] Z[#18 - #27] F#9
   G3 I-#29
-  #27 = #27 + 0.1
+  #27 = #27 + 0.1 (EXPECT MAC711)
 END 1
 G0 Z[#18 + 5.]
 G#30 G#31 F#33

@@ -1,0 +1,100 @@
+//! What loops tell: counters, what calls change, which ways make sense.
+#include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/ways.hpp"
+#include "tests/support/analysed.hpp"
+
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+std::optional<dataflow::Counter> counter(const ProgramAnalysis& analysis) {
+    return dataflow::counter_of(analysis.program(), analysis.graph(), analysis.facts(),
+                                analysis.loops().front());
+}
+
+TEST(LoopCounter, IsTheVariableThatAllWaysOutDependOn) {
+    const auto workspace =
+        test::analyse_fanuc("O9001\n#33=0\nWHILE[#33LT#1]DO1\n#33=#33+#6\nIF[#33EQ#2]GOTO9\n"
+                            "IF[#33GT#1]THEN#33=#1\nEND1\nN9 M99\n");
+    const auto found = counter(workspace->programs().front());
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->place.number, 33);
+    EXPECT_EQ(found->tests.size(), 2U);
+    EXPECT_EQ(found->steps.size(), 1U);
+    EXPECT_EQ(found->clamps.size(), 1U);
+    EXPECT_EQ(found->tests.front().stays, Operation::less);
+    EXPECT_EQ(found->tests.back().stays, Operation::not_equal);
+}
+
+TEST(LoopCounter, OnTheRightOrNegatedIsReadFromItsOwnSide) {
+    const auto workspace = test::analyse_fanuc("O9001\n#33=0\nWHILE[#1GT-#33]DO1\n#33=#33+1\nEND1\nM99\n");
+    const auto found = counter(workspace->programs().front());
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->tests.front().stays, Operation::greater);
+}
+
+TEST(LoopCounter, IsNoneWhenTheBoundMovesToo) {
+    const auto workspace =
+        test::analyse_fanuc("O9001\n#33=0\nWHILE[#33LT#1]DO1\n#33=#33+1\n#1=#1-1\nEND1\nM99\n");
+    EXPECT_FALSE(counter(workspace->programs().front()));
+}
+
+TEST(LoopCounter, IsNoneWhenACallCanChangeIt) {
+    const auto workspace = test::analyse_fanuc(
+        "O9001\n#100=0\nWHILE[#100LT9]DO1\n#100=#100+1\nG65P9002\nEND1\nM99\nO9002\n#100=0\nM99\n");
+    EXPECT_FALSE(counter(workspace->programs().front()));
+}
+
+TEST(Summary, SaysWhetherAProgramMayStop) {
+    const auto workspace =
+        test::analyse_fanuc("O9001\nG65P9002\nM99\nO9002\n#100=1\nM99\nO9003\nG65P9004\nM99\n"
+                            "O9004\nIF[#1EQ#0]THEN#3000=1(A MISSING)\nM99\n");
+    const auto& programs = workspace->programs();
+    EXPECT_FALSE(programs[0].summary().may_stop);
+    EXPECT_FALSE(programs[1].summary().may_stop);
+    EXPECT_TRUE(programs[2].summary().may_stop);
+    EXPECT_TRUE(programs[3].summary().may_stop);
+}
+
+TEST(Entry, LocalsOfASubprogramAreItsCallers) {
+    const auto workspace = test::analyse_fanuc("O1\nM98P2\nM30\nO2\nG0X#10\nM99\n");
+    ASSERT_FALSE(workspace->programs()[1].facts().reads.empty());
+    EXPECT_EQ(workspace->programs()[1].facts().reads.front().value.vacancy, dataflow::Vacancy::unknown);
+}
+
+TEST(Entry, ArgumentsMayBeMissingAndOtherLocalsAreVacant) {
+    const auto workspace = test::analyse_fanuc("O9001\nG0X#24Y#10\nM99\n");
+    const auto& reads = workspace->programs().front().facts().reads;
+    ASSERT_EQ(reads.size(), 2U);
+    EXPECT_EQ(reads[0].value.vacancy, dataflow::Vacancy::maybe);
+    EXPECT_EQ(reads[1].value.vacancy, dataflow::Vacancy::vacant);
+}
+
+TEST(Values, OfSumsAreTheSameInEitherOrder) {
+    const auto workspace = test::analyse_fanuc("O9001\n#31=#1+#2\n#32=#2+#1\n#33=#1-#2\nM99\n");
+    const auto& stores = workspace->programs().front().facts().stores;
+    ASSERT_EQ(stores.size(), 3U);
+    EXPECT_EQ(stores[0].value.symbol, stores[1].value.symbol);
+    EXPECT_NE(stores[0].value.symbol, stores[2].value.symbol);
+}
+
+TEST(Decisions, OfOneWayMustNotContradictEachOther) {
+    const auto workspace = test::analyse_fanuc(
+        "O9001\nIF[#1GT5]GOTO9\nIF[#1LE3]GOTO9\nIF[5LT#1]GOTO9\nIF[#1EQ4]GOTO9\nN9 M99\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    const auto& conditions = analysis.facts().conditions;
+    ASSERT_GE(conditions.size(), 2U);
+    const auto decide = [&](std::size_t i, bool holds) {
+        return dataflow::Decision{conditions[i].expression, holds};
+    };
+    const auto first = [&](std::vector<dataflow::Decision> decisions) {
+        return dataflow::first_contradiction(analysis.program(), decisions);
+    };
+    EXPECT_FALSE(first({decide(0, false), decide(1, false)}));
+    EXPECT_EQ(first({decide(0, true), decide(1, true)}), 1U);
+    EXPECT_EQ(first({decide(1, true), decide(0, true)}), 1U);
+}
+
+} // namespace
+} // namespace maclint

@@ -1,0 +1,102 @@
+//! Rules about loops that do not end as meant: MAC319, MAC320, MAC711.
+#include "tests/rules/raised.hpp"
+
+#include <gmock/gmock.h>
+
+namespace maclint {
+namespace {
+
+using test::lines_raised;
+using test::messages_raised;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(UnchangedLoop, NeverEnds) {
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG91 G0 X1\nEND1\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nN1 G91 G0 X1\nIF[#1EQ5]GOTO1\nM99\n"), ElementsAre(3));
+    EXPECT_THAT(messages_raised("MAC319", "O9001\nWHILE[1EQ1]DO1\nG91 G0 X1\nEND1\nM99\n"),
+                ElementsAre(HasSubstr("there is no way out")));
+}
+
+TEST(UnchangedLoop, EndsWhenItsBodyCanLeaveIt) {
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nDO1\n#33=#33+1\nIF[#33GT5]GOTO9\nEND1\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nM00\nEND1\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG0 X1\n/GOTO9\nEND1\nN9 M99\n"), IsEmpty());
+}
+
+TEST(UnchangedLoop, MayWaitForTheMachineOrForSomebodyElse) {
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1004EQ0]DO1\nEND1\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nN1 IF[#890EQ3]GOTO2\nG04 P1000\nGOTO1\nN2 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#100LT5]DO1\nG91 G0 X1\nEND1\nM99\n"), ElementsAre(2));
+}
+
+TEST(UnchangedLoop, IsChangedOnlyByWhatACallCanReach) {
+    const std::string callee = "O9002\n#100=#100+1\nM99\n";
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG65 P9002\nEND1\nM99\n" + callee),
+                ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#100LT5]DO1\nG65 P9002\nEND1\nM99\n" + callee),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG65 P9999\nEND1\nM99\n"), IsEmpty());
+    EXPECT_THAT(
+        lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG65 P9002\nEND1\nM99\nO9002\n#3000=1(STOP)\nM99\n"),
+        IsEmpty());
+}
+
+TEST(UnchangedLoop, IsChangedByAStoreThroughAnIndex) {
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\n#[#2]=9\nEND1\nM99\n"), IsEmpty());
+}
+
+TEST(LoopStep, MayBeAMissingArgument) {
+    EXPECT_THAT(lines_raised("MAC320", "O9001\n#33=0\nWHILE[#33LT#1]DO1\n#33=#33+#6\nEND1\nM99\n"),
+                ElementsAre(4));
+    EXPECT_THAT(
+        lines_raised("MAC320", "O9001\nIF[#6LE0]GOTO9\n#33=0\nWHILE[#33LT#1]DO1\n#33=#33+#6\nEND1\nN9 M99\n"),
+        IsEmpty());
+    EXPECT_THAT(lines_raised("MAC320",
+                             "O9001\nIF[#6EQ#0]THEN#6=1\n#33=0\nWHILE[#33LT#1]DO1\n#33=#33+#6\nEND1\nM99\n"),
+                IsEmpty());
+}
+
+TEST(LoopStep, IsNotSavedByAClampToTheBound) {
+    EXPECT_THAT(
+        lines_raised("MAC320",
+                     "O9001\n#33=0\nWHILE[#33LT#1]DO1\n#33=#33+#6\nIF[#33GT#1]THEN#33=#1\nEND1\nM99\n"),
+        ElementsAre(4));
+}
+
+TEST(LoopStep, OfTheWrongSignLeadsAway) {
+    EXPECT_THAT(messages_raised("MAC320", "O9001\n#33=0\nWHILE[#33LT5]DO1\n#33=#33-1\nEND1\nM99\n"),
+                ElementsAre(HasSubstr("leads away")));
+    EXPECT_THAT(messages_raised("MAC320", "O9001\n#33=0\nWHILE[-#33GE-5]DO1\n#33=#33-1\nEND1\nM99\n"),
+                ElementsAre(HasSubstr("leads away")));
+    EXPECT_THAT(lines_raised("MAC320", "O9001\n#33=9\nWHILE[#33GE0]DO1\n#33=#33-1\nEND1\nM99\n"), IsEmpty());
+}
+
+TEST(LoopStep, OfNothingIsReported) {
+    EXPECT_THAT(messages_raised("MAC320", "O9001\n#33=0\nWHILE[#33LT5]DO1\n#33=#33+0\nEND1\nM99\n"),
+                ElementsAre(HasSubstr("its step is 0")));
+}
+
+TEST(InexactCounter, LosesOrDoublesItsLastPass) {
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE1]DO1\n#33=#33+0.1\nEND1\nM99\n"),
+                ElementsAre(4));
+    EXPECT_THAT(
+        lines_raised("MAC711", "O9001\n#6=360/#6\n#33=0\nWHILE[#33LE360]DO1\n#33=#33+#6\nEND1\nM99\n"),
+        ElementsAre(5));
+}
+
+TEST(InexactCounter, IsHarmlessWhenExactClampedOrWithRoomAtItsEnd) {
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE1]DO1\n#33=#33+0.5\nEND1\nM99\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE1.05]DO1\n#33=#33+0.1\nEND1\nM99\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE[#1+0.001]]DO1\n#33=#33+0.1\nEND1\nM99\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC711",
+                             "O9001\n#33=0\nWHILE[#33LT1]DO1\n#33=#33+0.1\nIF[#33GT1]THEN#33=1\nEND1\nM99\n"),
+                IsEmpty());
+}
+
+} // namespace
+} // namespace maclint

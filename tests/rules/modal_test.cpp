@@ -1,0 +1,127 @@
+//! Rules about modal state that a program leaves behind: MAC501-MAC506, MAC515, MAC517, MAC518.
+#include "tests/rules/raised.hpp"
+
+#include <gmock/gmock.h>
+
+namespace maclint {
+namespace {
+
+using test::lines_raised;
+using test::messages_raised;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(ModalState, LeftAtAnUnusualCodeIsReportedWhereItWasSetLast) {
+    EXPECT_THAT(lines_raised("MAC501", "O9001\nG91 G0 X1\nG91 G0 X2\nM99\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC501", "O9001\n#33=#1\nG91\nG0 X1 Y2\nG0 X3\nM99\n"), ElementsAre(3));
+}
+
+TEST(ModalState, OfAMainProgramIsItsOwnAffair) {
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG91 G28 Z0\nM30\n"), IsEmpty());
+}
+
+TEST(ModalState, PutBackFromAVariableOrByItsCustomIsFine) {
+    EXPECT_THAT(lines_raised("MAC501", "O9001\n#33=#4003\nG91 G0 X1\nG#33\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC501", "O9001\nG91 G0 X1\nG90\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC501", "O9001\n#33=#4003\n#32=#33\nG91 G0 X1\nG#32\nM99\n"), IsEmpty());
+}
+
+TEST(ModalState, PutBackByATestOfTheSavedCodeIsFine) {
+    EXPECT_THAT(lines_raised("MAC501", "O9001\n#33=#4003\nG91 G0 X1\nIF[#33EQ91]GOTO9\nG90\nN9 M99\n"),
+                IsEmpty());
+}
+
+TEST(ModalState, PutBackOnSomeWaysOnlySaysSo) {
+    EXPECT_THAT(messages_raised("MAC501", "O9001\n#33=#4003\nG91 G0 X1\nIF[#1EQ1]GOTO9\nG#33\nN9 M99\n"),
+                ElementsAre(HasSubstr("on some of the ways")));
+}
+
+TEST(ModalState, LeftByACalledProgramIsThatPrograms) {
+    EXPECT_THAT(lines_raised("MAC501", "O9001\nG65 P9002\nM99\nO9002\nG91\nG0 X1\nM99\n"), ElementsAre(5));
+}
+
+TEST(ModalState, ThatAnUnknownProgramMayHaveChangedIsLeftAlone) {
+    EXPECT_THAT(lines_raised("MAC501", "O9001\nG91 G0 X1\nG65 P9999\nM99\n"), IsEmpty());
+}
+
+TEST(Compensation, LeftActiveIsReportedAtEveryEnd) {
+    EXPECT_THAT(lines_raised("MAC502", "O1\nG41 D1 G1 X5 F100\nG1 X9\nM30\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC502", "O9001\nG52 X#1\nG0 X1\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC502", "O9001\nG52 X#1\nG0 X1\nG52 X0\nM99\n"), IsEmpty());
+}
+
+TEST(Compensation, OfACannedCycleEndsWithAMainProgram) {
+    EXPECT_THAT(lines_raised("MAC502", "O1\nG81 X1 Z-5 R2 F100\nX#100\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC502", "O9001\nG81 X1 Z-5 R2 F100\nX#100\nM99\n"), ElementsAre(2));
+}
+
+TEST(Compensation, OfTheCallerIsNotTheMacros) {
+    EXPECT_THAT(lines_raised("MAC502", "O9001\nG0 X#1\nM99\n"), IsEmpty());
+}
+
+TEST(Feed, OfAMacroIsPutBackOrReported) {
+    EXPECT_THAT(lines_raised("MAC503", "O9001\nG1 Z#26 F#9\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC503", "O9001\n#33=#4109\nG1 Z#26 F#9\nF#33\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC503", "O9001\nG1 X10 F100\nM99\n"),
+                IsEmpty()); // no macro: it reads no argument
+}
+
+TEST(Feed, SpeedThatTheCallerPassesIsWhatItWants) {
+    EXPECT_THAT(lines_raised("MAC503", "O9001\nS#19 M3\nG0 X#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC503", "O9001\nS[#19*2] M3\nG0 X#24\nM99\n"), ElementsAre(2));
+}
+
+TEST(MotionMode, IsReportedUnlessPutBack) {
+    EXPECT_THAT(lines_raised("MAC504", "O9001\nG1 X1\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC504", "O9001\n#33=#4001\nG1 X1\nG#33\nM99\n"), IsEmpty());
+}
+
+TEST(Restore, FromAnotherKindOfWordIsReported) {
+    EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4019\nG1 X1 F#9\nF#3\nM99\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4107\nG1 X1 F#9\nF#3\nM99\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4109\nG1 X1 F#9\nG#3\nM99\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4109\n#4=#4003\nG91 G1 X1 F#9\nG#4 F#3\nM99\n"),
+                IsEmpty());
+}
+
+TEST(Restore, FromAWrongVariableIsNotAlsoAFeedThatIsNotPutBack) {
+    EXPECT_THAT(lines_raised("MAC503", "O9001\n#3=#4019\nG1 X#24 F#9\nF#3\nM99\n"), IsEmpty());
+}
+
+TEST(SavedValue, OverwrittenBeforeItIsPutBackIsLost) {
+    EXPECT_THAT(lines_raised("MAC506", "O9001\n#1=#4001\nG1 X1\n#1=#1+#2\nG#1\nM99\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC506", "O9001\n#1=#4109\nG1 X1 F50\n#1=7\nF#1\nM99\n"), ElementsAre(4));
+}
+
+TEST(SavedValue, MayServeForAFeedComputedFromIt) {
+    EXPECT_THAT(lines_raised("MAC506", "O9001\n#1=#4109\n#1=#1*0.5\nG1 X1 F#1\nM99\n"), IsEmpty());
+}
+
+TEST(SavedValue, PutBackBeforeTheVariableIsUsedAgainIsFine) {
+    EXPECT_THAT(lines_raised("MAC506", "O9001\n#1=#4109\nG1 X1 F50\nF#1\n#1=7\nG1 X2 F#1\nM99\n"), IsEmpty());
+}
+
+TEST(SavedValue, SavedAfterTheChangeIsTheProgramsOwn) {
+    EXPECT_THAT(lines_raised("MAC517", "O9001\nG91\n#1=#4003\nG0 X1\nG#1\nM99\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC501", "O9001\nG91\n#1=#4003\nG0 X1\nG#1\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC517", "O9001\n#2=#4003\nG91\n#1=#4003\nG90 G0 X1\nG#1\nG#2\nM99\n"),
+                IsEmpty());
+}
+
+TEST(Suppression, IsSetBackOnEveryWay) {
+    EXPECT_THAT(lines_raised("MAC515", "O9001\n#3003=1\nG0 X#24\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC515", "O1\n#3004=7\nG0 X1\nM30\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC515", "O9001\n#3003=1\nG0 X#24\n#3003=0\nM99\n"), IsEmpty());
+    EXPECT_THAT(messages_raised("MAC515", "O9001\n#3003=1\nIF[#1EQ1]GOTO9\n#3003=0\nN9 M99\n"),
+                ElementsAre(HasSubstr("on some of the ways")));
+}
+
+TEST(ForcedState, IsANoteUnlessTheStateWasSaved) {
+    EXPECT_THAT(lines_raised("MAC518", "O9001\nG90 G0 X1\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC518", "O9001\n#1=#4003\nG90 G0 X1\nIF[#1EQ90]GOTO9\nG91\nN9 M99\n"),
+                IsEmpty());
+}
+
+} // namespace
+} // namespace maclint

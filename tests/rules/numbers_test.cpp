@@ -1,0 +1,80 @@
+//! Rules about numbers: MAC710, MAC718.
+#include "tests/rules/raised.hpp"
+
+#include <gmock/gmock.h>
+
+namespace maclint {
+namespace {
+
+using test::lines_raised;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(FloatEquality, OfARoundedResultIsReported) {
+    EXPECT_THAT(lines_raised("MAC710", "O9001\n#33=#1/3\nIF[#33EQ#2]GOTO9\nN9 M99\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[SIN[#1]NE0.5]GOTO9\nN9 M99\n"), ElementsAre(2));
+}
+
+TEST(FloatEquality, OfCopiesHalvesAndWholeNumbersIsExact) {
+    EXPECT_THAT(lines_raised("MAC710", "O9001\n#33=#1/3\n#32=#33\nIF[#33EQ#32]GOTO9\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[#1/2EQ#2]GOTO9\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[FIX[#1/3]EQ2]GOTO9\nN9 M99\n"), IsEmpty());
+}
+
+TEST(FloatEquality, WithItsWholePartAsksForAWholeNumber) {
+    EXPECT_THAT(lines_raised("MAC710", "O9001\n#33=#1/3\nIF[FIX[#33]NE#33]GOTO9\nN9 M99\n"), IsEmpty());
+}
+
+TEST(FloatEquality, OfAProductWithZeroIsExact) {
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[#1/3EQ0]GOTO9\nN9 M99\n"), IsEmpty());
+}
+
+TEST(FloatEquality, OfASumOfUnknownStepsIsReportedUnlessItIsClamped) {
+    EXPECT_THAT(
+        lines_raised("MAC710",
+                     "O9001\n#33=0\nN1 #33=#33+#17\nIF[#33LT#26]GOTO1\nIF[#33EQ[#26+#17]]GOTO9\nN9 M99\n"),
+        ElementsAre(5));
+    EXPECT_THAT(lines_raised("MAC710",
+                             "O9001\n#33=0\nN1 #33=#33+#17\nIF[#33GT#26]THEN#33=#26\nIF[#33EQ#26]GOTO9\n"
+                             "GOTO1\nN9 M99\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC710", "O9001\n#33=0\nN1 #33=#33+1\nIF[#33EQ#26]GOTO9\nGOTO1\nN9 M99\n"),
+                IsEmpty());
+}
+
+TEST(ConstantCondition, BehindATestThatTookTheCaseAwayNeverHolds) {
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6GT5]GOTO1\nIF[#6GT10]GOTO2\nM99\nN1 M99\nN2 M99\n"),
+                ElementsAre(3));
+}
+
+TEST(ConstantCondition, TheLastOfAllCasesMayBeTested) {
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6GT5]GOTO1\nIF[#6LE5]GOTO2\nM99\nN1 M99\nN2 M99\n"),
+                IsEmpty());
+}
+
+TEST(ConstantCondition, ThatSendsToTheSamePlaceDoesNoHarm) {
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6LE#0]GOTO1\nIF[#6LE0]GOTO1\nM99\nN1 M99\n"), IsEmpty());
+}
+
+TEST(ConstantCondition, OfASettingIsForTheUserToChange) {
+    EXPECT_THAT(lines_raised("MAC718", "O1\n#100=1(1 WITH PROBE)\nIF[#100EQ1]GOTO1\nG0 X1\nN1 M30\n"),
+                IsEmpty());
+    EXPECT_THAT(
+        lines_raised("MAC718",
+                     "O1\n#2=-24\n#1=-5\nWHILE[#1GT#2]DO1\n#1=#1-1\nIF[#1LT#2]THEN#1=#2\nEND1\nM30\n"),
+        IsEmpty());
+}
+
+TEST(ConstantCondition, OfAVariableThatWasSetAnewIsReported) {
+    EXPECT_THAT(lines_raised("MAC718", "O1\n#100=#500\n#100=4\nIF[#100NE4]GOTO1\nG0 X1\nN1 M30\n"),
+                ElementsAre(4));
+}
+
+TEST(ConstantCondition, LeavesEndlessLoopsAndVacancyToOthers) {
+    EXPECT_THAT(lines_raised("MAC718", "O1\nWHILE[1EQ1]DO1\nG0 X#500\nIF[#500EQ1]GOTO9\nEND1\nN9 M30\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC718", "O1\n#1=5\nIF[#1EQ#0]GOTO9\nN9 M30\n"), IsEmpty());
+}
+
+} // namespace
+} // namespace maclint
