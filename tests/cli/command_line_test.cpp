@@ -1,0 +1,90 @@
+//! What the words of a command line mean, and what is said of words that mean nothing.
+#include "cli/command_line.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+CheckRequest check(std::vector<std::string> arguments) {
+    Request request = read_command_line(std::move(arguments));
+    if (const auto* error = std::get_if<UsageError>(&request)) ADD_FAILURE() << error->message;
+    return std::get<CheckRequest>(std::move(request));
+}
+
+std::string refusal(std::vector<std::string> arguments) {
+    const Request request = read_command_line(std::move(arguments));
+    const auto* error = std::get_if<UsageError>(&request);
+    return error == nullptr ? "accepted" : error->message;
+}
+
+TEST(CommandLine, ChecksWhenTheFirstWordIsNoCommand) {
+    EXPECT_THAT(check({}).paths, ElementsAre("."));
+    EXPECT_THAT(check({"--quiet", "-", "/"}).paths, ElementsAre("-", "/"));
+    EXPECT_THAT(check({"check", "/"}).paths, ElementsAre("/"));
+    EXPECT_TRUE(std::holds_alternative<RulesRequest>(read_command_line({"rules"})));
+    EXPECT_TRUE(std::holds_alternative<ExplainRequest>(read_command_line({"explain", "MAC303"})));
+}
+
+TEST(CommandLine, PrintsTextUnlessAReportGoesToStandardOutput) {
+    ASSERT_EQ(check({}).sinks.size(), 1U);
+    EXPECT_EQ(check({}).sinks[0].format, Format::text);
+    const auto two = check({"--output", "sarif:a:b.sarif", "--output=json:x"}).sinks;
+    ASSERT_EQ(two.size(), 3U);
+    EXPECT_EQ(two[0].path, "a:b.sarif");
+    EXPECT_EQ(two[2].path, "-");
+    EXPECT_EQ(check({"--output", "sarif:-"}).sinks.size(), 1U);
+}
+
+TEST(CommandLine, TakesRulesAsListsAndRepeated) {
+    const auto overrides =
+        check({"--select", "MAC3,jump-into-loop", "--select", "ALL", "--ignore", "MAC301", "/"}).overrides;
+    EXPECT_THAT(overrides.select, ElementsAre("MAC3", "jump-into-loop", "ALL"));
+    EXPECT_THAT(overrides.ignore, ElementsAre("MAC301"));
+}
+
+TEST(CommandLine, KnowsSeverities) {
+    EXPECT_EQ(check({}).fail_on, Severity::warning);
+    EXPECT_EQ(check({"--fail-on", "never"}).fail_on, std::nullopt);
+    EXPECT_EQ(check({"--severity", "MAC501=error"}).overrides.severity.at(0).second, Severity::error);
+}
+
+TEST(CommandLine, TellsWhatWasProbablyMeant) {
+    EXPECT_THAT(refusal({"--selct", "MAC301"}), HasSubstr("Did you mean '--select'?"));
+    EXPECT_THAT(refusal({"--select", "MAC30l"}), HasSubstr("Did you mean 'MAC301'?"));
+    EXPECT_THAT(refusal({"--format", "sarf"}), HasSubstr("Did you mean 'sarif'?"));
+    EXPECT_THAT(refusal({"--dialect", "fanic"}), HasSubstr("Did you mean 'fanuc'?"));
+    EXPECT_THAT(refusal({"--isolated", "--control", "fanuc-16"}), HasSubstr("Did you mean 'fanuc-16i'?"));
+    EXPECT_THAT(refusal({"chek"}), HasSubstr("Did you mean 'maclint check'?"));
+    EXPECT_THAT(refusal({"--fail-on", "eror"}), HasSubstr("Did you mean 'error'?"));
+    EXPECT_THAT(refusal({"--color", "alway"}), HasSubstr("Did you mean 'always'?"));
+}
+
+TEST(CommandLine, RefusesWhatItCannotUse) {
+    EXPECT_THAT(refusal({"--jobs", "0"}), HasSubstr("whole number from 1"));
+    EXPECT_THAT(refusal({"--jobs", "two"}), HasSubstr("whole number"));
+    EXPECT_THAT(refusal({"--max-findings", "-1"}), HasSubstr("whole number"));
+    EXPECT_THAT(refusal({"--output", "sarif"}), HasSubstr("FORMAT:FILE"));
+    EXPECT_THAT(refusal({"--severity", "MAC501"}), HasSubstr("RULE=LEVEL"));
+    EXPECT_THAT(refusal({"--isolated", "--config", "x"}), HasSubstr("exclude each other"));
+    EXPECT_THAT(refusal({"--format", "text", "--output", "json:-"}), HasSubstr("standard output"));
+    EXPECT_THAT(refusal({"explain"}), HasSubstr("needs a rule"));
+    EXPECT_THAT(refusal({"explain", "MAC301", "MAC303"}), HasSubstr("one word too many"));
+}
+
+TEST(CommandLine, ShowsHelpAndVersion) {
+    const auto text = [](std::vector<std::string> arguments) {
+        return std::get<PrintRequest>(read_command_line(std::move(arguments))).text;
+    };
+    EXPECT_THAT(text({"--version"}), HasSubstr("maclint " MACLINT_VERSION));
+    EXPECT_THAT(text({"--help"}), HasSubstr("--stdin-filename"));
+    EXPECT_THAT(text({"check", "--help"}), HasSubstr("--max-findings"));
+    EXPECT_THAT(text({"rules", "--help"}), HasSubstr("--write-docs"));
+}
+
+} // namespace
+} // namespace maclint::cli

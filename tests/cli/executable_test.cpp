@@ -1,0 +1,266 @@
+//! The built executable on small folders: exit status, streams, discovery, configuration.
+#include "tests/support/folder.hpp"
+#include "tests/support/process.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace maclint::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr std::string_view good = "%\nO1000 (GOOD)\nG0 X1.\nM30\n%\n";
+constexpr std::string_view bad = "%\nO1001 (BAD)\nG0 X1.\nGOTO 99\nM30\n%\n"; // MAC301 in line 4
+
+class Executable : public testing::Test {
+  protected:
+    void SetUp() override { folder.write(".git/HEAD", ""); }
+
+    [[nodiscard]] Finished run(const std::vector<std::string>& arguments) const {
+        return run_maclint(folder.path().string(), arguments, "");
+    }
+    /// Findings as "file:line", one a line.
+    [[nodiscard]] std::string concise(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {"check", "--format", "concise", "--quiet"});
+        return run(arguments).out;
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(Executable, EndsWith0WithoutFindings) {
+    folder.write("O1000.nc", good);
+    const Finished finished = run({});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_EQ(finished.out, "no findings (1 checked)\n");
+    EXPECT_THAT(finished.err, IsEmpty());
+}
+
+TEST_F(Executable, EndsWith1WithFindingsOnStandardOutput) {
+    folder.write("O1001.nc", bad);
+    const Finished finished = run({"O1001.nc"});
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_THAT(finished.out, AllOf(HasSubstr("error[MAC301]"), HasSubstr("--> O1001.nc:4:")));
+    EXPECT_THAT(finished.err, IsEmpty());
+}
+
+TEST_F(Executable, EndsWith2WhenAFileIsMissingButReportsTheOthers) {
+    folder.write("O1001.nc", bad);
+    const Finished finished = run({"O1001.nc", "gone.nc"});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_THAT(finished.out, HasSubstr("MAC301"));
+    EXPECT_THAT(finished.err, StartsWith("maclint: error: gone.nc: "));
+}
+
+TEST_F(Executable, EndsWith2AfterAMistypedOption) {
+    const Finished finished = run({"--formt", "json"});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_THAT(finished.out, IsEmpty());
+    EXPECT_THAT(finished.err, HasSubstr("Did you mean '--format'?"));
+}
+
+TEST_F(Executable, FailsOnlyFromTheSeverityAskedFor) {
+    folder.write("O1001.nc", bad);
+    EXPECT_EQ(run({"--fail-on", "never"}).status, 0);
+    EXPECT_EQ(run({"--severity", "MAC301=note"}).status, 0);
+    EXPECT_EQ(run({"--severity", "MAC301=note", "--fail-on", "note"}).status, 1);
+}
+
+TEST_F(Executable, SelectsAndIgnores) {
+    folder.write("O1001.nc", bad);
+    EXPECT_THAT(concise({"--ignore", "jump-target-missing"}), IsEmpty());
+    EXPECT_THAT(concise({"--select", "MAC5"}), IsEmpty());
+    EXPECT_THAT(concise({"--select", "MAC3"}), HasSubstr("O1001.nc:4:"));
+}
+
+TEST_F(Executable, ReadsStandardInputUnderAName) {
+    const Finished finished =
+        run_maclint(folder.path().string(), {"-", "--stdin-filename", "sub/O1.nc"}, std::string(bad));
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_THAT(finished.out, HasSubstr("--> sub/O1.nc:4:"));
+}
+
+TEST_F(Executable, SearchesFoldersInOrderWithoutHiddenAndBuildFolders) {
+    folder.write("b/O1001.nc", bad);
+    folder.write("a/O1002.NC", bad);
+    folder.write("a/O1003", bad);
+    folder.write("a/notes.txt", bad);
+    folder.write(".old/O1.nc", bad);
+    folder.write("build/O1.nc", bad);
+    const std::string out = concise({"."});
+    EXPECT_LT(out.find("a/O1002.NC:4"), out.find("a/O1003:4"));
+    EXPECT_LT(out.find("a/O1003:4"), out.find("b/O1001.nc:4"));
+    EXPECT_THAT(out, AllOf(Not(HasSubstr(".old")), Not(HasSubstr("build/")), Not(HasSubstr("notes"))));
+}
+
+TEST_F(Executable, ReadsNamedFilesWhateverTheirName) {
+    folder.write("program.txt", bad);
+    EXPECT_THAT(concise({"program.txt"}), HasSubstr("program.txt:4:"));
+}
+
+TEST_F(Executable, SurvivesLoopsOfFoldersAndFindsAFileOnce) {
+    folder.write("a/O1001.nc", bad);
+    fs::create_directory_symlink(folder.path(), folder.path() / "a/up");
+    fs::create_symlink("O1001.nc", folder.path() / "a/O1001-link.nc");
+    fs::create_symlink("O-loop.nc", folder.path() / "a/O-loop.nc");
+    const Finished finished = run({"--format", "concise", "--quiet", ".", "a", "a/O1001.nc"});
+    EXPECT_EQ(finished.status, 2); // the link that leads to itself
+    EXPECT_THAT(finished.err, HasSubstr("O-loop.nc: cannot be read"));
+    EXPECT_EQ(std::count(finished.out.begin(), finished.out.end(), '\n'), 1) << finished.out;
+}
+
+TEST_F(Executable, TellsOfAFolderWithoutProgramsAndOfForeignFiles) {
+    fs::create_directory(folder.path() / "empty");
+    folder.write("part.h", "0  BEGIN PGM PART MM\n1  L X+0 Y+0 FMAX\n2  END PGM PART MM\n");
+    const Finished empty = run({"empty"});
+    EXPECT_EQ(empty.status, 0);
+    EXPECT_THAT(empty.err, HasSubstr("maclint: note: empty: no NC program"));
+    const Finished foreign = run({"part.h"});
+    EXPECT_EQ(foreign.status, 0);
+    EXPECT_THAT(foreign.err, HasSubstr("maclint: note: part.h: this is not linted"));
+    EXPECT_THAT(run({"--quiet", "part.h", "empty"}).err, IsEmpty());
+}
+
+TEST_F(Executable, ReportsANamedFileThatIsNoProgram) {
+    folder.write("photo.nc", std::string_view("\x89PNG\r\n\x1A\n\0\0\0\x0DIHDR", 16));
+    EXPECT_THAT(concise({"photo.nc"}), HasSubstr("photo.nc:1:1: error[MAC003]"));
+    EXPECT_THAT(concise({"."}), IsEmpty());
+}
+
+TEST_F(Executable, TellsOfAFileThatMayNotBeRead) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
+    fs::permissions(folder.write("O1.nc", good), fs::perms::none);
+    const Finished finished = run({"."});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_THAT(finished.err, HasSubstr("O1.nc: cannot be read: you have no permission"));
+}
+
+TEST_F(Executable, LooksAroundANamedFileForThoseItCalls) {
+    folder.write("main.nc", "%\nO2000\nG65 P9000 A1.\nM30\n%\n");
+    folder.write("lib/O9000.nc", "%\nO9000\nGOTO 99\nM99\n%\n");
+    const std::string out = concise({"main.nc"});
+    EXPECT_THAT(out, Not(HasSubstr("O9000.nc:"))); // nobody asked
+    EXPECT_THAT(concise({"--select", "MAC402", "main.nc"}), IsEmpty());
+}
+
+TEST_F(Executable, EscapesWhatFilesHoldAndAreCalled) {
+    folder.write("O1\x1B[31m.nc", "%\nO1001\nGOTO 99 (\x1B[2J\x07)\nM30\n%\n");
+    const Finished finished = run({"."});
+    EXPECT_THAT(finished.out, HasSubstr("O1\\x1B[31m.nc"));
+    EXPECT_THAT(finished.out, AllOf(Not(HasSubstr("\x1B")), Not(HasSubstr("\x07"))));
+    EXPECT_THAT(run({"x\x1B[31m"}).err, Not(HasSubstr("\x1B")));
+}
+
+TEST_F(Executable, ColoursOnlyWhenAsked) {
+    folder.write("O1001.nc", bad);
+    EXPECT_THAT(run({}).out, Not(HasSubstr("\x1B")));
+    EXPECT_THAT(run({"--color", "always"}).out, HasSubstr("\x1B[1;31merror"));
+}
+
+TEST_F(Executable, WritesTheSameWhateverTheNumberOfThreads) {
+    for (int i = 0; i < 40; ++i)
+        folder.write("O" + std::to_string(2000 + i) + ".nc", "%\nO" + std::to_string(2000 + i) +
+                                                                 "\nGOTO 99\nG65 P" +
+                                                                 std::to_string(2001 + i) + "\nM99\n%\n");
+    for (const char* format : {"text", "json", "sarif"}) {
+        const std::string one = run({"--no-timestamps", "--format", format, "--jobs", "1"}).out;
+        EXPECT_GT(one.size(), 1000U);
+        EXPECT_EQ(one, run({"--no-timestamps", "--format", format, "--jobs", "7"}).out) << format;
+    }
+}
+
+TEST_F(Executable, WritesSeveralReportsAtOnce) {
+    folder.write("O1001.nc", bad);
+    const Finished finished = run({"--output", "sarif:out.sarif", "--output", "json:out.json"});
+    EXPECT_THAT(finished.out, HasSubstr("MAC301"));
+    const auto sarif = nlohmann::json::parse(read_file(folder.path() / "out.sarif"));
+    EXPECT_EQ(sarif["runs"][0]["results"][0]["ruleId"], "MAC301");
+    EXPECT_EQ(sarif["runs"][0]["invocations"][0]["exitCode"], 1);
+    EXPECT_EQ(nlohmann::json::parse(read_file(folder.path() / "out.json"))["summary"]["errors"], 1);
+}
+
+TEST_F(Executable, EndsWith2WhenAReportCannotBeWritten) {
+    folder.write("O1000.nc", good);
+    const Finished finished = run({"--output", "sarif:no/such/folder.sarif"});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_THAT(finished.err, HasSubstr("no/such/folder.sarif: cannot be written"));
+}
+
+TEST_F(Executable, ShowsNoMoreFindingsThanAskedButFailsForAll) {
+    folder.write("O1001.nc", "%\nO1001\nIF[#500EQ1]GOTO98\nIF[#500EQ2]GOTO99\nM30\n%\n");
+    const Finished finished = run({"--max-findings", "1", "--select", "MAC301"});
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_THAT(finished.out, HasSubstr("1 error in 1 file (1 checked, 1 more not shown)"));
+    EXPECT_EQ(run({"--max-findings", "0"}).status, 1);
+}
+
+TEST_F(Executable, FollowsTheConfiguration) {
+    folder.write(".maclint.json",
+                 R"({"exclude": ["old"], "include": ["*.txt"], "per-file-ignores": {"O9*": ["MAC301"]}})");
+    folder.write("old/O1.nc", bad);
+    folder.write("part.txt", bad);
+    folder.write("O9001.nc", bad);
+    const std::string out = concise({"."});
+    EXPECT_THAT(out, AllOf(HasSubstr("part.txt:4"), Not(HasSubstr("old/")), Not(HasSubstr("O9001"))));
+    EXPECT_THAT(concise({"--isolated", "."}),
+                AllOf(HasSubstr("old/O1.nc"), HasSubstr("O9001"), Not(HasSubstr("part.txt"))));
+}
+
+TEST_F(Executable, TellsOfAWrongConfigurationOnceAndEndsWith2) {
+    folder.write(".maclint.json", "{\n  \"ignor\": []\n}\n");
+    folder.write("O1001.nc", bad);
+    folder.write("O1002.nc", bad);
+    const Finished finished = run({});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_EQ(finished.err, "maclint: error: .maclint.json: line 2, column 3: there is no key 'ignor' here. "
+                            "Did you mean 'ignore'?\n");
+}
+
+TEST_F(Executable, PointsIntoTheConfigurationWhenItNamesAnUnknownRule) {
+    folder.write(".maclint.json", "{\n  \"ignore\": [\"MAC30l\"]\n}\n");
+    folder.write("O1000.nc", good);
+    EXPECT_THAT(concise({}), StartsWith(".maclint.json:2:14: warning[MAC002] There is no rule 'MAC30l'."));
+}
+
+TEST_F(Executable, ShowsWhatHoldsForAFile) {
+    folder.write(".maclint.json",
+                 R"({"files": [{"glob": "*.nc", "control": "fanuc-30i"}], "ignore": ["MAC301"]})");
+    folder.write("O1000.nc", good);
+    const Finished finished = run({"--show-config"});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_THAT(finished.out,
+                AllOf(HasSubstr("O1000.nc\n"), HasSubstr("fanuc-30i"), HasSubstr("files '*.nc'"),
+                      HasSubstr("MAC301 off (.maclint.json: ignore)")));
+}
+
+TEST_F(Executable, ExplainsRulesAndGuessesMistypedOnes) {
+    EXPECT_THAT(run({"explain", "Jump-Into-Loop"}).out, HasSubstr("MAC303"));
+    const Finished mistyped = run({"explain", "jump-into-lop"});
+    EXPECT_EQ(mistyped.status, 2);
+    EXPECT_THAT(mistyped.err, HasSubstr("Did you mean 'jump-into-loop'?"));
+}
+
+TEST_F(Executable, ListsRulesAndWritesTheirPages) {
+    EXPECT_THAT(run({"rules"}).out, HasSubstr("MAC303 jump-into-loop"));
+    EXPECT_GT(nlohmann::json::parse(run({"rules", "--format", "json"}).out).size(), 10U);
+    folder.write("docs/MAC000.md", "gone");
+    EXPECT_EQ(run({"rules", "--write-docs", "docs"}).status, 0);
+    const std::string page = read_file(folder.path() / "docs/MAC303.md");
+    EXPECT_THAT(page, StartsWith("# MAC303 jump-into-loop\n"));
+    EXPECT_FALSE(fs::exists(folder.path() / "docs/MAC000.md"));
+    EXPECT_THAT(read_file(folder.path() / "docs/README.md"), HasSubstr("[MAC303](MAC303.md)"));
+}
+
+} // namespace
+} // namespace maclint::test

@@ -1,0 +1,148 @@
+//! What machines read: SARIF and JSON.
+#include "cli/report/place.hpp"
+#include "tests/cli/reports.hpp"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace maclint::cli {
+namespace {
+
+using nlohmann::json;
+using test::HandMade;
+using testing::HasSubstr;
+
+json sarif_of(HandMade& made) { return json::parse(write_sarif(made.report()))["runs"][0]; }
+
+json first_result(HandMade& made) { return sarif_of(made)["results"][0]; }
+
+TEST(Sarif, PlacesAResultInUtf16CodeUnits) {
+    HandMade made("O1.nc", "O1\n(\xF0\x9F\x98\x80) GOTO 9\n");
+    made.add("GOTO 9", Severity::error);
+    const json result = first_result(made);
+    EXPECT_EQ(result["ruleId"], "MAC002");
+    EXPECT_EQ(result["level"], "error");
+    const json region = result["locations"][0]["physicalLocation"]["region"];
+    EXPECT_EQ(region["startLine"], 2);
+    EXPECT_EQ(region["startColumn"], 6);
+    EXPECT_EQ(region["endColumn"], 12);
+    EXPECT_EQ(region["snippet"]["text"], "GOTO 9");
+    EXPECT_EQ(sarif_of(made)["columnKind"], "utf16CodeUnits");
+}
+
+TEST(Sarif, PointsFromAResultToItsRuleAndFile) {
+    HandMade made("O1.nc", "O1\nM30\n");
+    made.add("M30", Severity::error);
+    const json run = sarif_of(made);
+    const json result = run["results"][0];
+    const std::size_t rule = result["ruleIndex"];
+    EXPECT_EQ(run["tool"]["driver"]["rules"][rule]["id"], "MAC002");
+    const json location = result["locations"][0]["physicalLocation"]["artifactLocation"];
+    const std::size_t artifact = location["index"];
+    EXPECT_EQ(run["artifacts"][artifact]["location"]["uri"], location["uri"]);
+    EXPECT_EQ(location["uriBaseId"], "%SRCROOT%");
+}
+
+TEST(Sarif, GivesMessagesAsTextAndByIdWithArguments) {
+    HandMade made("O1.nc", "O1\nM{0}\n");
+    made.add("M{0}", Severity::error);
+    const json message = first_result(made)["message"];
+    EXPECT_EQ(message["id"], "unknown");
+    EXPECT_EQ(message["arguments"][0], "M{0}");
+    EXPECT_THAT(message["text"].get<std::string>(), HasSubstr("'M{{0}}'"));
+}
+
+TEST(Sarif, DescribesRules) {
+    HandMade made("O1.nc", "O1\n");
+    for (const json& rule : sarif_of(made)["tool"]["driver"]["rules"]) {
+        EXPECT_FALSE(rule["fullDescription"]["text"].get<std::string>().empty()) << rule["id"];
+        EXPECT_FALSE(rule["help"]["markdown"].get<std::string>().empty()) << rule["id"];
+        EXPECT_TRUE(rule["properties"].contains("precision")) << rule["id"];
+        EXPECT_THAT(rule["name"].get<std::string>(), testing::MatchesRegex("[A-Z][A-Za-z0-9]*"));
+    }
+}
+
+TEST(Sarif, CarriesRelatedPlacesPathFixAndFingerprints) {
+    HandMade made("O1.nc", "O1\nGOTO 9\nN9\nM30\n");
+    Finding& finding = made.add("GOTO 9", Severity::warning);
+    finding.related.push_back({&made.file(), made.place_of("N9"), "N9 is here"});
+    finding.path.push_back({&made.file(), made.place_of("O1"), "it starts here"});
+    finding.path.push_back({&made.file(), made.place_of("GOTO 9"), "it ends here"});
+    finding.fix.push_back({made.place_of("GOTO 9\n"), ""});
+    const json result = first_result(made);
+    EXPECT_EQ(result["relatedLocations"][0]["message"]["text"], "N9 is here.");
+    const json steps = result["codeFlows"][0]["threadFlows"][0]["locations"];
+    ASSERT_EQ(steps.size(), 2U);
+    EXPECT_EQ(steps[1]["location"]["message"]["text"], "It ends here.");
+    EXPECT_EQ(steps[1]["executionOrder"], 2);
+    const json change = result["fixes"][0]["artifactChanges"][0]["replacements"][0];
+    EXPECT_EQ(change["deletedRegion"]["endLine"], 3);
+    EXPECT_EQ(change["deletedRegion"]["endColumn"], 1);
+    EXPECT_EQ(change["insertedContent"]["text"], "");
+    EXPECT_TRUE(result["partialFingerprints"].contains("primaryLocationLineHash"));
+    EXPECT_TRUE(result["partialFingerprints"].contains("maclint/v1"));
+}
+
+TEST(Sarif, MarksSuppressedResults) {
+    HandMade made("O1.nc", "O1\nM30 (OK)\n");
+    made.add("M30", Severity::error);
+    EXPECT_EQ(first_result(made)["suppressions"].size(), 0U);
+    made.report().findings[0].suppressed = Suppression{made.place_of("(OK)"), "WANTED"};
+    const json suppression = first_result(made)["suppressions"][0];
+    EXPECT_EQ(suppression["kind"], "inSource");
+    EXPECT_EQ(suppression["justification"], "WANTED");
+}
+
+TEST(Sarif, TellsOfTheRunAndOfFilesThatWereNotRead) {
+    HandMade made("O1.nc", "O1\n");
+    made.report().exit_status = 2;
+    made.report().notices = {{NoticeKind::unreadable, "gone.nc", "there is no such file"},
+                             {NoticeKind::configuration, ".maclint.json", "wrong"}};
+    const json invocation = sarif_of(made)["invocations"][0];
+    EXPECT_EQ(invocation["exitCode"], 2);
+    EXPECT_EQ(invocation["executionSuccessful"], false);
+    EXPECT_EQ(invocation["toolExecutionNotifications"][0]["level"], "error");
+    EXPECT_EQ(invocation["toolConfigurationNotifications"].size(), 1U);
+    EXPECT_FALSE(invocation.contains("startTimeUtc"));
+    made.report().times = RunTimes{"2025-01-31T12:00:00Z", "2025-01-31T12:00:01Z"};
+    EXPECT_EQ(sarif_of(made)["invocations"][0]["startTimeUtc"], "2025-01-31T12:00:00Z");
+}
+
+TEST(Sarif, IsValidUtf8WhateverTheBytesAre) {
+    HandMade made("O\xFF.nc", "O1\n(\xFF\xFE\xC3) \x80\n");
+    made.add("\xFF\xFE", Severity::error).arguments = {"\xFF{raw}"};
+    const std::string text = write_sarif(made.report());
+    EXPECT_EQ(to_utf8(text, Encoding::utf8), text);
+    EXPECT_NO_THROW(static_cast<void>(json::parse(text)));
+}
+
+TEST(Sarif, EncodesPathsAsUris) {
+    EXPECT_EQ(percent_encoded("a b/O#1%.nc"), "a%20b/O%231%25.nc");
+    const std::string root = std::filesystem::current_path().string();
+    EXPECT_EQ(uri_of("x/../O1.nc", root).uri, "O1.nc");
+    EXPECT_TRUE(uri_of("O1.nc", root).below_root);
+    EXPECT_FALSE(uri_of("../O1.nc", root).below_root);
+    EXPECT_THAT(uri_of("../O1.nc", root).uri, testing::StartsWith("file:///"));
+}
+
+TEST(Json, HoldsFindingsSuppressedOnesAndTheSummary) {
+    HandMade made("O1.nc", "O1\nM30\nM30\n");
+    made.add("M30", Severity::error);
+    made.add("O1", Severity::note);
+    made.report().findings[1].suppressed = Suppression{{0, 2}, "WANTED"};
+    const json out = json::parse(write_json(made.report()));
+    EXPECT_EQ(out["version"], 1);
+    ASSERT_EQ(out["findings"].size(), 1U);
+    EXPECT_EQ(out["findings"][0]["code"], "MAC002");
+    EXPECT_EQ(out["findings"][0]["range"]["start"]["line"], 2);
+    EXPECT_EQ(out["findings"][0]["range"]["bytes"][0], 3);
+    EXPECT_EQ(out["suppressed"][0]["suppressed"]["reason"], "WANTED");
+    EXPECT_EQ(out["summary"]["errors"], 1);
+    EXPECT_EQ(out["summary"]["suppressed"], 1);
+}
+
+} // namespace
+} // namespace maclint::cli
