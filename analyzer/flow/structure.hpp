@@ -34,7 +34,8 @@ struct StructureFault {
     Imbalance what;
     EffectId effect; ///< the opening or closing effect at fault
     std::optional<EffectId>
-        other; ///< its partner in the fault: the open loop with the same number, the crossed loop
+        other; ///< its partner in the fault: the open loop with the same number, the crossed loop, the close
+               ///< that is left over and may be meant for a loop that is never closed
 };
 
 struct Structures {
@@ -43,11 +44,17 @@ struct Structures {
     bool balance_in_doubt =
         false; ///< an unreadable block may open or close something: missing partners prove nothing
 
+    /// The faults of this kind that loops have, in program order; none that an unreadable block may explain.
+    [[nodiscard]] std::vector<StructureFault> loop_faults(const Program& program, Imbalance what) const;
+    /// The loops that are open around this opening effect, outermost first.
+    [[nodiscard]] std::vector<EffectId> loops_open_around(EffectId open) const;
     /// The innermost loop whose body holds this byte: after its opening effect, up to and including its
     /// closing block.
     [[nodiscard]] std::optional<StructureId> loop_around(const Program& program, Offset place) const;
     /// Whether the body of `loop` holds this byte.
     [[nodiscard]] bool holds(const Program& program, StructureId loop, Offset place) const;
+    /// The outermost loop that a jump between these bytes enters past its head.
+    [[nodiscard]] std::optional<StructureId> entered(const Program& program, Offset from, Offset to) const;
 };
 
 [[nodiscard]] Structures pair_structures(const Program& program);
