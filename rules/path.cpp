@@ -10,6 +10,7 @@ namespace maclint {
 namespace {
 
 constexpr std::size_t most_steps = 12;
+constexpr std::size_t most_looked_at = 5000;
 constexpr std::size_t longest_quote = 40;
 
 Span span_of(const Program& program, const flow::Edge& edge, const flow::Graph& graph) {
@@ -64,13 +65,16 @@ Span span_of(const ProgramAnalysis& analysis, const dataflow::Origin& origin) {
                                                             : analysis.graph().nodes[0].part;
 }
 
-/// The nodes from which the end can be reached.
+/// The nodes from which the end can be reached. So many are looked at; of those beyond, it is taken for
+/// granted.
 std::vector<bool> leading_to(const ProgramAnalysis& analysis, flow::NodeId end) {
     const flow::Graph& graph = analysis.graph();
     std::vector<bool> leads(graph.nodes.size(), false);
     std::vector<flow::NodeId> stack{end};
     leads[end] = true;
+    std::size_t looked_at = 0;
     while (!stack.empty()) {
+        if (++looked_at > most_looked_at) return std::vector<bool>(graph.nodes.size(), true);
         const flow::NodeId node = stack.back();
         stack.pop_back();
         for (const flow::EdgeId id : graph.in[node]) {

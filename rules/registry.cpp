@@ -13,13 +13,39 @@
     RULE(unknown_rule_in_suppression)           /* MAC002 */ \
     RULE(unreadable_file)                       /* MAC003 */ \
     RULE(oversized_block)                       /* MAC004 */ \
+    RULE(unterminated_comment)                  /* MAC102 */ \
+    RULE(parenthesis_as_bracket)                /* MAC116 */ \
+    RULE(bracket_mismatch)                      /* MAC117 */ \
+    RULE(unknown_keyword)                       /* MAC118 */ \
+    RULE(symbolic_comparison)                   /* MAC119 */ \
+    RULE(unreadable_block)                      /* MAC121 */ \
+    RULE(assignment_to_null_variable)           /* MAC201 */ \
     RULE(uninitialised_local)                   /* MAC209 */ \
     RULE(zero_test_misses_vacant)               /* MAC220 */ \
     RULE(vacant_in_relational_comparison)       /* MAC221 */ \
     RULE(vacancy_lost_in_arithmetic)            /* MAC222 */ \
     RULE(vacancy_test_never_true)               /* MAC228 */ \
+    RULE(jump_target_missing)                   /* MAC301 */ \
+    RULE(jump_into_loop)                        /* MAC303 */ \
+    RULE(while_without_do)                      /* MAC311 */ \
+    RULE(do_without_end)                        /* MAC312 */ \
+    RULE(end_without_do)                        /* MAC313 */ \
+    RULE(loop_number_out_of_range)              /* MAC314 */ \
+    RULE(loops_nested_too_deep)                 /* MAC315 */ \
+    RULE(crossed_loops)                         /* MAC316 */ \
+    RULE(loop_number_reuse_nested)              /* MAC317 */ \
+    RULE(do_without_while)                      /* MAC318 */ \
     RULE(infinite_loop_unchanged)               /* MAC319 */ \
     RULE(infinite_loop_step)                    /* MAC320 */ \
+    RULE(m99_p_missing_label)                   /* MAC333 */ \
+    RULE(endless_jump_loop)                     /* MAC336 */ \
+    RULE(call_without_program_number)           /* MAC401 */ \
+    RULE(program_not_found)                     /* MAC402 */ \
+    RULE(macro_calls_nested_too_deep)           /* MAC410 */ \
+    RULE(subprogram_calls_nested_too_deep)      /* MAC411 */ \
+    RULE(recursive_call)                        /* MAC412 */ \
+    RULE(g66_not_cancelled)                     /* MAC413 */ \
+    RULE(duplicate_sequence_number)             /* MAC462 */ \
     RULE(modal_state_not_restored)              /* MAC501 */ \
     RULE(compensation_or_transform_left_active) /* MAC502 */ \
     RULE(feed_or_speed_not_restored)            /* MAC503 */ \
@@ -29,6 +55,7 @@
     RULE(single_block_suppression_not_restored) /* MAC515 */ \
     RULE(saved_after_change)                    /* MAC517 */ \
     RULE(modal_state_forced)                    /* MAC518 */ \
+    RULE(bracket_depth)                         /* MAC701 */ \
     RULE(float_equality)                        /* MAC710 */ \
     RULE(float_loop_counter)                    /* MAC711 */ \
     RULE(constant_condition)                    /* MAC718 */

@@ -98,6 +98,13 @@ struct ExitState {
     State state;
 };
 
+/// The state in front of an effect that a rule wants to know of.
+struct PointState {
+    flow::NodeId node;
+    EffectId effect;
+    State state;
+};
+
 struct Facts {
     std::vector<Comparison> comparisons;
     std::vector<Condition> conditions;
@@ -107,6 +114,7 @@ struct Facts {
     std::vector<CallMade> calls;
     std::vector<ModalWrite> modal_writes;
     std::vector<ComputedJump> computed_jumps;
+    std::vector<PointState> tool_changes;
     std::vector<ExitState> exits; ///< reached ones
 };
 

@@ -166,6 +166,25 @@ std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place 
     return stores;
 }
 
+LoopChanges::LoopChanges(const Loop& loop, const Facts& facts) {
+    for (const Store& store : in_body(loop, facts.stores)) assigned_.push_back(key_of(store.place));
+    for (const Disturbance& disturbance : in_body(loop, facts.disturbances)) {
+        if (disturbance.place)
+            disturbed_.push_back(key_of(*disturbance.place));
+        else if (std::ranges::find(spaces_, disturbance.space) == spaces_.end())
+            spaces_.push_back(disturbance.space);
+    }
+    std::ranges::sort(assigned_);
+    std::ranges::sort(disturbed_);
+}
+
+bool LoopChanges::assigned(Place place) const { return std::ranges::binary_search(assigned_, key_of(place)); }
+
+bool LoopChanges::disturbed(Place place) const {
+    return std::ranges::find(spaces_, place.space) != spaces_.end() ||
+           std::ranges::binary_search(disturbed_, key_of(place));
+}
+
 namespace {
 
 /// Finds the counter of one loop, or why there is none.
@@ -175,14 +194,15 @@ class CounterSearch {
         : program_(program)
         , graph_(graph)
         , facts_(facts)
-        , loop_(loop) {}
+        , loop_(loop)
+        , changes_(loop, facts) {}
 
     std::optional<Counter> run() {
         for (const flow::EdgeId id : loop_.ways_out) {
             const flow::Edge& edge = graph_.edges[id];
             if (!edge.condition || !add_test(edge)) return std::nullopt;
         }
-        if (!counter_ || disturbed_in(loop_, facts_, counter_->place)) return std::nullopt;
+        if (!counter_ || changes_.disturbed(counter_->place)) return std::nullopt;
         for (const Store* store : stores_in(loop_, facts_, counter_->place)) {
             if (store->step)
                 counter_->steps.push_back(store);
@@ -195,13 +215,10 @@ class CounterSearch {
     }
 
   private:
-    [[nodiscard]] bool changes(Place place) const {
-        return disturbed_in(loop_, facts_, place) || !stores_in(loop_, facts_, place).empty();
-    }
-
     [[nodiscard]] bool is_fixed(ExpressionId expression) const {
         const ReadSet set = variables_of(program_, expression);
-        return set.closed && std::ranges::none_of(set.places, [this](Place place) { return changes(place); });
+        return set.closed &&
+               std::ranges::none_of(set.places, [this](Place place) { return changes_.may_change(place); });
     }
 
     /// A side that is the variable, or minus the variable.
@@ -213,13 +230,17 @@ class CounterSearch {
             id = program_.operands_of(*apply).front();
         }
         const auto* load = std::get_if<Load>(&program_.expressions[id].node);
-        if (load == nullptr || !changes(load->place)) return std::nullopt;
+        if (load == nullptr || !changes_.may_change(load->place)) return std::nullopt;
         return std::pair(load->place, negated);
     }
 
     bool add_test(const flow::Edge& edge) {
-        const auto found = std::ranges::find(facts_.comparisons, *edge.condition, &Comparison::expression);
-        if (found == facts_.comparisons.end() || !is_comparison(found->operation)) return false;
+        auto found = std::ranges::lower_bound(facts_.comparisons, edge.from, {}, &Comparison::node);
+        while (found != facts_.comparisons.end() && found->node == edge.from &&
+               found->expression != *edge.condition)
+            ++found;
+        if (found == facts_.comparisons.end() || found->node != edge.from || !is_comparison(found->operation))
+            return false;
         // The way out is taken when the comparison `holds`; the loop goes on otherwise.
         Operation stays = edge.holds ? opposite(found->operation) : found->operation;
         ExpressionId bound = found->right_expression;
@@ -254,6 +275,7 @@ class CounterSearch {
     const flow::Graph& graph_;
     const Facts& facts_;
     const Loop& loop_;
+    LoopChanges changes_;
     std::optional<Counter> counter_;
 };
 
@@ -262,12 +284,6 @@ class CounterSearch {
 std::optional<Counter> counter_of(const Program& program, const flow::Graph& graph, const Facts& facts,
                                   const Loop& loop) {
     return CounterSearch(program, graph, facts, loop).run();
-}
-
-bool disturbed_in(const Loop& loop, const Facts& facts, Place place) {
-    return std::ranges::any_of(in_body(loop, facts.disturbances), [place](const Disturbance& disturbance) {
-        return disturbance.place ? *disturbance.place == place : disturbance.space == place.space;
-    });
 }
 
 } // namespace maclint::dataflow

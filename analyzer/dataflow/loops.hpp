@@ -44,9 +44,19 @@ struct ReadSet {
 
 /// The assignments in the loop's body that change the variable.
 [[nodiscard]] std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place);
-/// Whether something in the loop's body that is no assignment may change the variable: a call, a store
-/// through an index.
-[[nodiscard]] bool disturbed_in(const Loop& loop, const Facts& facts, Place place);
+/// Every variable that the loop's body may change, in whatever way.
+class LoopChanges {
+  public:
+    LoopChanges(const Loop& loop, const Facts& facts);
+    [[nodiscard]] bool may_change(Place place) const { return assigned(place) || disturbed(place); }
+    /// By something that is no assignment: a call, a store through an index.
+    [[nodiscard]] bool disturbed(Place place) const;
+
+  private:
+    [[nodiscard]] bool assigned(Place place) const;
+    std::vector<Key> assigned_, disturbed_; ///< sorted
+    std::vector<SpaceId> spaces_;           ///< of which anything may change
+};
 
 /// One way out of a loop that a counter decides.
 struct CounterTest {

@@ -87,6 +87,9 @@ void Transfer::apply(State& state, const Effect& effect) {
                        for (const Place place : what.may_write) disturb(state, place, opaque_place(place, 4));
                        if (what.may_call_or_return) forget_shared(state);
                    },
+                   [&](const ToolChange&) {
+                       if (facts_ != nullptr) facts_->tool_changes.push_back({node_, effect_, state});
+                   },
                    [&](const Stop& what) {
                        if (facts_ != nullptr && what.number) (void)evaluate(state, *what.number, Use::word);
                    },

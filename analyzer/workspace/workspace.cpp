@@ -8,6 +8,8 @@
 #include "analyzer/workspace/resolve.hpp"
 
 #include <algorithm>
+#include <deque>
+#include <unordered_map>
 
 namespace maclint {
 class WorkspaceBuilder {
@@ -25,6 +27,7 @@ class WorkspaceBuilder {
         resolve_calls();
         components_ = flow::find_components(arrows_);
         for (const auto& layer : flow::layers_of(arrows_, components_)) analyse_layer(layer);
+        mark_cycles();
         measure_depth();
     }
 
@@ -143,6 +146,40 @@ class WorkspaceBuilder {
         });
     }
 
+    /// Depth-first from the programs that nobody calls: a call of a program still being followed closes a
+    /// cycle.
+    void mark_cycles() {
+        enum class Mark : std::uint8_t { fresh, open, done };
+        std::vector<Mark> marks(programs_.size(), Mark::fresh);
+        struct Frame {
+            ProgramIndex program;
+            std::size_t next;
+        };
+        const auto follow = [&](ProgramIndex root) {
+            if (marks[root] != Mark::fresh) return;
+            marks[root] = Mark::open;
+            std::vector<Frame> frames{{root, 0}};
+            while (!frames.empty()) {
+                const ProgramIndex at = frames.back().program;
+                auto& calls = programs_[at].calls_;
+                if (frames.back().next == calls.size()) {
+                    marks[at] = Mark::done;
+                    frames.pop_back();
+                    continue;
+                }
+                CallSite& site = calls[frames.back().next++];
+                if (!site.target) continue;
+                if (marks[*site.target] == Mark::open) site.closes_cycle = true;
+                if (marks[*site.target] != Mark::fresh) continue;
+                marks[*site.target] = Mark::open;
+                frames.push_back({*site.target, 0});
+            }
+        };
+        for (const ProgramAnalysis& program : programs_)
+            if (program.callers_.empty()) follow(program.index());
+        for (const ProgramAnalysis& program : programs_) follow(program.index());
+    }
+
     /// Longest ways from programs that nobody calls, callers before callees; calls within a cycle do not
     /// count.
     void measure_depth() {
@@ -180,6 +217,25 @@ class WorkspaceBuilder {
 const CallSite* ProgramAnalysis::call_at(EffectId effect) const {
     const auto found = std::ranges::lower_bound(calls_, effect, {}, &CallSite::effect);
     return found != calls_.end() && found->effect == effect ? &*found : nullptr;
+}
+
+std::vector<Caller> ProgramAnalysis::way_to(ProgramIndex program) const {
+    std::unordered_map<ProgramIndex, Caller> reached_by;
+    std::deque<ProgramIndex> queue{index_};
+    while (!queue.empty() && !reached_by.contains(program)) {
+        const ProgramAnalysis& at = workspace_->programs()[queue.front()];
+        queue.pop_front();
+        for (const CallSite& site : at.calls_) {
+            if (!site.target || *site.target == index_) continue;
+            if (reached_by.try_emplace(*site.target, Caller{at.index_, site.effect}).second)
+                queue.push_back(*site.target);
+        }
+    }
+    std::vector<Caller> way;
+    for (ProgramIndex at = program; at != index_ && reached_by.contains(at); at = way.back().program)
+        way.push_back(reached_by.at(at));
+    std::ranges::reverse(way);
+    return way;
 }
 
 std::vector<Caller> ProgramAnalysis::chain_to(Counted counted) const {

@@ -72,22 +72,21 @@ bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return true;
 }
 
-bool can_change(const ProgramAnalysis& analysis, const dataflow::Loop& loop, Place place) {
-    const bool own = analysis.control().spaces[place.space].scope == Scope::frame;
-    return (!own && (loop.has_unknown_effects || waits(analysis, loop))) ||
-           dataflow::disturbed_in(loop, analysis.facts(), place) ||
-           !dataflow::stores_in(loop, analysis.facts(), place).empty();
-}
-
 Deciders deciders_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     Deciders deciders;
+    const dataflow::LoopChanges changes(loop, analysis.facts());
+    const bool others_may = loop.has_unknown_effects || waits(analysis, loop);
+    const auto can_change = [&](Place place) {
+        const bool own = analysis.control().spaces[place.space].scope == Scope::frame;
+        return (!own && others_may) || changes.may_change(place);
+    };
     for (const flow::EdgeId id : loop.ways_out) {
         const auto& condition = analysis.graph().edges[id].condition;
         if (!condition) return {{}, false};
         const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), *condition);
         if (!set.closed) return {{}, false};
         for (const Place place : set.places) {
-            if (can_change(analysis, loop, place)) return {{}, false};
+            if (can_change(place)) return {{}, false};
             if (std::ranges::find(deciders.places, place) == deciders.places.end())
                 deciders.places.push_back(place);
         }
@@ -112,11 +111,17 @@ Span place_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return back.jump ? effects[*back.jump].span : analysis.graph().nodes[loop.latch].part;
 }
 
+bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    return loop.structure &&
+           analysis.structures().all[*loop.structure].construct == Construct::endless_loop;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Loop& loop : analysis.loops()) {
         if (loop.can_stop) continue;
         // A jump back without a condition and a way out repeats a program on purpose, as M99 does.
         if (!loop.structure && loop.ways_out.empty()) continue;
+        if (has_no_condition(analysis, loop)) continue; // MAC318 owns DO without WHILE
         const Deciders deciders = deciders_of(analysis, loop);
         if (!deciders.fixed) continue;
         const Span span = place_of(analysis, loop);

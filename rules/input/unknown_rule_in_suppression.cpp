@@ -17,7 +17,7 @@ extern const Rule unknown_rule_in_suppression{
     .off_reason = "",
     .data_flow = false,
     .messages = {{"unknown", "There is no rule '{0}'. See 'maclint rules' for the list."},
-                 {"similar", "There is no rule '{0}'. Did you mean '{1}'?"},
+                 {"similar", "There is no rule '{0}'. Write '{1}' if you mean that one."},
                  {"no-rule", "This comment names no rule. Write '{0}'."},
                  {"no-verb",
                   "'{0}' is nothing that maclint understands here. Write ALLOW, ALLOW-FILE, OFF or ON "

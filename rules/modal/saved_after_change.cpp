@@ -60,43 +60,53 @@ std::optional<dataflow::ModalPart> own_part(const ProgramAnalysis& analysis, con
     return value.parts.front();
 }
 
-/// The word that puts the saved value back and is still in force when the program returns.
-const dataflow::ModalWrite* last_restore(const ProgramAnalysis& analysis, const dataflow::Store& store,
-                                         GroupId group) {
-    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes) {
-        if (!dataflow::plain_place(analysis.program(), write.expression)) continue;
-        if (store_of(analysis, write.value) != &store) continue;
-        for (const dataflow::ExitState& exit : analysis.facts().exits) {
-            if (exit.exit.kind != flow::ExitKind::returns) continue;
-            for (const dataflow::ModalPart& part : analysis.data().modal(exit.state, group).parts) {
+/// Words whose setting is still in force when the program returns.
+std::vector<EffectId> effective_at_return(const ProgramAnalysis& analysis) {
+    std::vector<EffectId> effects;
+    for (const dataflow::ExitState& exit : analysis.facts().exits) {
+        if (exit.exit.kind != flow::ExitKind::returns) continue;
+        for (std::size_t group = 0; group < analysis.control().groups.size(); ++group)
+            for (const dataflow::ModalPart& part :
+                 analysis.data().modal(exit.state, static_cast<GroupId>(group)).parts) {
                 const dataflow::Origin& origin = analysis.data().origin(part.origin);
-                if (origin.kind == dataflow::Origin::Kind::effect && origin.id == write.effect) return &write;
+                if (origin.kind == dataflow::Origin::Kind::effect) effects.push_back(origin.id);
             }
-        }
     }
-    return nullptr;
+    std::ranges::sort(effects);
+    return effects;
+}
+
+void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Store& store, GroupId group,
+            const dataflow::ModalPart& part, const dataflow::ModalWrite& restore) {
+    const Program& program = analysis.program();
+    const Span span = program.effects[store.effect].span;
+    const Span change = remark_at(analysis, part.origin, {}).span;
+    Finding& finding =
+        reporter.report(analysis.file(), span, "own",
+                        {quoted(program, span), std::string(analysis.control().groups[group].name),
+                         quoted(program, change), quoted(program, program.effects[restore.effect].span)});
+    trace(finding, analysis, part.origin, "the program changes it here", store.node, "and saves it here");
+    finding.related.push_back(
+        {&analysis.file(), program.effects[restore.effect].span, "this puts back the program's own value"});
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
     const Program& program = analysis.program();
-    for (const dataflow::Store& store : analysis.facts().stores) {
-        const auto* load = std::get_if<LoadModal>(&program.expressions[store.expression].node);
+    const std::vector<EffectId> effective = effective_at_return(analysis);
+    std::vector<EffectId> known;
+    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes) {
+        if (!dataflow::plain_place(program, write.expression) ||
+            !std::ranges::binary_search(effective, write.effect))
+            continue;
+        const dataflow::Store* store = store_of(analysis, write.value);
+        if (store == nullptr || std::ranges::find(known, store->effect) != known.end()) continue;
+        const auto* load = std::get_if<LoadModal>(&program.expressions[store->expression].node);
         if (load == nullptr) continue;
-        const auto part = own_part(analysis, store, load->group);
+        const auto part = own_part(analysis, *store, load->group);
         if (!part) continue;
-        const dataflow::ModalWrite* restore = last_restore(analysis, store, load->group);
-        if (restore == nullptr) continue;
-        const Span span = program.effects[store.effect].span;
-        const Span change = remark_at(analysis, part->origin, {}).span;
-        Finding& finding = reporter.report(
-            analysis.file(), span, "own",
-            {quoted(program, span), std::string(analysis.control().groups[load->group].name),
-             quoted(program, change), quoted(program, program.effects[restore->effect].span)});
-        trace(finding, analysis, part->origin, "the program changes it here", store.node,
-              "and saves it here");
-        finding.related.push_back({&analysis.file(), program.effects[restore->effect].span,
-                                   "this puts back the program's own value"});
+        known.push_back(store->effect);
+        report(analysis, reporter, *store, load->group, *part, write);
     }
 }
 

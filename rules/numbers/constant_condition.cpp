@@ -114,9 +114,12 @@ struct Sides {
 
 Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     Sides sides;
-    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
-        if (comparison.node != condition.node || comparison.effect != condition.effect) continue;
-        for (const dataflow::Value* value : {&comparison.left, &comparison.right}) {
+    const auto& comparisons = analysis.facts().comparisons;
+    for (auto comparison =
+             std::ranges::lower_bound(comparisons, condition.node, {}, &dataflow::Comparison::node);
+         comparison != comparisons.end() && comparison->node == condition.node; ++comparison) {
+        if (comparison->effect != condition.effect) continue;
+        for (const dataflow::Value* value : {&comparison->left, &comparison->right}) {
             sides.constant &= value->constant().has_value();
             sides.vacant |= value->vacancy == dataflow::Vacancy::vacant;
         }

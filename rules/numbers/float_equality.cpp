@@ -89,20 +89,30 @@ bool is_copied_into(const ProgramAnalysis& analysis, ExpressionId expression, co
            });
 }
 
-/// The assignment that adds a step of unknown exactness to the variable in a loop: ten steps of 0.1 are
-/// not 1.
-const dataflow::Store* accumulating_store(const ProgramAnalysis& analysis, ExpressionId expression) {
-    const auto* load = std::get_if<Load>(&analysis.program().expressions[expression].node);
-    if (load == nullptr) return nullptr;
+/// An assignment that adds a step of unknown exactness to a variable in a loop: ten steps of 0.1 are not 1.
+using Sums = std::vector<const dataflow::Store*>;
+
+Sums find_sums(const ProgramAnalysis& analysis) {
+    std::vector<bool> repeated(analysis.graph().nodes.size(), false);
+    for (const dataflow::Loop& loop : analysis.loops())
+        for (const flow::NodeId node : loop.body) repeated[node] = true;
+    Sums sums;
     for (const dataflow::Store& store : analysis.facts().stores) {
-        if (!(store.place == load->place) || !store.step) continue;
+        if (!store.step || !repeated[store.node]) continue;
         const Value& amount = store.step->amount;
         if (amount.integer || (amount.constant() && !dataflow::is_inexact(amount))) continue;
-        if (std::ranges::any_of(analysis.loops(),
-                                [&](const dataflow::Loop& loop) { return loop.holds(store.node); }))
-            return &store;
+        const auto same = [&](const dataflow::Store* other) { return other->place == store.place; };
+        if (std::ranges::none_of(sums, same)) sums.push_back(&store);
     }
-    return nullptr;
+    return sums;
+}
+
+const dataflow::Store* sum_in(const ProgramAnalysis& analysis, const Sums& sums, ExpressionId expression) {
+    const auto* load = std::get_if<Load>(&analysis.program().expressions[expression].node);
+    if (load == nullptr) return nullptr;
+    const auto found =
+        std::ranges::find_if(sums, [&](const dataflow::Store* sum) { return sum->place == load->place; });
+    return found == sums.end() ? nullptr : *found;
 }
 
 bool is_harmless(const ProgramAnalysis& analysis, const dataflow::Comparison& c) {
@@ -120,13 +130,14 @@ struct Inexact {
     const dataflow::Store* sum;
 };
 
-std::optional<Inexact> inexact_side(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison) {
+std::optional<Inexact> inexact_side(const ProgramAnalysis& analysis, const Sums& sums,
+                                    const dataflow::Comparison& comparison) {
     if (comparison.left.exactness == dataflow::Exactness::rounded)
         return Inexact{comparison.left_expression, comparison.left.rounding, nullptr};
     if (comparison.right.exactness == dataflow::Exactness::rounded)
         return Inexact{comparison.right_expression, comparison.right.rounding, nullptr};
     for (const ExpressionId side : {comparison.left_expression, comparison.right_expression})
-        if (const dataflow::Store* sum = accumulating_store(analysis, side)) return Inexact{side, 0, sum};
+        if (const dataflow::Store* sum = sum_in(analysis, sums, side)) return Inexact{side, 0, sum};
     return std::nullopt;
 }
 
@@ -152,12 +163,13 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const std::vector<InexactCounter> counters = find_inexact_counters(analysis);
+    const Sums sums = find_sums(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
-        if (is_harmless(analysis, comparison) || decides(counters, comparison)) continue;
-        if (const auto inexact = inexact_side(analysis, comparison))
-            report(analysis, reporter, comparison, *inexact);
+        const auto inexact = inexact_side(analysis, sums, comparison);
+        if (!inexact || is_harmless(analysis, comparison) || decides(counters, comparison)) continue;
+        report(analysis, reporter, comparison, *inexact);
     }
 }
 

@@ -60,11 +60,11 @@ std::vector<InexactCounter> find_inexact_counters(const ProgramAnalysis& analysi
     for (const dataflow::Loop& loop : analysis.loops()) {
         const auto counter =
             dataflow::counter_of(analysis.program(), analysis.graph(), analysis.facts(), loop);
-        if (!counter || !counter->clamps.empty() || !is_risky(analysis, loop, *counter)) continue;
+        if (!counter || !counter->clamps.empty()) continue;
         const auto inexact = std::ranges::find_if(counter->steps, [&](const dataflow::Store* store) {
             return is_inexact_step(analysis, store->step->amount);
         });
-        if (inexact == counter->steps.end()) continue;
+        if (inexact == counter->steps.end() || !is_risky(analysis, loop, *counter)) continue;
         if (std::ranges::find(found, *inexact, &InexactCounter::step) != found.end()) continue;
         InexactCounter one{*inexact, {}};
         for (const dataflow::CounterTest& test : counter->tests) one.tests.push_back(test.comparison);

@@ -78,9 +78,11 @@ std::optional<std::vector<flow::EdgeId>> way_to(const ProgramAnalysis& analysis,
 
 /// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
 bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    return std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
-        return store.effect == read.effect && store.place == read.place && store.step;
-    });
+    const auto& stores = analysis.facts().stores;
+    for (auto store = std::ranges::lower_bound(stores, read.node, {}, &dataflow::Store::node);
+         store != stores.end() && store->node == read.node; ++store)
+        if (store->effect == read.effect && store->place == read.place && store->step) return true;
+    return false;
 }
 
 std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Read& read) {
@@ -93,16 +95,18 @@ std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Re
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     // Without arguments a called program may be one that shares its caller's locals.
     if (!analysis.is_main() && !analysis.is_macro()) return;
+    constexpr int most_attempts = 64; // reads of one variable to which a way is looked for
     const Program& program = analysis.program();
-    std::vector<Place> known;
+    std::vector<std::pair<Place, int>> attempts;
     for (const dataflow::Read& read : analysis.facts().reads) {
-        if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read) ||
-            counts(analysis, read))
-            continue;
-        if (std::ranges::find(known, read.place) != known.end()) continue;
+        if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
+        auto tried = std::ranges::find(attempts, read.place, &std::pair<Place, int>::first);
+        if (tried == attempts.end()) tried = attempts.insert(tried, {read.place, 0});
+        if (tried->second >= most_attempts || counts(analysis, read)) continue;
+        ++tried->second;
         const auto way = way_to(analysis, read);
         if (!way && read.value.vacancy != dataflow::Vacancy::vacant) continue;
-        known.push_back(read.place);
+        tried->second = most_attempts; // once a variable
         const Span span = program.expressions[read.expression].span;
         const std::string name = program.spell(read.place);
         Finding& finding = reporter.report(analysis.file(), span, message_for(analysis, read), {name});

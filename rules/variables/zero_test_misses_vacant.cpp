@@ -56,29 +56,33 @@ bool is_zero(const dataflow::Value& value) {
 /// The author treats both cases: another test of the same variable for vacancy is in the same condition, or
 /// in the IF right before or behind.
 bool tests_both(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison, Place place) {
-    const Program& program = analysis.program();
-    constexpr std::uint32_t near = 3; // effects between two IF blocks: the guard and what it guards
-    return std::ranges::any_of(analysis.facts().comparisons, [&](const dataflow::Comparison& other) {
-        if (other.operation != Operation::is_vacant && other.operation != Operation::is_set) return false;
-        if (dataflow::plain_place(program, other.left_expression) != place) return false;
-        const auto apart =
-            other.node > comparison.node ? other.node - comparison.node : comparison.node - other.node;
-        return apart <= near;
-    });
+    constexpr flow::NodeId near = 3; // nodes between two IF blocks: the condition and what it guards
+    const auto& all = analysis.facts().comparisons;
+    const flow::NodeId first = comparison.node - std::min(comparison.node, near);
+    for (auto other = std::ranges::lower_bound(all, first, {}, &dataflow::Comparison::node);
+         other != all.end() && other->node <= comparison.node + near; ++other) {
+        const bool test = other->operation == Operation::is_vacant || other->operation == Operation::is_set;
+        if (test && dataflow::plain_place(analysis.program(), other->left_expression) == place) return true;
+    }
+    return false;
 }
 
-/// IF[#3EQ0]GOTO1, IF[#3EQ1]GOTO2 …: a choice among numbers, whose default a missing argument takes as well.
-bool is_choice(const ProgramAnalysis& analysis, Place place) {
-    const Program& program = analysis.program();
-    return std::ranges::any_of(analysis.facts().comparisons, [&](const dataflow::Comparison& other) {
-        const auto constant = other.right.constant();
-        return other.operation == Operation::equal && constant && *constant != 0 &&
-               dataflow::plain_place(program, other.left_expression) == place;
-    });
+/// Variables of IF[#3EQ0]GOTO1, IF[#3EQ1]GOTO2 …: a choice among numbers, whose default a missing argument
+/// takes as well.
+std::vector<Place> find_choices(const ProgramAnalysis& analysis) {
+    std::vector<Place> choices;
+    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+        const auto constant = comparison.right.constant();
+        if (comparison.operation != Operation::equal || !constant || *constant == 0) continue;
+        const auto place = dataflow::plain_place(analysis.program(), comparison.left_expression);
+        if (place && std::ranges::find(choices, *place) == choices.end()) choices.push_back(*place);
+    }
+    return choices;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
+    const std::vector<Place> choices = find_choices(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
@@ -88,7 +92,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (value.vacancy != dataflow::Vacancy::maybe || value.doubt == 0) continue;
         const auto place = dataflow::plain_place(program, zero_left ? comparison.right_expression
                                                                     : comparison.left_expression);
-        if (!place || tests_both(analysis, comparison, *place) || is_choice(analysis, *place)) continue;
+        if (!place || std::ranges::find(choices, *place) != choices.end() ||
+            tests_both(analysis, comparison, *place))
+            continue;
         const Span span = program.expressions[comparison.expression].span;
         const std::string name = program.spell(*place);
         Finding& finding = reporter.report(analysis.file(), span,

@@ -179,6 +179,10 @@ TEST(FanucCall, WithoutProgramIsIrregular) {
     EXPECT_EQ(lower("M98Q100"), "if unreadable {jump 100}; call M98 subprogram call unreadable");
 }
 
+TEST(FanucCall, OfBlocksOfTheSameProgramMayJumpThereAndGoesOnHere) {
+    EXPECT_EQ(lower("M97P#4L2"), "values #4; if unreadable {jump #4}; call M98 subprogram call unreadable");
+}
+
 TEST(FanucOutput, SendsVariables) {
     EXPECT_EQ(lower("DPRNT[X#100[53]*Y#101[53]]"), "exchange out #100 out #101");
     EXPECT_EQ(lower("POPEN"), "exchange");
@@ -200,8 +204,8 @@ TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
 }
 
 TEST(FanucIrregular, OpenCommentSwallowsWhatFollows) {
-    EXPECT_EQ(lower("G0X#1(TO THE EDGE\nG1X#2"),
-              "motion mode=0; values #1; move\nmotion mode=1; values #2; move\n! unterminated-comment '(TO THE EDGE' -> )");
+    EXPECT_EQ(lower("G0X#1(TO THE EDGE\nG1X#2"), "motion mode=0; values #1; move\nmotion mode=1; values #2; "
+                                                 "move\n! unterminated-comment '(TO THE EDGE' -> )");
     EXPECT_EQ(lower("#1=(NOT CLOSED"), "unreadable writes #1\n! unterminated-comment '(NOT CLOSED' -> )");
 }
 

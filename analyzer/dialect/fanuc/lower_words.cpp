@@ -209,11 +209,16 @@ void BlockLowering::lower_machine_function(const NcWord& word, std::span<const N
     if (*word.literal == 98) lower_subprogram_call(calls::m98, word, words, span, effects);
     if (*word.literal == 198) lower_subprogram_call(calls::m198, word, words, span, effects);
     if (*word.literal == 99) effects.push_back({Return{std::nullopt, value_of('P')}, span});
-    if (*word.literal == 97) {
-        // Haas: the blocks from Nn to M99 run as a subprogram. They may run, and reading goes on here.
-        if (const std::optional<ExpressionId> label = value_of('P'))
-            effects.push_back(guarded(unreadable(here), {{Jump{*label}, span}}, span));
-    }
+    if (*word.literal == 97) // Haas
+        if (const std::optional<ExpressionId> label = value_of('P')) lower_local_call(*label, span, effects);
+}
+
+/// The blocks from a label to M99 run as a subprogram of this program. They may run, reading goes on here,
+/// and what they have done by then is not known.
+void BlockLowering::lower_local_call(ExpressionId label, Span span, Effects& effects) {
+    effects.push_back(guarded(unreadable(span), {{Jump{label}, span}}, span));
+    const Slice no_arguments{static_cast<Id>(program_.arguments.size()), 0};
+    effects.push_back({Call{unreadable(span), calls::m98, no_arguments, std::nullopt}, span});
 }
 
 /// Whether the digits of `P51002` are repeats and a program number of four digits.
@@ -244,13 +249,12 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
     } else if (program != nullptr) {
         call.program = *program->value;
     }
-    if (std::holds_alternative<std::monostate>(call.program) && label) {
-        // M98 Q100 runs the blocks from N100 to M99 of this program. They may run, and reading goes on here.
-        effects.push_back(guarded(unreadable(this->span(*code.node)), {{Jump{*label}, span}}, span));
-        call.program = unreadable(span);
+    const bool names_program = !std::holds_alternative<std::monostate>(call.program);
+    if (!names_program && label) { // M98 Q100: from N100 of this program
+        lower_local_call(*label, span, effects);
+        return;
     }
-    if (std::holds_alternative<std::monostate>(call.program))
-        report(Irregular::call_without_program, this->span(*code.node), "P");
+    if (!names_program) report(Irregular::call_without_program, this->span(*code.node), "P");
     effects.push_back({call, span});
 }
 

@@ -59,6 +59,7 @@ class BlockLowering {
                                 Effects& effects);
     void lower_subprogram_call(CallKindId kind, const NcWord& code, std::span<const NcWord> words, Span span,
                                Effects& effects);
+    void lower_local_call(ExpressionId label, Span span, Effects& effects);
     [[nodiscard]] bool holds_repeats(const NcWord& program) const;
     [[nodiscard]] Slice arguments_from(std::span<const NcWord> words);
     void set_local_offset(std::span<const NcWord> words, Span span, Effects& effects);

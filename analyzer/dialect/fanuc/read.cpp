@@ -110,9 +110,11 @@ class Reader {
     }
 
     Offset read_with_grammar(Offset at) {
-        cut_block(text_, at, raw_);
-        if (raw_.span.empty()) return raw_.next > at ? raw_.next : at + 1;
-        if (text_[raw_.span.begin] == '%') return take_tape_mark(raw_.span.begin);
+        const Offset first = skip_blanks(text_, at);
+        if (first == text_.size()) return first;
+        if (text_[first] == '%') return take_tape_mark(first);
+        cut_block(text_, first, raw_);
+        if (raw_.span.empty()) return raw_.next;
         const std::string code = bare(text_, raw_);
         const bool only_comments = code.empty();
         if (!only_comments) {

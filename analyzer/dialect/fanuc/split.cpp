@@ -25,11 +25,6 @@ Offset behind_comment(std::string_view text, Offset open) {
     return at < text.size() && text[at] == ')' ? at + 1 : at;
 }
 
-Offset skip_blanks(std::string_view text, Offset at) {
-    while (at < text.size() && is_blank(text[at])) ++at;
-    return at;
-}
-
 /// Behind blanks, line ends and comments.
 Offset skip_to_code(std::string_view text, Offset at) {
     while (at < text.size()) {
@@ -94,6 +89,11 @@ bool holds_blocks(std::string_view text) {
 }
 
 } // namespace
+
+Offset skip_blanks(std::string_view text, Offset at) {
+    while (at < text.size() && is_blank(text[at])) ++at;
+    return at;
+}
 
 void cut_block(std::string_view text, Offset begin, RawBlock& block) {
     block.comments.clear();

@@ -18,6 +18,9 @@ struct RawBlock {
     std::vector<Span> comments; ///< brackets included; the last one may lack its ')'
 };
 
+/// Behind the blanks and the tape leader at `at`.
+[[nodiscard]] Offset skip_blanks(std::string_view text, Offset at);
+
 /// The block that begins at `begin`. It ends at `;`, at a line end, or before a tape mark at the end of its
 /// line.
 void cut_block(std::string_view text, Offset begin, RawBlock& block);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -34,7 +35,9 @@ constexpr std::string_view feed = "feed", speed = "spindle speed", local_offset 
 [[nodiscard]] std::vector<ModalGroup> lathe_groups();
 [[nodiscard]] std::vector<VariableSpace> variable_spaces();
 /// What `#n` is; `groups` gives the rows that #4001 and the like read.
-[[nodiscard]] VariableFamily numbered_variables(std::span<const ModalGroup> groups);
+/// `group_twelve` is the row that #4012 reads, where that is known.
+[[nodiscard]] VariableFamily numbered_variables(std::span<const ModalGroup> groups,
+                                                std::optional<GroupId> group_twelve);
 [[nodiscard]] std::vector<CallKind> call_kinds();
 
 // Argument specification I, fanuc-custom-macro.md 5.2: the local variable of each letter from A to Z, 0 for

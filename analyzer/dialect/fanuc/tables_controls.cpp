@@ -16,6 +16,7 @@ struct ControlRow {
     Limits limits;
     bool repeats_in_program_word; ///< M98 P51002 is 5 x O1002
     bool has_lathe;
+    bool offset_is_group_12; ///< #4012 reads G54-G59
 };
 
 constexpr auto unknown = std::nullopt;
@@ -23,14 +24,14 @@ constexpr std::string_view lathe_suffix = "-lathe";
 
 // clang-format off
 const std::array<ControlRow, 7> rows{{
-    // name          description                              assumed  macro sub together DO  first last [ ] source                                              P rep  lathe
-    {"fanuc",        "FANUC, series not named",               true,  {4,     4,  unknown, 3,  1,    3,   5,  "as 16i/18i/21i"},                                 true,  true},
-    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4,  unknown, 3,  1,    3,   5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},        true,  true},
-    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4,  unknown, 3,  1,    3,   5,  "TENC-G65; T"},                                    true,  true},
-    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10,  15,      3,  1,    3,   5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                 true,  true},
-    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10,  15,      3,  1,    3,   5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                 true,  true},
-    {"nct",          "NCT 104-M",                             false, {4,     4,  unknown, 3,  1,    3,   5,  "NCT-171; NCT-188; M98 and DO levels unknown"},    true,  false},
-    {"haas",         "Haas",                                  false, {9,     9,  unknown, 3,  1,    3,   5,  "T"},                                              false, true},
+    // name          description                              assumed  macro sub together DO  first last [ ] source                                              P rep  lathe  #4012
+    {"fanuc",        "FANUC, series not named",               true,  {4,     4,  unknown, 3,  1,    3,   5,  "as 16i/18i/21i"},                                 true,  true,  false},
+    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4,  unknown, 3,  1,    3,   5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},        true,  true,  false},
+    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4,  unknown, 3,  1,    3,   5,  "TENC-G65; T"},                                    true,  true,  false},
+    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10,  15,      3,  1,    3,   5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                 true,  true,  false},
+    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10,  15,      3,  1,    3,   5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                 true,  true,  false},
+    {"nct",          "NCT 104-M",                             false, {4,     4,  unknown, 3,  1,    3,   5,  "NCT-171; NCT-188; M98 and DO levels unknown"},    true,  false, false},
+    {"haas",         "Haas",                                  false, {9,     9,  unknown, 3,  1,    3,   5,  "T"},                                              false, true,  true},
 }};
 // clang-format on
 
@@ -41,7 +42,10 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     control.assumed = row.assumed;
     control.limits = row.limits;
     control.spaces = variable_spaces();
-    control.families = {numbered_variables(groups)};
+    std::optional<GroupId> group_twelve;
+    const auto work_offset = std::ranges::find(groups, std::string_view("work offset"), &ModalGroup::name);
+    if (row.offset_is_group_12) group_twelve = static_cast<GroupId>(work_offset - groups.begin());
+    control.families = {numbered_variables(groups, group_twelve)};
     control.groups = std::move(groups);
     control.calls = call_kinds();
     for (const std::int32_t local : local_of_letter)

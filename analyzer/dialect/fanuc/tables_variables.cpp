@@ -17,12 +17,18 @@ GroupId row_of(std::span<const ModalGroup> groups, std::string_view name) {
     return static_cast<GroupId>(row - groups.begin());
 }
 
-/// #4001-#4022 and their twins in other hundreds: one row a group.
-void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::string_view what) {
+/// #4001-#4022 and their twins in other hundreds: one row a group. Group 12 is G66 on some controls and
+/// G54-G59 on others (Haas, and programs in the wild); where it is not the work offset, nothing is known of
+/// its value.
+void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::string_view what,
+                  std::optional<GroupId> group_twelve) {
+    constexpr GroupId twelve = 11;
     for (GroupId group = 0; group < modal_groups; ++group) {
         const std::int32_t number = first + group;
-        ranges.push_back(
-            {number, number, modal, spaces::machine, group, forbidden, false, what, "SEED-001:1340-1357"});
+        const bool known = group != twelve || group_twelve;
+        const GroupId row = group == twelve ? group_twelve.value_or(0) : group;
+        ranges.push_back({number, number, known ? modal : machine, spaces::machine, row, forbidden, false,
+                          what, "SEED-001:1340-1357"});
     }
 }
 
@@ -40,7 +46,7 @@ std::vector<VariableSpace> variable_spaces() {
     // clang-format on
 }
 
-VariableFamily numbered_variables(std::span<const ModalGroup> groups) {
+VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optional<GroupId> group_twelve) {
     constexpr SpaceId here = spaces::machine;
     const GroupId feed = row_of(groups, group_names::feed);
     const GroupId speed = row_of(groups, group_names::speed);
@@ -77,13 +83,13 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups) {
     add({ 3901,   3902,  machine, here,             0,            store,     true,  "parts counter",                           "TENC-SYS"});
     add({ 3903,   3999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
     add({ 4000,   4000,  machine, here,             0,            forbidden, false, "main program number",                     "TENC-SYS"});
-    append_modal(ranges, 4001, "modal G code up to the previous block");
+    append_modal(ranges, 4001, "modal G code up to the previous block", group_twelve);
     add({ 4023,   4108,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1358-1359; T"});
     add({ 4109,   4109,  modal,   here,             feed,         forbidden, false, "feed F",                                  "SEED-001:1360"});
     add({ 4110,   4118,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1361-1364"});
     add({ 4119,   4119,  modal,   here,             speed,        forbidden, false, "spindle speed S",                         "SEED-001:1365"});
     add({ 4120,   4200,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1366-1367"});
-    append_modal(ranges, 4201, "modal G code of the block being executed");
+    append_modal(ranges, 4201, "modal G code of the block being executed", group_twelve);
     add({ 4223,   4308,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
     add({ 4309,   4309,  modal,   here,             feed,         forbidden, false, "feed F of the block being executed",      "T; MITSU-331"});
     add({ 4310,   4318,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
