@@ -47,7 +47,7 @@ class TrapSearch {
                 stops_[node] = true;
             const auto* structure = std::get_if<Structure>(&what);
             if (structure != nullptr && structure->part == Structure::Part::open &&
-                structure->construct != Construct::choice && structure->construct != Construct::selection)
+                is_loop(structure->construct))
                 head_of_.emplace(id, node);
         }
     }

@@ -10,10 +10,6 @@
 namespace maclint::flow {
 namespace {
 
-bool is_loop(Construct construct) {
-    return construct == Construct::while_loop || construct == Construct::endless_loop;
-}
-
 /// What pairs an opening with its close: an END closes WHILE and DO alike, every other construct has a close
 /// of its own; numbers must agree.
 using Key = std::pair<Construct, std::optional<std::int64_t>>;
