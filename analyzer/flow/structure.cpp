@@ -2,7 +2,6 @@
 #include "analyzer/flow/structure.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -212,28 +211,6 @@ class Pairing {
 };
 
 } // namespace
-
-std::vector<StructureFault> Structures::loop_faults(const Program& program, Imbalance what) const {
-    std::vector<StructureFault> found;
-    const bool of_balance =
-        what == Imbalance::never_closed || what == Imbalance::never_opened || what == Imbalance::crossed;
-    if (of_balance && balance_in_doubt) return found;
-    std::ranges::copy_if(faults, std::back_inserter(found), [&](const StructureFault& fault) {
-        return fault.what == what &&
-               is_loop(std::get<Structure>(program.effects[fault.effect].what).construct);
-    });
-    return found;
-}
-
-std::vector<EffectId> Structures::loops_open_around(EffectId open) const {
-    std::vector<EffectId> around;
-    const auto at = std::ranges::find(all, open, &Paired::open);
-    if (at == all.end()) return around;
-    for (auto outer = at->parent; outer; outer = all[*outer].parent)
-        if (is_loop(all[*outer].construct)) around.push_back(all[*outer].open);
-    std::ranges::reverse(around);
-    return around;
-}
 
 bool Structures::holds(const Program& program, StructureId loop, Offset place) const {
     const Paired& paired = all[loop];

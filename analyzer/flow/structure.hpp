@@ -44,10 +44,6 @@ struct Structures {
     bool balance_in_doubt =
         false; ///< an unreadable block may open or close something: missing partners prove nothing
 
-    /// The faults of this kind that loops have, in program order; none that an unreadable block may explain.
-    [[nodiscard]] std::vector<StructureFault> loop_faults(const Program& program, Imbalance what) const;
-    /// The loops that are open around this opening effect, outermost first.
-    [[nodiscard]] std::vector<EffectId> loops_open_around(EffectId open) const;
     /// The innermost loop whose body holds this byte: after its opening effect, up to and including its
     /// closing block.
     [[nodiscard]] std::optional<StructureId> loop_around(const Program& program, Offset place) const;
