@@ -275,7 +275,7 @@ std::optional<Irregularity> Clues::remark() const {
         const Span tail{tokens_[i + 1].span.begin, tokens_.back().span.end};
         if (text_[tail.end - 1] == ')')
             return make(Irregular::unreadable, tail, text_.substr(tail.begin, tail.length()),
-                        "comments do not nest: the first ')' ends this one");
+                        "nothing behind the first ')', because comments do not nest");
     }
     std::size_t words = 0;
     std::size_t code = 0;
@@ -292,7 +292,7 @@ std::optional<Irregularity> Clues::remark() const {
     if (words < 2 || words * 2 < code) return std::nullopt;
     const Span all{tokens_.front().span.begin, tokens_.back().span.end};
     return make(Irregular::unreadable, all, text_.substr(all.begin, all.length()),
-                "a remark must stand in ( )");
+                "( ) around a remark");
 }
 
 /// The first node of the tree that stands for an error.
