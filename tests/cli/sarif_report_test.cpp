@@ -116,7 +116,7 @@ TEST(Sarif, IsValidUtf8WhateverTheBytesAre) {
     made.add("\xFF\xFE", Severity::error).arguments = {"\xFF{raw}"};
     const std::string text = write_sarif(made.report());
     EXPECT_EQ(to_utf8(text, Encoding::utf8), text);
-    EXPECT_NO_THROW(static_cast<void>(json::parse(text)));
+    EXPECT_TRUE(json::accept(text));
 }
 
 TEST(Sarif, EncodesPathsAsUris) {
