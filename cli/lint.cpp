@@ -15,7 +15,7 @@ std::unique_ptr<Workspace> analyse(const std::vector<ReadFile>& files, unsigned 
     for (const ReadFile& file : files) {
         if (!file.file || file.not_nc) continue;
         members.push_back({file.file, file.input.asked});
-        complete = complete && file.settings.configuration && file.settings.configuration->complete;
+        complete = complete && file.settings.complete;
     }
     return Workspace::analyse(std::move(members), {complete, jobs});
 }

@@ -33,6 +33,7 @@ struct Alarm {
 struct Example {
     std::string_view dialect;
     std::string_view text;
+    bool complete = false; ///< shown in a folder that the configuration declares complete
 };
 
 /// Raised by the command itself: while files are read, or when suppressions are matched.

@@ -13,7 +13,10 @@ std::vector<flow::StructureFault> structure_faults(const ProgramAnalysis& analys
     std::vector<flow::StructureFault> faults;
     if (needs_partner && structures.balance_in_doubt) return faults;
     std::ranges::copy_if(structures.faults, std::back_inserter(faults),
-                         [kind](const flow::StructureFault& fault) { return fault.what == kind; });
+                         [&](const flow::StructureFault& fault) {
+                             const auto& what = analysis.program().effects[fault.effect].what;
+                             return fault.what == kind && is_loop(std::get<Structure>(what).construct);
+                         });
     return faults;
 }
 

@@ -28,6 +28,12 @@ struct Loop {
 [[nodiscard]] std::vector<Loop> find_loops(const Program& program, const flow::Structures& structures,
                                            const flow::Graph& graph, const Analysis& analysis);
 
+/// Cycles that nothing ends: no way leads out of them, and nothing in them stops the program. The body is all
+/// that can be reached from inside; `structure` is the outermost WHILE or DO that holds all of it, if one
+/// does, else `back` is the last jump back in the text.
+[[nodiscard]] std::vector<Loop> find_traps(const Program& program, const flow::Structures& structures,
+                                           const flow::Graph& graph, const Analysis& analysis);
+
 /// The variables that an expression reads; empty when it also reads something that changes by itself or
 /// cannot be known.
 struct ReadSet {

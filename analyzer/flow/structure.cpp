@@ -2,14 +2,26 @@
 #include "analyzer/flow/structure.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace maclint::flow {
 namespace {
 
-bool is_loop(Construct construct) {
-    return construct == Construct::while_loop || construct == Construct::endless_loop;
+/// What pairs an opening with its close: an END closes WHILE and DO alike, every other construct has a close
+/// of its own; numbers must agree.
+using Key = std::pair<Construct, std::optional<std::int64_t>>;
+
+Key key_of(Construct construct, std::optional<std::int64_t> number) {
+    return {is_loop(construct) ? Construct::while_loop : construct, number};
 }
+
+/// A close that belongs to nothing, and the innermost loop or choice open there.
+struct Stray {
+    EffectId close;
+    std::optional<StructureId> within;
+};
 
 class Pairing {
   public:
@@ -18,9 +30,11 @@ class Pairing {
 
     Structures run() {
         for_each_effect(program_, [this](EffectId id) { take(id); });
-        for (const StructureId id : open_) never_closed(id);
-        for (const StructureId id : crossed_) never_closed(id);
-        std::ranges::sort(result_.faults, {}, &StructureFault::effect);
+        judge_numbers();
+        judge_unpaired();
+        for (Paired& paired : result_.all)
+            paired.crossed |= paired.close && crossing_closes_.contains(*paired.close);
+        std::ranges::stable_sort(result_.faults, {}, &StructureFault::effect);
         return std::move(result_);
     }
 
@@ -39,30 +53,18 @@ class Pairing {
         }
     }
 
+    // ---- pairing ----
+
     void open(EffectId id, const Structure& structure) {
         Paired paired{structure.construct, id, {}, {}, false, {}, 0, structure.number, structure.condition};
         if (!open_.empty()) {
             paired.parent = open_.back();
             paired.loop_level = result_.all[open_.back()].loop_level;
         }
-        if (is_loop(structure.construct)) {
-            ++paired.loop_level;
-            check_number(id, paired);
-        }
+        if (is_loop(structure.construct)) ++paired.loop_level;
+        open_at_[key_of(structure.construct, structure.number)].push_back(open_.size());
         open_.push_back(static_cast<StructureId>(result_.all.size()));
         result_.all.push_back(std::move(paired));
-    }
-
-    /// One cause, one fault: a level too many explains a number out of range or in use.
-    void check_number(EffectId id, const Paired& paired) {
-        const Limits& limits = program_.control->limits;
-        if (paired.loop_level > limits.loop_levels) return fault(Imbalance::nested_too_deep, id, {});
-        if (!paired.number || limits.last_loop_number == 0) return;
-        const auto same = std::ranges::find_if(
-            open_, [&](StructureId s) { return result_.all[s].number == paired.number; });
-        if (same != open_.end()) return fault(Imbalance::number_reused, id, result_.all[*same].open);
-        if (*paired.number < limits.first_loop_number || *paired.number > limits.last_loop_number)
-            fault(Imbalance::number_out_of_range, id, {});
     }
 
     void divide(EffectId id, const Structure& structure) {
@@ -72,56 +74,130 @@ class Pairing {
     }
 
     void close(EffectId id, const Structure& structure) {
-        if (close_crossed(id, structure)) return;
         const auto position = find_open(structure);
-        if (!position) return fault(Imbalance::never_opened, id, {});
-        const auto at = open_.begin() + static_cast<std::ptrdiff_t>(*position);
-        result_.all[*at].close = id;
-        crossed_.insert(crossed_.end(), at + 1, open_.end());
-        for (auto inner = at + 1; inner != open_.end(); ++inner) crossing_close_.push_back(id);
-        open_.erase(at, open_.end());
+        if (position) return close_open(id, *position);
+        if (close_crossed(id, structure)) return;
+        strays_.push_back({id, open_.empty() ? std::nullopt : std::optional(open_.back())});
+    }
+
+    /// Closes what is open there; what opened inside it and is still open may be crossed.
+    void close_open(EffectId id, std::size_t position) {
+        result_.all[open_[position]].close = id;
+        while (open_.size() > position) {
+            const StructureId top = open_.back();
+            const Key key = key_of(result_.all[top].construct, result_.all[top].number);
+            open_.pop_back();
+            open_at_[key].pop_back();
+            if (open_.size() > position) crossed_[key].emplace_back(top, id);
+        }
     }
 
     /// A close for a structure that an outer close has already run over: now the crossing is certain.
     bool close_crossed(EffectId id, const Structure& structure) {
-        if (find_open(structure)) return false;
-        const auto inner =
-            std::ranges::find_if(crossed_, [&](StructureId s) { return matches(s, structure); });
-        if (inner == crossed_.end()) return false;
-        const auto close = crossing_close_.begin() + (inner - crossed_.begin());
-        result_.all[*inner].close = id;
-        fault(Imbalance::crossed, *close, result_.all[*inner].open);
-        result_.all[*inner].crossed = true;
-        for (Paired& outer : result_.all) outer.crossed |= outer.close == *close;
-        crossing_close_.erase(close);
-        crossed_.erase(inner);
+        const auto found = crossed_.find(key_of(structure.construct, structure.number));
+        if (found == crossed_.end() || found->second.empty()) return false;
+        const auto [inner, outer_close] = found->second.back();
+        found->second.pop_back();
+        result_.all[inner].close = id;
+        fault(Imbalance::crossed, outer_close, result_.all[inner].open);
+        result_.all[inner].crossed = true;
+        crossing_closes_.insert(outer_close);
         return true;
-    }
-
-    [[nodiscard]] bool matches(StructureId open, const Structure& close) const {
-        const Paired& paired = result_.all[open];
-        // An END closes WHILE and DO alike; every other construct has a close of its own.
-        const bool both_loops = is_loop(paired.construct) && is_loop(close.construct);
-        return (both_loops || paired.construct == close.construct) && paired.number == close.number;
     }
 
     /// The innermost open structure that the close belongs to; a loop whose number the text lacks takes any.
     [[nodiscard]] std::optional<std::size_t> find_open(const Structure& close) const {
-        for (std::size_t i = open_.size(); i-- > 0;)
-            if (matches(open_[i], close)) return i;
-        for (std::size_t i = open_.size(); i-- > 0;) {
-            const Paired& paired = result_.all[open_[i]];
-            if (is_loop(paired.construct) && is_loop(close.construct) && !paired.number) return i;
+        for (const auto& number : {close.number, std::optional<std::int64_t>{}}) {
+            const auto found = open_at_.find(key_of(close.construct, number));
+            if (found != open_at_.end() && !found->second.empty()) return found->second.back();
+            if (!is_loop(close.construct)) break;
         }
         return std::nullopt;
     }
 
-    void never_closed(StructureId id) {
-        // A loop without a number has lost its DO: that is the fault to report, not the missing END.
+    // ---- judging ----
+
+    /// One cause, one fault: a loop that is never closed explains that the loops behind it seem nested too
+    /// deep or seem to use its number again.
+    void judge_numbers() {
+        std::vector<std::vector<StructureId>> closed_around(result_.all.size());
+        for (StructureId id = 0; id < result_.all.size(); ++id) {
+            const Paired& paired = result_.all[id];
+            auto& around = closed_around[id];
+            if (paired.parent) {
+                around = closed_around[*paired.parent];
+                const Paired& outer = result_.all[*paired.parent];
+                const bool counts = is_loop(outer.construct) && outer.close;
+                if (counts && around.size() < most_levels()) around.push_back(*paired.parent);
+            }
+            if (is_loop(paired.construct)) judge_number(paired, around);
+        }
+    }
+
+    void judge_number(const Paired& paired, const std::vector<StructureId>& around) {
+        if (paired.close && around.size() >= most_levels())
+            return fault(Imbalance::nested_too_deep, paired.open, {});
+        if (!has_numbers() || !paired.number) return;
+        const auto same = std::ranges::find_if(
+            around, [&](StructureId id) { return result_.all[id].number == paired.number; });
+        if (paired.close && same != around.end())
+            fault(Imbalance::number_reused, paired.open, result_.all[*same].open);
+        else if (is_out_of_range(paired))
+            fault(Imbalance::number_out_of_range, paired.open, {});
+    }
+
+    /// What is never closed and what closes nothing are one fault when they can be meant for each other: the
+    /// number of one of them is wrong.
+    void judge_unpaired() {
+        std::vector<StructureId> waiting; // loops never closed that open before the stray
+        StructureId next = 0;
+        for (const Stray& stray : strays_) {
+            for (; next < result_.all.size() && is_before(result_.all[next].open, stray.close); ++next)
+                if (!result_.all[next].close && is_loop(result_.all[next].construct)) waiting.push_back(next);
+            const auto& close = std::get<Structure>(program_.effects[stray.close].what);
+            if (!is_loop(close.construct) || waiting.empty()) {
+                fault(Imbalance::never_opened, stray.close, {});
+                continue;
+            }
+            judge_pair(waiting.back(), stray);
+            waiting.pop_back();
+        }
+        for (StructureId id = 0; id < result_.all.size(); ++id)
+            if (!result_.all[id].close && !told_.contains(id)) judge_unclosed(id, {});
+    }
+
+    void judge_pair(StructureId unclosed, const Stray& stray) {
+        told_.insert(unclosed);
+        // DO1 DO1 END2 END1: the inner loop took the number of the outer one, and its END1.
+        if (has_numbers() && stray.within && *stray.within != unclosed) {
+            const Paired& inner = result_.all[*stray.within];
+            if (inner.close && inner.number == result_.all[unclosed].number)
+                return fault(Imbalance::number_reused, inner.open, result_.all[unclosed].open);
+        }
+        judge_unclosed(unclosed, stray.close);
+    }
+
+    void judge_unclosed(StructureId id, std::optional<EffectId> meant) {
         const Paired& paired = result_.all[id];
-        const bool numbered = program_.control->limits.last_loop_number != 0;
-        if (!numbered || paired.number || !is_loop(paired.construct))
-            fault(Imbalance::never_closed, paired.open, {});
+        // A loop that lost its DO has no number; a number out of range is told already.
+        const bool told =
+            is_loop(paired.construct) && has_numbers() && (!paired.number || is_out_of_range(paired));
+        if (!told) fault(Imbalance::never_closed, paired.open, meant);
+    }
+
+    [[nodiscard]] bool has_numbers() const { return program_.control->limits.last_loop_number != 0; }
+    [[nodiscard]] std::size_t most_levels() const {
+        return static_cast<std::size_t>(program_.control->limits.loop_levels);
+    }
+
+    [[nodiscard]] bool is_out_of_range(const Paired& paired) const {
+        const Limits& limits = program_.control->limits;
+        return has_numbers() && paired.number &&
+               (*paired.number < limits.first_loop_number || *paired.number > limits.last_loop_number);
+    }
+
+    [[nodiscard]] bool is_before(EffectId a, EffectId b) const {
+        return program_.effects[a].span.begin < program_.effects[b].span.begin;
     }
 
     void fault(Imbalance what, EffectId effect, std::optional<EffectId> other) {
@@ -131,8 +207,12 @@ class Pairing {
     const Program& program_;
     Structures result_;
     std::vector<StructureId> open_;
-    std::vector<StructureId> crossed_; ///< run over by the close of an outer structure, own close not met yet
-    std::vector<EffectId> crossing_close_; ///< for each of crossed_: that close
+    std::map<Key, std::vector<std::size_t>> open_at_; ///< positions in open_
+    /// Run over by the close of an outer structure, own close not met yet, and that close.
+    std::map<Key, std::vector<std::pair<StructureId, EffectId>>> crossed_;
+    std::set<EffectId> crossing_closes_; ///< of outer structures whose crossing is certain
+    std::vector<Stray> strays_;
+    std::set<StructureId> told_; ///< never closed, and reported with a stray close
 };
 
 } // namespace
@@ -152,6 +232,14 @@ std::optional<StructureId> Structures::loop_around(const Program& program, Offse
     std::optional<StructureId> id = static_cast<StructureId>(after - all.begin() - 1);
     while (id && !(is_loop(all[*id].construct) && holds(program, *id, place))) id = all[*id].parent;
     return id;
+}
+
+std::optional<StructureId> Structures::entered(const Program& program, Offset from, Offset to) const {
+    std::optional<StructureId> entered;
+    for (auto id = loop_around(program, to); id; id = all[*id].parent)
+        if (is_loop(all[*id].construct) && holds(program, *id, to) && !holds(program, *id, from))
+            entered = id;
+    return entered;
 }
 
 Structures pair_structures(const Program& program) { return Pairing(program).run(); }

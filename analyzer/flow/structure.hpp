@@ -35,7 +35,8 @@ struct StructureFault {
     Imbalance what;
     EffectId effect; ///< the opening or closing effect at fault
     std::optional<EffectId>
-        other; ///< its partner in the fault: the open loop with the same number, the crossed loop
+        other; ///< its partner in the fault: the open loop with the same number, the crossed loop, the close
+               ///< that is left over and may be meant for a loop that is never closed
 };
 
 struct Structures {
@@ -49,6 +50,8 @@ struct Structures {
     [[nodiscard]] std::optional<StructureId> loop_around(const Program& program, Offset place) const;
     /// Whether the body of `loop` holds this byte.
     [[nodiscard]] bool holds(const Program& program, StructureId loop, Offset place) const;
+    /// The outermost loop that a jump between these bytes enters past its head.
+    [[nodiscard]] std::optional<StructureId> entered(const Program& program, Offset from, Offset to) const;
 };
 
 [[nodiscard]] Structures pair_structures(const Program& program);

@@ -141,6 +141,10 @@ struct Stop {
 struct ToolChange {};
 
 enum class Construct : std::uint8_t { while_loop, endless_loop, choice, selection };
+[[nodiscard]] constexpr bool is_loop(Construct construct) {
+    return construct == Construct::while_loop || construct == Construct::endless_loop;
+}
+
 /// Opens, divides or closes a construct. In a language whose loops have numbers, a number pairs open and
 /// close.
 struct Structure {

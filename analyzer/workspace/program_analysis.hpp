@@ -54,7 +54,17 @@ class ProgramAnalysis {
     [[nodiscard]] const dataflow::Analysis& data() const { return *data_; }
     [[nodiscard]] const dataflow::Facts& facts() const { return data_->facts(); }
     [[nodiscard]] const std::vector<dataflow::Loop>& loops() const { return loops_; }
+    /// Cycles that nothing ends.
+    [[nodiscard]] const std::vector<dataflow::Loop>& traps() const { return traps_; }
     [[nodiscard]] const dataflow::Summary& summary() const { return data_->summary(); }
+
+    /// The blocks that a jump can reach; none when nobody knows.
+    [[nodiscard]] std::vector<flow::Label> targets_of(const flow::ResolvedJump& jump) const;
+    /// The first jump that can go to the sequence number, or call that can return there.
+    [[nodiscard]] std::optional<EffectId> user_of_label(std::int64_t number) const;
+    /// The modal calls of this program that are active in the state: where each was made. None when a program
+    /// that nobody knows may have ended them.
+    [[nodiscard]] std::vector<dataflow::OriginId> own_modal_calls(const dataflow::State& state) const;
 
     [[nodiscard]] const std::vector<CallSite>& calls() const { return calls_; }
     [[nodiscard]] const CallSite* call_at(EffectId effect) const;
@@ -84,7 +94,7 @@ class ProgramAnalysis {
     flow::Structures structures_;
     flow::Graph graph_;
     std::optional<dataflow::Analysis> data_;
-    std::vector<dataflow::Loop> loops_;
+    std::vector<dataflow::Loop> loops_, traps_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;
     bool is_macro_ = false;

@@ -78,6 +78,9 @@ class WorkspaceBuilder {
         analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
         analysis.loops_ =
             dataflow::find_loops(program, analysis.structures_, analysis.graph_, *analysis.data_);
+        if (!analysis.loops_.empty())
+            analysis.traps_ =
+                dataflow::find_traps(program, analysis.structures_, analysis.graph_, *analysis.data_);
         analysis.is_macro_ = !main && takes_arguments(analysis);
     }
 

@@ -99,6 +99,7 @@ std::optional<FileSettings> Settings::for_file(const std::string& path) {
         settings.control_reason = "--control";
     }
     settings.rules = rules_for(found->get(), relative);
+    settings.complete = overrides_.complete || (*found && (*found)->complete);
     return settings;
 }
 

@@ -24,6 +24,7 @@ struct Overrides {
     std::vector<std::pair<std::string, Severity>> severity;
     std::string config_path; ///< --config; empty: the nearest one upward from each file
     bool isolated = false;   ///< no configuration at all
+    bool complete = false;   ///< every program of the control is there, whatever the configuration says
 };
 
 struct FileSettings {
@@ -33,6 +34,7 @@ struct FileSettings {
     const ControlModel* control = nullptr; ///< nullptr: what the dialect assumes
     std::string control_reason;
     std::shared_ptr<const RuleStates> rules;
+    bool complete = false; ///< every program of the control is there
 };
 
 /// Finds settings and remembers what many files share. For one thread.

@@ -10,18 +10,27 @@ std::vector<CallSite> calls_beyond(const ProgramAnalysis& analysis, Counted coun
     const int level = counted == Counted::macro ? analysis.depth().macro : analysis.depth().subprogram;
     if (level != limit) return calls;
     for (const CallSite& site : analysis.calls()) {
-        if (!site.target || site.closes_cycle) continue;
         const auto& call = std::get<Call>(analysis.program().effects[site.effect].what);
+        if (site.closes_cycle || std::holds_alternative<std::monostate>(call.program)) continue;
         if (analysis.control().calls[call.kind].counted == counted) calls.push_back(site);
     }
     return calls;
 }
 
-std::string chain_words(const ProgramAnalysis& analysis, const ProgramAnalysis& callee, Counted counted) {
+std::string name_of_callee(const ProgramAnalysis& analysis, const CallSite& site) {
+    if (site.target) return analysis.workspace().programs()[*site.target].program().name;
+    const Program& program = analysis.program();
+    const auto& call = std::get<Call>(program.effects[site.effect].what);
+    if (const auto* text = std::get_if<Text>(&call.program)) return quoted(program, text->characters);
+    const auto* number = std::get_if<ExpressionId>(&call.program);
+    return number == nullptr ? std::string("?") : "P" + quoted(program, program.expressions[*number].span);
+}
+
+std::string chain_words(const ProgramAnalysis& analysis, const CallSite& last, Counted counted) {
     std::string words;
     for (const Caller& caller : analysis.chain_to(counted))
         words += analysis.workspace().programs()[caller.program].program().name + " > ";
-    return words + analysis.program().name + " > " + callee.program().name;
+    return words + analysis.program().name + " > " + name_of_callee(analysis, last);
 }
 
 void add_chain(Finding& finding, const ProgramAnalysis& analysis, Counted counted) {

@@ -48,20 +48,6 @@ extern const Rule g66_not_cancelled{
 
 namespace {
 
-constexpr double active = 66;
-
-/// Calls of this program that are still active in the state.
-std::vector<dataflow::OriginId> active_calls(const ProgramAnalysis& analysis, const dataflow::State& state) {
-    std::vector<dataflow::OriginId> calls;
-    for (std::size_t i = 0; i < analysis.control().groups.size(); ++i) {
-        if (analysis.control().groups[i].concern != Concern::modal_call) continue;
-        for (const dataflow::ModalPart& part : analysis.data().modal(state, static_cast<GroupId>(i)).parts)
-            if (part.origin != 0 && analysis.data().pool().number_of(part.symbol) == active)
-                calls.push_back(part.origin);
-    }
-    return calls;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     std::vector<dataflow::OriginId> said;
     const auto report = [&](dataflow::OriginId call, flow::NodeId node, std::string_view message, Span left) {
@@ -77,13 +63,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         finding.path.push_back({&analysis.file(), left, "it is still active here"});
     };
     for (const dataflow::PointState& change : analysis.facts().tool_changes)
-        for (const dataflow::OriginId call : active_calls(analysis, change.state))
+        for (const dataflow::OriginId call : analysis.own_modal_calls(change.state))
             report(call, change.node, "tool", analysis.program().effects[change.effect].span);
     for (const dataflow::ExitState& exit : analysis.facts().exits) {
         if (exit.exit.kind == flow::ExitKind::alarm) continue;
         const Span left = exit.exit.effect ? analysis.program().effects[*exit.exit.effect].span
                                            : analysis.graph().nodes[exit.exit.node].part;
-        for (const dataflow::OriginId call : active_calls(analysis, exit.state))
+        for (const dataflow::OriginId call : analysis.own_modal_calls(exit.state))
             report(call, exit.exit.node, "end", left);
     }
 }

@@ -72,15 +72,14 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const ControlModel& control = analysis.control();
     for (const CallSite& site : calls_beyond(analysis, Counted::macro, control.limits.macro_calls)) {
         const Span span = analysis.program().effects[site.effect].span;
-        const ProgramAnalysis& callee = analysis.workspace().programs()[*site.target];
         Finding& finding =
             reporter.report(analysis.file(), span, control.assumed ? "assumed" : "named",
                             {quoted(analysis.program(), span), std::to_string(control.limits.macro_calls + 1),
                              control.description, std::to_string(control.limits.macro_calls),
-                             chain_words(analysis, callee, Counted::macro)});
+                             chain_words(analysis, site, Counted::macro)});
         add_chain(finding, analysis, Counted::macro);
         finding.path.push_back(
-            {&analysis.file(), span, "calls " + callee.program().name + ", one level too deep"});
+            {&analysis.file(), span, "calls " + name_of_callee(analysis, site) + ", one level too deep"});
     }
 }
 

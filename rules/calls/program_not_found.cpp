@@ -14,18 +14,21 @@ extern const Rule program_not_found{
     .name = "program-not-found",
     .aliases = "DIN503",
     .summary = "The called program is not among the programs of the control",
-    .why = "The control stops with an alarm at the call, with the tool where it happens to be.",
+    .why = "The control stops with an alarm at the call, with the tool where it happens to be. Programs that "
+           "stay on the control are not in every folder, so the rule speaks only where the configuration "
+           "declares the folder complete.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = false,
-    .off_reason = "Programs that are resident on the control are not in the folder; the rule speaks "
-                  "only where the configuration declares the folder complete.",
+    .on_by_default = true,
+    .off_reason = "",
     .data_flow = false,
     .messages = {{"plain", "'{0}' calls a program that is not among the programs of this control. Add it, or "
                            "correct the call."}},
-    .bad = {{"fanuc", "O9402(MAIN)\n"
-                      "G65P9101\n"
-                      "M30\n"}},
+    .bad = {{"fanuc",
+             "O9402(MAIN)\n"
+             "G65P9101\n"
+             "M30\n",
+             true}},
     .also = {},
     .good = {{"fanuc", "O9402(MAIN)\n"
                        "M30\n"}},

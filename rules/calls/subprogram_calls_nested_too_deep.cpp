@@ -73,15 +73,14 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const CallSite& site :
          calls_beyond(analysis, Counted::subprogram, control.limits.subprogram_calls)) {
         const Span span = analysis.program().effects[site.effect].span;
-        const ProgramAnalysis& callee = analysis.workspace().programs()[*site.target];
         Finding& finding = reporter.report(
             analysis.file(), span, control.assumed ? "assumed" : "named",
             {quoted(analysis.program(), span), std::to_string(control.limits.subprogram_calls + 1),
              control.description, std::to_string(control.limits.subprogram_calls),
-             chain_words(analysis, callee, Counted::subprogram)});
+             chain_words(analysis, site, Counted::subprogram)});
         add_chain(finding, analysis, Counted::subprogram);
         finding.path.push_back(
-            {&analysis.file(), span, "calls " + callee.program().name + ", one level too deep"});
+            {&analysis.file(), span, "calls " + name_of_callee(analysis, site) + ", one level too deep"});
     }
 }
 

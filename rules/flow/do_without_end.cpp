@@ -23,7 +23,9 @@ extern const Rule do_without_end{
     .off_reason = "",
     .data_flow = false,
     .messages = {{"plain", "'{0}' has no END, and the control stops here. Add the END behind the loop's last "
-                           "block."}},
+                           "block."},
+                 {"other-number", "'{0}' has no END, and '{1}' in line {2} closes no loop. Give both the "
+                                  "same number."}},
     .bad = {{"fanuc", "O9312(ROW)\n"
                       "#100=0\n"
                       "WHILE[#100LT5]DO1\n"
@@ -45,8 +47,17 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::StructureFault& fault : structure_faults(analysis, flow::Imbalance::never_closed)) {
-        const Span span = analysis.program().effects[fault.effect].span;
-        reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});
+        const Program& program = analysis.program();
+        const Span span = program.effects[fault.effect].span;
+        if (!fault.other) {
+            reporter.report(analysis.file(), span, "plain", {quoted(program, span)});
+            continue;
+        }
+        const Span stray = program.effects[*fault.other].span;
+        Finding& finding = reporter.report(
+            analysis.file(), span, "other-number",
+            {quoted(program, span), quoted(program, stray), line_number(analysis.file(), stray.begin)});
+        finding.related.push_back(remark_at_effect(analysis, *fault.other, "this closes no loop"));
     }
 }
 

@@ -47,14 +47,14 @@ extern const Rule do_without_while{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const dataflow::Loop& loop : analysis.loops()) {
-        if (!loop.structure || !loop.ways_out.empty() || loop.can_stop) continue;
-        const flow::Paired& paired = analysis.structures().all[*loop.structure];
+    for (const dataflow::Loop& trap : analysis.traps()) {
+        if (!trap.structure || !trap.ways_out.empty()) continue;
+        const flow::Paired& paired = analysis.structures().all[*trap.structure];
         if (paired.construct != Construct::endless_loop) continue;
         const Span span = analysis.program().effects[paired.open].span;
         Finding& finding =
             reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});
-        trace_round(finding, analysis, loop, "no condition ends the loop");
+        trace_round(finding, analysis, trap, "no condition ends the loop");
     }
 }
 

@@ -3,7 +3,7 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
-#include <algorithm>
+#include <optional>
 #include <string>
 
 namespace maclint::rules {
@@ -25,7 +25,7 @@ extern const Rule duplicate_sequence_number{
     .off_reason = "",
     .data_flow = false,
     .messages = {{"plain",
-                  "N{0} stands twice, and '{1}' jumps to it: which block is taken depends on where the "
+                  "N{0} stands twice, and '{1}' leads to it: which block is taken depends on where the "
                   "search starts. Give one of them another number."}},
     .bad = {{"fanuc", "O9462(TWO)\n"
                       "IF[#100EQ1]GOTO20\n"
@@ -45,27 +45,20 @@ extern const Rule duplicate_sequence_number{
 
 namespace {
 
-/// A reached jump that can go to the number.
-const flow::ResolvedJump* jump_to(const ProgramAnalysis& analysis, std::int64_t number) {
-    const auto& jumps = analysis.graph().jumps;
-    const auto found = std::ranges::find_if(jumps, [&](const flow::ResolvedJump& jump) {
-        return jump.number == number && analysis.data().reached(jump.node);
-    });
-    return found == jumps.end() ? nullptr : &*found;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const auto& labels = analysis.graph().labels;
+    const auto& labels = analysis.graph().labels; // equal numbers stand together
+    std::optional<EffectId> user;
     for (std::size_t i = 1; i < labels.size(); ++i) {
         if (labels[i].number != labels[i - 1].number) continue;
-        const flow::ResolvedJump* jump = jump_to(analysis, labels[i].number);
-        if (jump == nullptr) continue;
-        const Span span = analysis.program().effects[jump->jump].span;
+        if (i < 2 || labels[i - 2].number != labels[i].number)
+            user = analysis.user_of_label(labels[i].number);
+        if (!user) continue;
+        const Span span = analysis.program().effects[*user].span;
         Finding& finding =
             reporter.report(analysis.file(), labels[i].span, "plain",
                             {std::to_string(labels[i].number), quoted(analysis.program(), span)});
         finding.related.push_back({&analysis.file(), labels[i - 1].span, "the same number stands here"});
-        finding.related.push_back({&analysis.file(), span, "this jumps to it"});
+        finding.related.push_back(remark_at_effect(analysis, *user, "this leads to it"));
     }
 }
 

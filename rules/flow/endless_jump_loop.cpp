@@ -4,7 +4,6 @@
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
-#include <algorithm>
 #include <vector>
 
 namespace maclint::rules {
@@ -49,25 +48,16 @@ extern const Rule endless_jump_loop{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    std::vector<flow::NodeId>
-        said; // heads of cycles that are reported; one of the same blocks is the same cause
-    for (const dataflow::Loop& loop : analysis.loops()) {
-        if (loop.structure || !loop.ways_out.empty() || loop.can_stop || loop.has_unknown_effects) continue;
-        const auto in_loop = [&](flow::NodeId node) { return loop.holds(node); };
-        if (std::ranges::any_of(said, in_loop)) continue;
-        const auto endless = [&](const dataflow::Loop& inner) {
-            return inner.structure && inner.ways_out.empty() && loop.holds(inner.head);
-        };
-        if (std::ranges::any_of(analysis.loops(), endless)) continue; // the loop inside is the cause
-        said.push_back(loop.head);
-        const flow::Edge& back = analysis.graph().edges[loop.back];
-        const flow::Graph& graph = analysis.graph();
-        const Span span =
-            back.jump ? analysis.program().effects[*back.jump].span : graph.nodes[back.from].part;
+    const flow::Graph& graph = analysis.graph();
+    for (const dataflow::Loop& trap : analysis.traps()) {
+        const auto& jump = graph.edges[trap.back].jump;
+        // Loops of the text and conditions that never hold are told by their own rules.
+        if (trap.structure || !jump || !trap.ways_out.empty()) continue;
+        const Span span = analysis.program().effects[*jump].span;
         Finding& finding = reporter.report(analysis.file(), span, "plain",
                                            {quoted(analysis.program(), span),
-                                            line_number(analysis.file(), graph.nodes[loop.head].part.begin)});
-        trace_round(finding, analysis, loop, "jumps back");
+                                            line_number(analysis.file(), graph.nodes[trap.head].part.begin)});
+        trace_round(finding, analysis, trap, "jumps back");
     }
 }
 

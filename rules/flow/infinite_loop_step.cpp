@@ -17,7 +17,7 @@ extern const Rule infinite_loop_step{
     .name = "infinite-loop-step",
     .aliases = "DIN408",
     .summary =
-        "The step that a loop advances by may be 0 or vacant, or has the wrong sign: the loop never ends.",
+        "The step that a loop advances by may be 0 or vacant, or has the wrong sign: the loop never ends",
     .why = "An argument that the caller left out counts as 0 in arithmetic. The control then repeats the "
            "same pass "
            "until somebody presses reset.",

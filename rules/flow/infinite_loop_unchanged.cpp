@@ -111,9 +111,15 @@ Span place_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return back.jump ? effects[*back.jump].span : analysis.graph().nodes[loop.latch].part;
 }
 
+/// MAC336 tells of cycles of jumps that nothing leaves, once for all ways back.
+bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    return std::ranges::any_of(analysis.traps(), [&](const dataflow::Loop& trap) {
+        return !trap.structure && trap.ways_out.empty() && trap.holds(loop.head);
+    });
+}
+
 bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
-    return loop.structure &&
-           analysis.structures().all[*loop.structure].construct == Construct::endless_loop;
+    return loop.structure && analysis.structures().all[*loop.structure].construct == Construct::endless_loop;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
@@ -122,6 +128,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         // A jump back without a condition and a way out repeats a program on purpose, as M99 does.
         if (!loop.structure && loop.ways_out.empty()) continue;
         if (has_no_condition(analysis, loop)) continue; // MAC318 owns DO without WHILE
+        if (is_in_endless_jumps(analysis, loop)) continue;
         const Deciders deciders = deciders_of(analysis, loop);
         if (!deciders.fixed) continue;
         const Span span = place_of(analysis, loop);

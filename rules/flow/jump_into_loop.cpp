@@ -4,7 +4,6 @@
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
-#include <cmath>
 #include <optional>
 
 namespace maclint::rules {
@@ -55,49 +54,36 @@ extern const Rule jump_into_loop{
 
 namespace {
 
-/// The outermost loop that holds the target but not the jump.
-std::optional<flow::StructureId> loop_entered(const ProgramAnalysis& analysis, Offset from, Offset to) {
-    const flow::Structures& structures = analysis.structures();
+/// The loop that every possible target of the jump lies in, and the jump itself does not.
+std::optional<flow::StructureId> entered_by(const ProgramAnalysis& analysis, Offset jump,
+                                            const std::vector<flow::Label>& targets) {
     std::optional<flow::StructureId> entered;
-    auto loop = structures.loop_around(analysis.program(), to);
-    for (; loop; loop = structures.all[*loop].parent)
-        if (structures.holds(analysis.program(), *loop, to) &&
-            !structures.holds(analysis.program(), *loop, from))
-            entered = loop;
+    for (const flow::Label& target : targets) {
+        const auto loop = analysis.structures().entered(analysis.program(), jump, target.block.begin);
+        if (!loop) return std::nullopt;
+        if (!entered) entered = loop;
+    }
     return entered;
 }
 
-void report(const ProgramAnalysis& analysis, Reporter& reporter, flow::NodeId node, EffectId jump,
-            flow::StructureId loop, const flow::Label& label) {
-    const Program& program = analysis.program();
-    const Span span = program.effects[jump].span;
-    const Span open = program.effects[analysis.structures().all[loop].open].span;
-    Finding& finding = reporter.report(
-        analysis.file(), span, "plain",
-        {quoted(program, span), quoted(program, open), line_number(analysis.file(), open.begin)});
-    finding.related.push_back({&analysis.file(), label.span, "this sequence number is inside the loop"});
-    finding.related.push_back({&analysis.file(), open, "the loop begins here"});
-    trace(finding, analysis, node, "jumps into the loop");
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const auto entered = [&](EffectId jump, const flow::Label& label) {
-        return loop_entered(analysis, analysis.program().effects[jump].span.begin, label.block.begin);
-    };
+    const Program& program = analysis.program();
+    // A block that cannot be read may be the END before the label.
+    if (analysis.structures().balance_in_doubt) return;
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
-        if (!jump.target || !analysis.data().reached(jump.node)) continue;
-        if (const auto loop = entered(jump.jump, *jump.target))
-            report(analysis, reporter, jump.node, jump.jump, *loop, *jump.target);
-    }
-    for (const dataflow::ComputedJump& jump : analysis.facts().computed_jumps) {
-        const auto number = jump.target.constant();
-        constexpr double most = 1e15;
-        if (!number || std::abs(*number) > most) continue;
-        const Offset here = analysis.program().effects[jump.effect].span.begin;
-        const flow::Label* label = analysis.graph().find_label(std::llround(*number), here);
-        if (label == nullptr) continue;
-        if (const auto loop = entered(jump.effect, *label))
-            report(analysis, reporter, jump.node, jump.effect, *loop, *label);
+        const Span span = program.effects[jump.jump].span;
+        const std::vector<flow::Label> targets = analysis.targets_of(jump);
+        const auto loop = entered_by(analysis, span.begin, targets);
+        if (!loop) continue;
+        const Span open = program.effects[analysis.structures().all[*loop].open].span;
+        Finding& finding = reporter.report(
+            analysis.file(), span, "plain",
+            {quoted(program, span), quoted(program, open), line_number(analysis.file(), open.begin)});
+        for (const flow::Label& target : targets)
+            finding.related.push_back(
+                {&analysis.file(), target.span, "this sequence number is inside the loop"});
+        finding.related.push_back({&analysis.file(), open, "the loop begins here"});
+        trace(finding, analysis, jump.node, "jumps into the loop");
     }
 }
 

@@ -60,7 +60,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         trace(finding, analysis, node, "there is no such sequence number");
     };
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
-        if (!jump.number || jump.target || !analysis.data().reached(jump.node)) continue;
+        if (!jump.number || jump.target) continue;
         const auto& target = std::get<Jump>(program.effects[jump.jump].what).target;
         missing(jump.node, jump.jump, "constant", quoted(program, program.expressions[target].span));
     }

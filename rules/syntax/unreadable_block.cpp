@@ -20,10 +20,10 @@ extern const Rule unreadable_block{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"cure", "'{0}' cannot be read here: {1} is expected. The control stops in this block."},
+    .messages = {{"cure", "'{0}' cannot be read here: expected {1}. The control stops in this block."},
                  {"plain", "'{0}' cannot be read. The control stops in this block."}},
     .bad = {{"fanuc", "O9121(POINT)\n"
-                      "G1 X5. 10. F100\n"
+                      "G1 X5. Y? F100\n"
                       "M30\n"}},
     .also = {},
     .good = {{"fanuc", "O9121(POINT)\n"

@@ -12,7 +12,6 @@
 namespace maclint {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::lower;
 
 std::optional<Irregular> cause_of_rule(std::string_view rule) {

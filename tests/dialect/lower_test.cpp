@@ -200,7 +200,7 @@ TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
               "unreadable calls-or-returns\n! bracket-mismatch '[' -> its ']' is missing");
     EXPECT_EQ(lower("#1="), "unreadable writes #1\n! unreadable '=' -> a value after '='");
     EXPECT_EQ(lower("Increment pass counter"),
-              "unreadable\n! unreadable 'Increment pass counter' -> a remark must stand in ( )");
+              "unreadable\n! unreadable 'Increment pass counter' -> ( ) around a remark");
 }
 
 TEST(FanucIrregular, OpenCommentSwallowsWhatFollows) {

@@ -103,6 +103,12 @@ TEST(FanucReader, BracketsWithoutEndAreNoTrouble) {
     EXPECT_LT(seconds_to_read("#1=" + repeated("-1", 2000)), 1.0);
 }
 
+TEST(FanucReader, RowsThatTheParserIsSlowOnAreNotParsed) {
+    const auto block_of = [](std::string_view text) { return repeated(text, 4090 / text.size()) + "\n"; };
+    for (const char* row : {"N", "O", ",", ",1", "[#1]", "-", "[", "#", "DPRNT["})
+        EXPECT_LT(seconds_to_read(repeated(block_of(row), 64)), 1.0) << row;
+}
+
 TEST(FanucReader, UnfinishedOutputStatementAtTheEndOfAFileReturns) {
     EXPECT_FALSE(describe(read("DPRNT[")).empty());
     EXPECT_FALSE(describe(read("DPRNT[A")).empty());

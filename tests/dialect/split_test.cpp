@@ -40,7 +40,7 @@ TEST(FanucSplitter, CommentsHoldSemicolonsAndEndWithTheirLine) {
 }
 
 TEST(FanucSplitter, BlanksAndTapeLeaderAroundABlockAreNotPartOfIt) {
-    EXPECT_THAT(blocks_of(std::string_view("\0\0 \tG0 X1 \t\nG1", 15)), ElementsAre("G0 X1", "G1"));
+    EXPECT_THAT(blocks_of(std::string_view("\0\0 \tG0 X1 \t\nG1", 14)), ElementsAre("G0 X1", "G1"));
 }
 
 TEST(FanucSplitter, CommentsAreToldWithTheirBlock) {

@@ -49,6 +49,21 @@ TEST(Structures, AnInnerLoopThatIsNeverClosedIsNotACrossing) {
                 ElementsAre(Pair(Imbalance::never_closed, 3)));
 }
 
+TEST(Structures, AnEndWithTheWrongNumberIsOneFaultAtItsDo) {
+    EXPECT_THAT(faults_in("O1\nWHILE[#1LT5]DO1\nEND2\nM30\n"), ElementsAre(Pair(Imbalance::never_closed, 2)));
+}
+
+TEST(Structures, ADoWithTheNumberOfTheLoopAroundItIsOneFault) {
+    EXPECT_THAT(faults_in("O1\nWHILE[#1LT5]DO1\nWHILE[#2LT5]DO1\nEND2\nEND1\nM30\n"),
+                ElementsAre(Pair(Imbalance::number_reused, 3)));
+}
+
+TEST(Structures, ALoopThatIsNeverClosedDoesNotMakeLaterOnesTooDeep) {
+    EXPECT_THAT(faults_in("O1\nDO1\nWHILE[#1LT5]DO1\nWHILE[#2LT5]DO2\nWHILE[#3LT5]DO3\nEND3\nEND2\nEND1\n"
+                          "M30\n"),
+                ElementsAre(Pair(Imbalance::never_closed, 2)));
+}
+
 TEST(Structures, TheNumberOfAnOpenLoopIsInUse) {
     EXPECT_THAT(faults_in("O1\nWHILE[#1LT5]DO1\nWHILE[#2LT5]DO1\nEND1\nEND1\nM30\n"),
                 ElementsAre(Pair(Imbalance::number_reused, 3)));

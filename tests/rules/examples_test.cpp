@@ -26,6 +26,7 @@ cli::LintResult lint_example(const Example& example, const std::vector<std::stri
     cli::Overrides overrides;
     overrides.dialect = find_dialect(example.dialect);
     overrides.select = select;
+    overrides.complete = example.complete;
     return lint_texts({{"example.nc", std::string(example.text)}}, std::move(overrides));
 }
 

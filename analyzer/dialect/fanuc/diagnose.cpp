@@ -19,6 +19,9 @@ using TokenKind = Token::Kind;
 constexpr Offset longest_looked_at = 64 * 1024;
 constexpr std::size_t longest_shown = 60;
 
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
 std::string shown(std::string_view text) {
     if (text.size() <= longest_shown) return std::string(text);
     return std::string(text.substr(0, longest_shown)) + "...";
@@ -272,7 +275,7 @@ std::optional<Irregularity> Clues::remark() const {
         const Span tail{tokens_[i + 1].span.begin, tokens_.back().span.end};
         if (text_[tail.end - 1] == ')')
             return make(Irregular::unreadable, tail, text_.substr(tail.begin, tail.length()),
-                        "comments do not nest: the first ')' ends this one");
+                        "nothing behind the first ')', because comments do not nest");
     }
     std::size_t words = 0;
     std::size_t code = 0;
@@ -289,7 +292,7 @@ std::optional<Irregularity> Clues::remark() const {
     if (words < 2 || words * 2 < code) return std::nullopt;
     const Span all{tokens_.front().span.begin, tokens_.back().span.end};
     return make(Irregular::unreadable, all, text_.substr(all.begin, all.length()),
-                "a remark must stand in ( )");
+                "( ) around a remark");
 }
 
 /// The first node of the tree that stands for an error.
@@ -321,8 +324,7 @@ Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& t
 
 void sort_unique(std::vector<std::int64_t>& numbers) {
     std::ranges::sort(numbers);
-    const auto rest = std::ranges::unique(numbers);
-    numbers.erase(rest.begin(), rest.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 } // namespace
@@ -346,16 +348,27 @@ void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
 
 bool is_plausible(std::string_view text, Span block) {
     constexpr Offset farthest = 48;
+    constexpr Offset most_stumbles = 32;
     Offset without_digit = 0;
+    Offset stumbles = 0; // commas without a letter behind them, values that follow a value
+    char before = '\0';
     for (Offset at = block.begin; at < block.end; ++at) {
         const char c = text[at];
-        if (c == '(')
+        if (c == ' ' || c == '\t') continue;
+        if (c == '(') {
             while (at < block.end && text[at] != ')' && text[at] != '\n' && text[at] != '\r') ++at;
-        else if (c >= '0' && c <= '9')
+            continue;
+        }
+        const bool ends_value = before == ']' || is_digit(before);
+        if ((c == '[' || c == '#') && ends_value) ++stumbles;
+        if (before == ',' && !is_letter(c)) ++stumbles;
+        if (is_digit(c))
             without_digit = 0;
-        else if (c != ' ' && c != '\t' && ++without_digit > farthest)
+        else if (++without_digit > farthest)
             break;
+        before = c;
     }
+    if (stumbles > most_stumbles) return false;
     if (without_digit <= farthest) return true;
     // The words of an output or naming statement are free text.
     const std::string capitals = in_capitals(text.substr(block.begin, block.length()));

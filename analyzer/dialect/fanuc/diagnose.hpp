@@ -12,8 +12,8 @@ namespace maclint::fanuc {
 /// What a block that could not be read names: places that it may write, labels that it may jump to.
 [[nodiscard]] UnreadableBlock names_in(const Program& program, Span block);
 
-/// Whether a block is worth parsing. In what people write, a digit is never far; the parser's time grows with
-/// the square of a row of letters or signs without one.
+/// Whether a block is worth parsing. In what people write, a digit is never far and values do not follow one
+/// another in dozens; the parser's time grows with the square of such rows.
 [[nodiscard]] bool is_plausible(std::string_view text, Span block);
 
 /// Adds the cause of the errors in a block's tree; always one.

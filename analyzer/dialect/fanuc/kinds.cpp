@@ -84,7 +84,8 @@ constexpr std::pair<std::string_view, Field> fields[] = {
 
 std::vector<Kind> number_kinds() {
     std::vector<Kind> table(syntax::symbol_count(grammar), Kind::token);
-    for (std::uint16_t symbol = 0; symbol < table.size(); ++symbol) {
+    const std::uint16_t count = syntax::symbol_count(grammar);
+    for (std::uint16_t symbol = 0; symbol < count; ++symbol) {
         if (!syntax::symbol_is_named(grammar, symbol)) continue;
         const std::string_view name = syntax::symbol_name(grammar, symbol);
         const auto* row = std::ranges::find(kinds, name, &std::pair<std::string_view, Kind>::first);

@@ -43,6 +43,9 @@ bool is_axis(const CodeTable& codes, char letter) {
     return codes.letters[static_cast<unsigned char>(letter)] == Letter::axis;
 }
 
+/// G65, G66, G66.1
+bool is_macro_call(double code) { return code == 65 || code == 66 || code == 66.1; }
+
 } // namespace
 
 BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
@@ -94,8 +97,7 @@ void BlockLowering::lower_words(std::span<const Node* const> nodes, Effects& eff
 
     // A macro call takes every word behind it as its own.
     const auto call = std::ranges::find_if(words, [](const NcWord& word) {
-        return word.letter == 'G' && !word.comma &&
-               (word.literal == 65 || word.literal == 66 || word.literal == 66.1);
+        return word.letter == 'G' && !word.comma && word.literal && is_macro_call(*word.literal);
     });
     const auto before = static_cast<std::size_t>(call - words.begin());
     const std::span<const NcWord> list(words);

@@ -196,8 +196,9 @@ void RunTotals::add(const ScannedBlock& block) {
 void RunTotals::close(Program& program) {
     if (blocks_ == 0) return;
     const auto first = static_cast<Id>(program.settings.size());
-    for (GroupId group = 0; group < last_.size(); ++group)
-        if ((touched_ >> group & 1) != 0) program.settings.push_back({group, last_[group]});
+    for (std::size_t group = 0; group < last_.size(); ++group)
+        if ((touched_ >> group & 1) != 0)
+            program.settings.push_back({static_cast<GroupId>(group), last_[group]});
     const auto count = static_cast<Id>(program.settings.size()) - first;
     program.items.emplace_back(Run{.span = span_,
                                    .blocks = blocks_,

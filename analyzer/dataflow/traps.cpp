@@ -1,0 +1,123 @@
+//! Cycles of the flow graph that are never left.
+#include "analyzer/dataflow/loops.hpp"
+#include "analyzer/flow/components.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+namespace maclint::dataflow {
+namespace {
+
+class TrapSearch {
+  public:
+    TrapSearch(const Program& program, const flow::Structures& structures, const flow::Graph& graph,
+               const Analysis& analysis)
+        : program_(program)
+        , structures_(structures)
+        , graph_(graph)
+        , analysis_(analysis)
+        , stops_(graph.nodes.size(), false) {
+        for (const flow::Exit& exit : graph.exits) stops_[exit.node] = true;
+        for (const CallMade& call : analysis.facts().calls)
+            stops_[call.node] = stops_[call.node] || call.may_stop;
+        for (flow::NodeId node = 0; node < graph.nodes.size(); ++node) look_at_effects(node);
+    }
+
+    std::vector<Loop> run() {
+        flow::Arrows arrows(graph_.nodes.size());
+        for (flow::EdgeId id = 0; id < graph_.edges.size(); ++id)
+            if (analysis_.passable(id)) arrows[graph_.edges[id].from].push_back(graph_.edges[id].to);
+        components_ = flow::find_components(arrows);
+        std::vector<Loop> traps;
+        for (std::uint32_t component = 0; component < components_.members.size(); ++component) {
+            if (!is_closed(component, arrows)) continue;
+            if (const auto trap = trap_of(component)) traps.push_back(*trap);
+        }
+        std::ranges::sort(traps, {}, &Loop::head);
+        return traps;
+    }
+
+  private:
+    void look_at_effects(flow::NodeId node) {
+        const Slice effects = graph_.nodes[node].effects;
+        for (Id id = effects.first; id < effects.first + effects.count; ++id) {
+            const auto& what = program_.effects[id].what;
+            if (std::holds_alternative<Stop>(what) || std::holds_alternative<UnreadableBlock>(what))
+                stops_[node] = true;
+            const auto* structure = std::get_if<Structure>(&what);
+            if (structure != nullptr && structure->part == Structure::Part::open &&
+                is_loop(structure->construct))
+                head_of_.emplace(id, node);
+        }
+    }
+
+    [[nodiscard]] bool is_closed(std::uint32_t component, const flow::Arrows& arrows) const {
+        return std::ranges::all_of(components_.members[component], [&](flow::NodeId node) {
+            return analysis_.reached(node) && !stops_[node] && !arrows[node].empty() &&
+                   std::ranges::all_of(arrows[node],
+                                       [&](std::uint32_t to) { return components_.of[to] == component; });
+        });
+    }
+
+    [[nodiscard]] std::optional<Loop> trap_of(std::uint32_t component) const {
+        const std::vector<flow::NodeId>& body = components_.members[component];
+        std::optional<flow::EdgeId> back;
+        std::vector<flow::EdgeId> never_taken;
+        for (const flow::NodeId node : body)
+            for (const flow::EdgeId id : graph_.out[node]) {
+                if (components_.of[graph_.edges[id].to] != component) never_taken.push_back(id);
+                if (leads_back(id) && (!back || comes_after(id, *back))) back = id;
+            }
+        if (!back) return std::nullopt;
+        const flow::Edge& edge = graph_.edges[*back];
+        return Loop{edge.to, edge.from, *back, structure_around(component), body, std::move(never_taken),
+                    false,   false};
+    }
+
+    [[nodiscard]] bool leads_back(flow::EdgeId id) const {
+        const flow::Edge& edge = graph_.edges[id];
+        return analysis_.passable(id) && edge.kind != flow::EdgeKind::next &&
+               begin_of(edge.to) <= begin_of(edge.from);
+    }
+
+    [[nodiscard]] bool comes_after(flow::EdgeId a, flow::EdgeId b) const {
+        return begin_of(graph_.edges[a].from) > begin_of(graph_.edges[b].from);
+    }
+
+    [[nodiscard]] Offset begin_of(flow::NodeId node) const { return graph_.nodes[node].part.begin; }
+
+    /// The outermost loop of the text that runs round and round here: its head is in the cycle, and so is
+    /// nothing outside of it.
+    [[nodiscard]] std::optional<flow::StructureId> structure_around(std::uint32_t component) const {
+        const std::vector<flow::NodeId>& body = components_.members[component];
+        const auto [first, last] =
+            std::ranges::minmax(body, {}, [this](auto node) { return begin_of(node); });
+        std::optional<flow::StructureId> around;
+        for (auto id = structures_.loop_around(program_, begin_of(last)); id;
+             id = structures_.all[*id].parent) {
+            const auto head = head_of_.find(structures_.all[*id].open);
+            if (head != head_of_.end() && components_.of[head->second] == component &&
+                begin_of(head->second) <= begin_of(first))
+                around = id;
+        }
+        return around;
+    }
+
+    const Program& program_;
+    const flow::Structures& structures_;
+    const flow::Graph& graph_;
+    const Analysis& analysis_;
+    flow::Components components_;
+    std::unordered_map<EffectId, flow::NodeId> head_of_; ///< the node of a loop's opening effect
+    std::vector<bool> stops_; ///< nodes that end the program, pause, or may do either
+};
+
+} // namespace
+
+std::vector<Loop> find_traps(const Program& program, const flow::Structures& structures,
+                             const flow::Graph& graph, const Analysis& analysis) {
+    return TrapSearch(program, structures, graph, analysis).run();
+}
+
+} // namespace maclint::dataflow

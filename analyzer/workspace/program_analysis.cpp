@@ -1,0 +1,54 @@
+//! Questions about one program that need graph and data flow together.
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <algorithm>
+
+namespace maclint {
+
+std::vector<flow::Label> ProgramAnalysis::targets_of(const flow::ResolvedJump& jump) const {
+    if (jump.target) return {*jump.target};
+    std::vector<flow::Label> targets;
+    for (const flow::EdgeId id : graph_.out[jump.node]) {
+        const flow::Edge& edge = graph_.edges[id];
+        if (edge.kind != flow::EdgeKind::computed || edge.jump != jump.jump || !data_->passable(id)) continue;
+        if (!edge.label) return {};
+        auto label = std::ranges::lower_bound(graph_.labels, *edge.label, {}, &flow::Label::number);
+        while (label != graph_.labels.end() && label->node != edge.to) ++label;
+        if (label != graph_.labels.end()) targets.push_back(*label);
+    }
+    return targets;
+}
+
+std::optional<EffectId> ProgramAnalysis::user_of_label(std::int64_t number) const {
+    std::optional<EffectId> user;
+    auto label = std::ranges::lower_bound(graph_.labels, number, {}, &flow::Label::number);
+    for (; label != graph_.labels.end() && label->number == number; ++label)
+        for (const flow::EdgeId id : graph_.in[label->node]) {
+            const flow::Edge& edge = graph_.edges[id];
+            const bool stated = edge.kind == flow::EdgeKind::jump;
+            const bool possible = (edge.kind == flow::EdgeKind::computed && edge.label == number) ||
+                                  edge.kind == flow::EdgeKind::resume;
+            if (!edge.jump || !(stated || (possible && data_->passable(id)))) continue;
+            if (!user || program_->effects[*edge.jump].span.begin < program_->effects[*user].span.begin)
+                user = edge.jump;
+        }
+    return user;
+}
+
+std::vector<dataflow::OriginId> ProgramAnalysis::own_modal_calls(const dataflow::State& state) const {
+    std::vector<dataflow::OriginId> calls;
+    const auto group = std::ranges::find(control().groups, Concern::modal_call, &ModalGroup::concern);
+    if (group == control().groups.end()) return calls;
+    const auto id = static_cast<GroupId>(group - control().groups.begin());
+    const dataflow::ModalValue& value = data_->modal(state, id);
+    if (value.unknown) return calls;
+    for (const dataflow::ModalPart& part : value.parts) {
+        const dataflow::Origin& origin = data_->origin(part.origin);
+        if (origin.kind != dataflow::Origin::Kind::effect) continue;
+        const auto* call = std::get_if<Call>(&program_->effects[origin.id].what);
+        if (call != nullptr && control().calls[call->kind].when != When::once) calls.push_back(part.origin);
+    }
+    return calls;
+}
+
+} // namespace maclint

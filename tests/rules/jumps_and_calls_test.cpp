@@ -1,0 +1,57 @@
+//! Rules about jumps and calls in corner cases: MAC301, MAC303, MAC312, MAC313, MAC319, MAC336, MAC410,
+//! MAC413, MAC462.
+#include "tests/rules/raised.hpp"
+
+#include <gmock/gmock.h>
+
+namespace maclint {
+namespace {
+
+using test::lines_raised;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(JumpTarget, ThatIsMissingIsReportedWhereNothingLeadsToTheJumpYet) {
+    EXPECT_THAT(lines_raised("MAC301", "O1\nM30\nGOTO70\n"), ElementsAre(3));
+}
+
+TEST(JumpIntoLoop, IsCertainWhenEveryTargetOfAComputedJumpIsInside) {
+    const std::string loop = "WHILE[#101LT5]DO1\nN20 #101=#101+1\nN30 G0 X#101\nEND1\n";
+    EXPECT_THAT(lines_raised("MAC303", "O1\n#101=0\nGOTO#500\n" + loop + "M30\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC303", "O1\n#101=0\nGOTO#500\n" + loop + "N40 M30\n"), IsEmpty());
+}
+
+TEST(LoopEnd, OfTheWrongNumberIsToldAtTheDoOnly) {
+    const std::string text = "O1\n#101=0\nWHILE[#101LT5]DO1\n#101=#101+1\nEND2\nM30\n";
+    EXPECT_THAT(lines_raised("MAC312", text), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC313", text), IsEmpty());
+}
+
+TEST(EndlessJumps, WithTwoWaysBackAreOneFinding) {
+    const std::string text = "O1\nN10 G0 X1.\nIF[#500EQ1]GOTO20\nG0 X2.\nGOTO10\nN20 G0 X3.\nGOTO10\nM30\n";
+    EXPECT_THAT(lines_raised("MAC336", text), ElementsAre(7));
+    EXPECT_THAT(lines_raised("MAC319", text), IsEmpty());
+}
+
+TEST(CallDepth, CountsACallOfAProgramThatIsNotThere) {
+    EXPECT_THAT(lines_raised("MAC410", "O1\nG65P2\nM30\nO2\nG65P3\nM99\nO3\nG65P4\nM99\nO4\nG65P5\nM99\n"
+                                       "O5\nG65P9999\nM99\n"),
+                ElementsAre(14));
+}
+
+TEST(ModalCall, ThatACalledProgramLeavesActiveIsThatPrograms) {
+    EXPECT_THAT(lines_raised("MAC413", "O1\nG65 P2\nG0 X1.\nM30\nO2\nG66 P3\nM99\nO3\nG4 X1.\nM99\n"),
+                ElementsAre(6));
+}
+
+TEST(ModalCall, ThatAnUnknownProgramMayHaveEndedIsLeftAlone) {
+    EXPECT_THAT(lines_raised("MAC413", "O1\nG66 P3\nX1.\nG65 P9999\nM30\nO3\nG4 X1.\nM99\n"), IsEmpty());
+}
+
+TEST(SequenceNumber, ThatOnlyAComputedJumpCanFindIsReportedWhenItStandsTwice) {
+    EXPECT_THAT(lines_raised("MAC462", "O1\nGOTO#500\nN10 G0 X1.\nN10 G0 X2.\nM30\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC462", "O1\nN10 G0 X1.\nN10 G0 X2.\nM30\n"), IsEmpty());
+}
+
+} // namespace
+} // namespace maclint
