@@ -92,9 +92,7 @@ struct CheckWords {
 };
 
 void declare_check(CLI::App& check, CheckWords& words) {
-    const auto repeatable = [](CLI::Option* option) {
-        return option->type_size(1)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    };
+    const auto repeatable = [](CLI::Option* option) { return option->allow_extra_args(false); };
     check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)")
         ->type_name("");
     check.add_option("--format", words.format, "What goes to standard output: text, concise, json or sarif")
@@ -248,7 +246,8 @@ std::string help_of(const CLI::App& app) { return app.help("maclint"); }
 
 /// A path that does not exist but looks like a command was meant as one.
 void suggest_command(const std::vector<std::string>& paths) {
-    if (paths.empty() || std::filesystem::exists(paths.front()) || paths.front() == "-") return;
+    std::error_code ignored;
+    if (paths.empty() || std::filesystem::exists(paths.front(), ignored) || paths.front() == "-") return;
     const std::vector<std::string> known(commands.begin(), commands.end());
     if (const auto command = closest(paths.front(), known))
         refuse("'" + shown(paths.front()) + "' is neither a command nor a file. Did you mean 'maclint " +

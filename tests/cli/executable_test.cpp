@@ -95,7 +95,7 @@ TEST_F(Executable, SearchesFoldersInOrderWithoutHiddenAndBuildFolders) {
     folder.write("b/O1001.nc", bad);
     folder.write("a/O1002.NC", bad);
     folder.write("a/O1003", bad);
-    folder.write("a/notes.txt", bad);
+    folder.write("a/notes.md", bad);
     folder.write(".old/O1.nc", bad);
     folder.write("build/O1.nc", bad);
     const std::string out = concise({"."});
@@ -155,7 +155,8 @@ TEST_F(Executable, LooksAroundANamedFileForThoseItCalls) {
 }
 
 TEST_F(Executable, EscapesWhatFilesHoldAndAreCalled) {
-    folder.write("O1\x1B[31m.nc", "%\nO1001\nGOTO 99 (\x1B[2J\x07)\nM30\n%\n");
+    folder.write("O1\x1B[31m.nc", "%\nO1001 (A PROGRAM LONG ENOUGH TO BE TAKEN FOR ONE)\nG0 X1. Y2.\nG1 Z-1. "
+                                  "F100.\nGOTO 99 (\x1B[2J\x07)\nM30\n%\n");
     const Finished finished = run({"."});
     EXPECT_THAT(finished.out, HasSubstr("O1\\x1B[31m.nc"));
     EXPECT_THAT(finished.out, AllOf(Not(HasSubstr("\x1B")), Not(HasSubstr("\x07"))));
@@ -207,14 +208,14 @@ TEST_F(Executable, ShowsNoMoreFindingsThanAskedButFailsForAll) {
 
 TEST_F(Executable, FollowsTheConfiguration) {
     folder.write(".maclint.json",
-                 R"({"exclude": ["old"], "include": ["*.txt"], "per-file-ignores": {"O9*": ["MAC301"]}})");
+                 R"({"exclude": ["old"], "include": ["*.part"], "per-file-ignores": {"O9*": ["MAC301"]}})");
     folder.write("old/O1.nc", bad);
-    folder.write("part.txt", bad);
+    folder.write("tray.part", bad);
     folder.write("O9001.nc", bad);
     const std::string out = concise({"."});
-    EXPECT_THAT(out, AllOf(HasSubstr("part.txt:4"), Not(HasSubstr("old/")), Not(HasSubstr("O9001"))));
+    EXPECT_THAT(out, AllOf(HasSubstr("tray.part:4"), Not(HasSubstr("old/")), Not(HasSubstr("O9001"))));
     EXPECT_THAT(concise({"--isolated", "."}),
-                AllOf(HasSubstr("old/O1.nc"), HasSubstr("O9001"), Not(HasSubstr("part.txt"))));
+                AllOf(HasSubstr("old/O1.nc"), HasSubstr("O9001"), Not(HasSubstr("tray.part"))));
 }
 
 TEST_F(Executable, TellsOfAWrongConfigurationOnceAndEndsWith2) {
