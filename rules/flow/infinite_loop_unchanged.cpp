@@ -19,7 +19,7 @@ extern const Rule infinite_loop_unchanged{
     .summary = "Nothing that decides whether a loop ends changes in its body: once entered, it never ends",
     .why = "The control repeats the same moves until somebody presses reset, or stands still without an "
            "alarm when "
-           "nothing in the loop moves",
+           "nothing in the loop moves.",
     .severity = Severity::error,
     .precision = Precision::high,
     .on_by_default = true,

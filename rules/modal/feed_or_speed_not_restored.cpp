@@ -18,7 +18,7 @@ extern const Rule feed_or_speed_not_restored{
     .aliases = "",
     .summary = "A macro changes F or S and does not put the caller's value back",
     .why = "The caller's next block without F or S moves or turns at the macro's value: a plunge "
-           "feed for a finishing cut, or a rapid one into the material",
+           "feed for a finishing cut, or a rapid one into the material.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,

@@ -17,7 +17,7 @@ extern const Rule motion_mode_not_restored{
     .name = "motion-mode-not-restored",
     .aliases = "",
     .summary = "A called program leaves the motion mode (G00 to G03, G33) other than it found it",
-    .why = "A caller that relies on its own G00 or G01 moves in the macro's mode instead",
+    .why = "A caller that relies on its own G00 or G01 moves in the macro's mode instead.",
     .severity = Severity::note,
     .precision = Precision::medium,
     .on_by_default = false,

@@ -19,7 +19,7 @@ extern const Rule constant_condition{
     .aliases = "DIN405",
     .summary = "A condition always holds or never does, because of what the program did before",
     .why = "Blocks run that should have been left out, or never run. Often another variable was "
-           "meant, or an earlier test already went away with the case",
+           "meant, or an earlier test already went away with the case.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,

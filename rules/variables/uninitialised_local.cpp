@@ -19,7 +19,7 @@ extern const Rule uninitialised_local{
     .summary = "A local variable is read before anything has set it, and no argument can have done so",
     .why = "Such a variable is vacant: a word that uses it is ignored (the axis stays where it is, the feed "
            "does "
-           "not change), and arithmetic takes it for 0. The control raises no alarm",
+           "not change), and arithmetic takes it for 0. The control raises no alarm.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,

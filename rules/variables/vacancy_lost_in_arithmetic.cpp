@@ -17,7 +17,7 @@ extern const Rule vacancy_lost_in_arithmetic{
     .summary = "The result of arithmetic is compared with #0: it is a number, never vacant",
     .why =
         "Arithmetic takes a vacant variable for 0. The test for a missing argument therefore never finds it "
-        "missing, and the macro runs with 0",
+        "missing, and the macro runs with 0.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .on_by_default = true,

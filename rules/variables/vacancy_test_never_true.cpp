@@ -18,7 +18,7 @@ extern const Rule vacancy_test_never_true{
     .aliases = "",
     .summary = "A variable that is set on every way to the test is compared with #0: it is never vacant",
     .why = "A test for 0 was probably meant. As it stands, the blocks that the test guards never run, or "
-           "always",
+           "always.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,

@@ -20,7 +20,7 @@ extern const Rule vacant_in_relational_comparison{
     .summary = "GT, GE, LT and LE take a vacant variable for 0: a missing argument passes the check",
     .why = "A range check that 0 passes is passed by a missing argument, too. What follows then works with "
            "0, or "
-           "leaves out the words that hold the variable",
+           "leaves out the words that hold the variable.",
     .severity = Severity::note,
     .precision = Precision::medium,
     .on_by_default = false,

@@ -20,7 +20,7 @@ extern const Rule zero_test_misses_vacant{
     .summary = "EQ 0 or NE 0 on a value that can be vacant: vacant is not equal to 0 there",
     .why =
         "When the argument is missing, the test takes it for a number other than 0: the check is passed, and "
-        "arithmetic behind it works with 0 all the same",
+        "arithmetic behind it works with 0 all the same.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,
