@@ -24,16 +24,21 @@ const listOf = rule => seq(rule, repeat(seq(',', rule)));
 const blank = '[ \\t]*';
 const digits = '([0-9]+\\.?[0-9]*|\\.[0-9]+)';
 
-// An address: one or two capitals, and HID. N alone heads a block and L alone calls. IF and OR are keywords:
-// `IF 1==#l1` holds no word `IF 1`.
-const pairs = '[A-HJ-NP-Z][A-Z]|I[A-EG-Z]|O[A-QS-Z]|HID';
+// An address: one or two capitals, and HID. N alone heads a block and L alone calls. IF, OR and the comparisons EQ, GE,
+// GT and LT are no addresses, and NE and LE are two only when their number touches them: `IF 1==#l1` holds no word
+// `IF 1`, `IF #l1 NE 5` no word `NE 5`.
+const otherPairs = '[A-DFHJKMP-Z][A-Z]|E[A-PR-Z]|G[A-DF-SU-Z]|I[A-EG-Z]|O[A-QS-Z]|HID';
+const spacedPairs = `${otherPairs}|N[A-DF-Z]|L[A-DF-SU-Z]`;
+const pairs = `${otherPairs}|N[A-Z]|L[A-SU-Z]`;
 const letters = `([A-KMO-Z]|${pairs})`;
-const lettersBeforeNumber = `([A-MO-Z]|${pairs})`;
+const beforeNumber = `(([A-MO-Z]|${pairs})i?|([A-MO-Z]|${spacedPairs})i?[ \\t]+)`;
+const signed = `([+-]${blank})?${digits}`;
 const smallLetters = '([a-mo-z]|[a-hj-np-z][a-z]|i[a-eg-z]|o[a-qs-z])';
 
 // A capital of a section word. What is not ASCII counts, for files in Latin-1 come undecoded (`#TYÖKAPPALE`);
-// typographic quotes (U+2000 ...) do not.
-const capital = '[^\\x00-@\\[-\\u00BF\\u2000-\\u206F\\uFEFF]';
+// typographic quotes (U+2000 ...) do not. U+0001 is in, because tree-sitter hands out such bytes as -1 and compares.
+const capital = '[^\\x02-@\\[-\\u00BF\\u2000-\\u206F\\uFEFF]';
+const small = '[^\\x02-\\x60{-\\u00BF\\u2000-\\u206F\\uFEFF]';
 const capitals = `[A-Z]${capital}${capital}+(_${capital}+)*`;
 
 // Precedence of operators, high binds tighter (manual 6.31 and 6.33; conditions are linked comparisons).
@@ -78,7 +83,8 @@ module.exports = grammar({
 
     section: $ => prec.right(1, seq(
       field('name', $.section_name), optional(field('axis', alias($._address, $.axis))), repeat(field('parameter', $._section_parameter)))),
-    section_name: $ => prec.right(1, seq($._capitals, repeat($._capitals))),
+    // Manuals also print one capital and small letters (`Paluu`), never in more than one word.
+    section_name: $ => prec.right(1, choice(seq($._capitals, repeat($._capitals)), $._capitalized)),
     _section_parameter: $ => prec(-1, choice($._any_word, $.number, $.slide, $._text)),
 
     // Blocks. A block number behind words begins the next block, whose line end was lost.
@@ -218,14 +224,14 @@ module.exports = grammar({
     letter_o_word: $ => /[GMT][0-9]*O[0-9O.]*/,
 
     // Address, perhaps `i`, and a literal number.
-    literal_word: $ => token(new RegExp(`${lettersBeforeNumber}i?${blank}[+-]?${blank}${digits}`)),
-    lower_case_word: $ => token(new RegExp(`${smallLetters}[+-]?${digits}`)),
+    literal_word: $ => token(new RegExp(`${beforeNumber}${signed}`)),
+    lower_case_word: $ => token(new RegExp(`${smallLetters}${signed}`)),
 
     // Two signs, two points, or a decimal comma.
     malformed_word: $ => token(choice(
-      new RegExp(`${lettersBeforeNumber}i?${blank}[+-]?${blank}[0-9]*\\.[0-9]*\\.[0-9.]*`),
-      new RegExp(`${lettersBeforeNumber}i?${blank}[+-]?${blank}[0-9]+,[0-9]+`),
-      new RegExp(`${lettersBeforeNumber}i?${blank}[+-]${blank}[+-][+\\-]*${blank}${digits}`))),
+      new RegExp(`${beforeNumber}([+-]${blank})?[0-9]*\\.[0-9]*\\.[0-9.]*`),
+      new RegExp(`${beforeNumber}([+-]${blank})?[0-9]+,[0-9]+`),
+      new RegExp(`${beforeNumber}[+-]${blank}[+-][+\\-]*${blank}${digits}`))),
     // A literal word that goes on: `X100+_sd`. The literal word is the leftmost leaf of its value.
     extended_word: $ => field('value', alias($._extended, $.binary)),
     _extended: $ => choice(
@@ -243,6 +249,7 @@ module.exports = grammar({
     unknown_coordinate: $ => /\?[<>]?/,
 
     _address: $ => token(new RegExp(letters)),
+    _capitalized: $ => token(new RegExp(`[A-Z]${small}${small}${small}+`)),
     _capitals: $ => token(new RegExp(capitals)),
     selector: $ => /[A-Za-z][A-Za-z0-9]*/,
   },
