@@ -28,6 +28,9 @@ struct Edit {
     std::string text;
 };
 
+/// `text` with {0}, {1} … replaced.
+[[nodiscard]] std::string fill(std::string_view text, const std::vector<std::string>& arguments);
+
 struct Finding {
     const Rule* rule;
     Severity severity; ///< the rule's, or what the configuration made of it
@@ -43,5 +46,8 @@ struct Finding {
     /// The message with its arguments filled in.
     [[nodiscard]] std::string message() const;
 };
+
+/// The order of reports: path, line, column, code.
+[[nodiscard]] bool comes_before(const Finding& a, const Finding& b);
 
 } // namespace maclint

@@ -71,6 +71,8 @@ class Reporter {
     /// Adds a finding and gives it back, to be filled with related places, a path or a fix.
     Finding& report(const ProgramFile& file, Span span, std::string_view message_id,
                     std::vector<std::string> arguments);
+    /// Whether the rule has a message of that name.
+    [[nodiscard]] bool has_message(std::string_view id) const;
     [[nodiscard]] std::vector<Finding> take() { return std::move(findings_); }
 
   private:

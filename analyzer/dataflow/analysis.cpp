@@ -154,6 +154,7 @@ class Solver {
     void summarise() {
         Summary& summary = result_.summary_;
         summary.known = true;
+        summary.may_stop = may_stop();
         State left;
         for (const ExitState& exit : result_.facts_.exits) {
             if (exit.exit.kind != flow::ExitKind::returns && exit.exit.kind != flow::ExitKind::runs_off)
@@ -177,6 +178,19 @@ class Solver {
                 summary.groups.push_back(describe(static_cast<GroupId>(key), states_.pool().modals[id]));
             }
         });
+    }
+
+    [[nodiscard]] bool may_stop() const {
+        const Facts& facts = result_.facts_;
+        if (std::ranges::any_of(facts.calls, &CallMade::may_stop)) return true;
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
+            if (!result_.reached_[node]) continue;
+            for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects))
+                if (std::holds_alternative<Stop>(effect.what) ||
+                    std::holds_alternative<UnreadableBlock>(effect.what))
+                    return true;
+        }
+        return false;
     }
 
     [[nodiscard]] GroupChange describe(GroupId group, const ModalValue& value) const {
@@ -225,5 +239,6 @@ const ModalValue& Analysis::modal(const State& state, GroupId group) const {
     return states_->read(state, group);
 }
 Value Analysis::value(const State& state, Place place) const { return states_->read(state, place); }
+Value Analysis::value_at_entry(Place place) const { return states_->read(states_->at_entry(), place); }
 
 } // namespace maclint::dataflow

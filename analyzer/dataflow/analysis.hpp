@@ -32,6 +32,7 @@ class Analysis {
     /// What a group can be in a state of facts().
     [[nodiscard]] const ModalValue& modal(const State& state, GroupId group) const;
     [[nodiscard]] Value value(const State& state, Place place) const;
+    [[nodiscard]] Value value_at_entry(Place place) const;
     [[nodiscard]] const State& before(flow::NodeId node) const { return before_[node]; }
 
   private:

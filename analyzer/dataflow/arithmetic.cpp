@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
@@ -188,11 +189,25 @@ Exactness exactness_of(R rounds, std::span<const Value> v) {
     return Exactness::unknown;
 }
 
+/// a+b and b+a are one value.
+bool is_commutative(Operation operation) {
+    switch (operation) {
+    case Operation::add:
+    case Operation::multiply:
+    case Operation::bit_and:
+    case Operation::bit_or:
+    case Operation::bit_xor: return true;
+    default: return false;
+    }
+}
+
 Symbol symbol_of(Operation operation, std::span<const Value> v, const Origin& here) {
-    const bool fits = v.size() <= 2 && operation != Operation::unknown;
+    const bool fits = !v.empty() && v.size() <= 2 && operation != Operation::unknown;
     if (!fits) return {Symbol::Kind::opaque, here.id, 1, here.node};
-    return {Symbol::Kind::result, static_cast<std::uint64_t>(operation), v.empty() ? 0 : v[0].symbol,
-            v.size() < 2 ? 0 : v[1].symbol};
+    SymbolId first = v[0].symbol;
+    SymbolId second = v.size() < 2 ? 0 : v[1].symbol;
+    if (is_commutative(operation) && second < first) std::swap(first, second);
+    return {Symbol::Kind::result, static_cast<std::uint64_t>(operation), first, second};
 }
 
 } // namespace
@@ -222,6 +237,10 @@ Value compute(Pool& pool, Operation operation, std::span<const Value> operands, 
         result.nonzero = !operands[0].can_be(0);
     result.symbol = pool.symbols(symbol_of(operation, operands, here));
     return result;
+}
+
+bool is_inexact(const Value& value) {
+    return value.exactness == Exactness::rounded || is_inexact_constant(value);
 }
 
 bool is_comparison(Operation operation) {

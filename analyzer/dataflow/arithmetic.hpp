@@ -22,6 +22,10 @@ struct Truth {
                             bool vacant_equals_zero);
 [[nodiscard]] Truth test_vacancy(Operation operation, const Value& operand);
 
+/// Whether sums of this value collect errors: it was rounded, or is a number that binary arithmetic cannot
+/// hold.
+[[nodiscard]] bool is_inexact(const Value& value);
+
 [[nodiscard]] bool is_comparison(Operation operation);
 /// LT for GE and so on; what holds when the comparison fails.
 [[nodiscard]] Operation opposite(Operation operation);

@@ -65,9 +65,16 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
                 return load_at(state, load.family, index, id, use);
             },
             [&](const LoadModal& load) { return load_modal(state, load.group, id); },
-            [&](const LoadMachine&) {
+            [&](const LoadMachine& load) {
                 Value value = opaque(id);
                 value.vacancy = Vacancy::set;
+                const VariableRange* range = program_.control->families[load.family].find(load.number);
+                if (range != nullptr && range->is_bit) {
+                    value.low = 0;
+                    value.high = 1;
+                    value.integer = true;
+                    value.exactness = Exactness::exact;
+                }
                 return value;
             },
             [&](const Apply& apply) {

@@ -58,6 +58,23 @@ struct Store {
     std::optional<Step> step;
 };
 
+/// Something other than an assignment may have changed variables: a call, an unreadable block, a store
+/// through an index that can be many.
+struct Disturbance {
+    flow::NodeId node;
+    EffectId effect;
+    SpaceId space;
+    std::optional<Place> place; ///< empty: any variable of the space
+};
+
+/// A call that runs a program here.
+struct CallMade {
+    flow::NodeId node;
+    EffectId effect;
+    bool known;    ///< false: nobody knows what it does
+    bool may_stop; ///< it may end in an alarm, a pause or the program's end; true when unknown
+};
+
 /// A modal group set by a block that is not plain.
 struct ModalWrite {
     flow::NodeId node;
@@ -81,13 +98,23 @@ struct ExitState {
     State state;
 };
 
+/// The state in front of an effect that a rule wants to know of.
+struct PointState {
+    flow::NodeId node;
+    EffectId effect;
+    State state;
+};
+
 struct Facts {
     std::vector<Comparison> comparisons;
     std::vector<Condition> conditions;
     std::vector<Read> reads;
     std::vector<Store> stores;
+    std::vector<Disturbance> disturbances;
+    std::vector<CallMade> calls;
     std::vector<ModalWrite> modal_writes;
     std::vector<ComputedJump> computed_jumps;
+    std::vector<PointState> tool_changes;
     std::vector<ExitState> exits; ///< reached ones
 };
 

@@ -4,6 +4,7 @@
 #include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
 #include <unordered_map>
 
@@ -11,8 +12,18 @@ namespace maclint::dataflow {
 namespace {
 
 /// Nodes looked at for all loops of a program together, per node of the program; keeps the search linear.
-constexpr std::size_t work_per_node = 64;
-constexpr std::size_t work_at_least = 100'000;
+constexpr std::size_t work_per_node = 16;
+constexpr std::size_t work_at_least = 20'000;
+
+/// Facts are in the order of nodes: only those between the body's first and last node can be inside.
+template<class Fact>
+std::vector<std::reference_wrapper<const Fact>> in_body(const Loop& loop, const std::vector<Fact>& facts) {
+    std::vector<std::reference_wrapper<const Fact>> inside;
+    for (auto fact = std::ranges::lower_bound(facts, loop.body.front(), {}, &Fact::node);
+         fact != facts.end() && fact->node <= loop.body.back(); ++fact)
+        if (loop.holds(fact->node)) inside.emplace_back(*fact);
+    return inside;
+}
 
 class LoopSearch {
   public:
@@ -33,8 +44,9 @@ class LoopSearch {
         std::vector<Loop> loops;
         for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge) {
             if (!is_back(edge)) continue;
-            if (budget_ == 0) break;
-            loops.push_back(loop_of(edge));
+            Loop loop = loop_of(edge);
+            if (budget_ == 0) break; // its body is not complete
+            loops.push_back(std::move(loop));
         }
         std::ranges::sort(loops, {}, [this](const Loop& loop) {
             return std::tuple(graph_.nodes[loop.head].part.begin, loop.head,
@@ -55,10 +67,13 @@ class LoopSearch {
         collect_body(loop);
         for (const flow::NodeId node : loop.body) {
             for (const flow::EdgeId out : graph_.out[node])
-                if (analysis_.passable(out) && mark_[graph_.edges[out].to] != round_)
-                    loop.ways_out.push_back(out);
+                if (mark_[graph_.edges[out].to] != round_) loop.ways_out.push_back(out);
             loop.can_stop |= std::ranges::binary_search(exits_, node);
             look_at_effects(loop, node);
+        }
+        for (const CallMade& call : in_body(loop, analysis_.facts().calls)) {
+            loop.can_stop |= call.may_stop;
+            loop.has_unknown_effects |= !call.known;
         }
         if (edge.kind == flow::EdgeKind::back) {
             const Slice effects = graph_.nodes[loop.head].effects;
@@ -82,10 +97,10 @@ class LoopSearch {
             stack.push_back(node);
         };
         add(loop.latch);
-        while (!stack.empty()) {
+        while (!stack.empty() && budget_ != 0) {
             const flow::NodeId node = stack.back();
             stack.pop_back();
-            budget_ -= std::min<std::size_t>(budget_, 1);
+            --budget_;
             for (const flow::EdgeId in : graph_.in[node])
                 if (analysis_.passable(in)) add(graph_.edges[in].from);
         }
@@ -94,18 +109,12 @@ class LoopSearch {
 
     void look_at_effects(Loop& loop, flow::NodeId node) const {
         for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects)) {
-            std::visit(
-                overloaded{
-                    [&](const Stop&) { loop.can_stop = true; },
-                    [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
-                    [&](const Call&) { loop.has_unknown_effects = true; },
-                    [&](const Exchange& exchange) { loop.has_unknown_effects |= !exchange.in.empty(); },
-                    [&](const Assign& assign) {
-                        loop.has_unknown_effects |= std::holds_alternative<StoreAt>(assign.target);
-                    },
-                    [](const auto&) {},
-                },
-                effect.what);
+            std::visit(overloaded{
+                           [&](const Stop&) { loop.can_stop = true; },
+                           [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
+                           [](const auto&) {},
+                       },
+                       effect.what);
         }
     }
 
@@ -152,11 +161,113 @@ ReadSet variables_of(const Program& program, ExpressionId expression) {
 
 std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place) {
     std::vector<const Store*> stores;
-    // Facts are in the order of nodes: only those between the body's first and last node can be inside.
-    const auto first = std::ranges::lower_bound(facts.stores, loop.body.front(), {}, &Store::node);
-    for (auto store = first; store != facts.stores.end() && store->node <= loop.body.back(); ++store)
-        if (store->place == place && loop.holds(store->node)) stores.push_back(&*store);
+    for (const Store& store : in_body(loop, facts.stores))
+        if (store.place == place) stores.push_back(&store);
     return stores;
+}
+
+namespace {
+
+/// Finds the counter of one loop, or why there is none.
+class CounterSearch {
+  public:
+    CounterSearch(const Program& program, const flow::Graph& graph, const Facts& facts, const Loop& loop)
+        : program_(program)
+        , graph_(graph)
+        , facts_(facts)
+        , loop_(loop) {}
+
+    std::optional<Counter> run() {
+        for (const flow::EdgeId id : loop_.ways_out) {
+            const flow::Edge& edge = graph_.edges[id];
+            if (!edge.condition || !add_test(edge)) return std::nullopt;
+        }
+        if (!counter_ || disturbed_in(loop_, facts_, counter_->place)) return std::nullopt;
+        for (const Store* store : stores_in(loop_, facts_, counter_->place)) {
+            if (store->step)
+                counter_->steps.push_back(store);
+            else if (is_clamp(*store))
+                counter_->clamps.push_back(store);
+            else
+                return std::nullopt;
+        }
+        return counter_->steps.empty() ? std::nullopt : std::move(counter_);
+    }
+
+  private:
+    [[nodiscard]] bool changes(Place place) const {
+        return disturbed_in(loop_, facts_, place) || !stores_in(loop_, facts_, place).empty();
+    }
+
+    [[nodiscard]] bool is_fixed(ExpressionId expression) const {
+        const ReadSet set = variables_of(program_, expression);
+        return set.closed && std::ranges::none_of(set.places, [this](Place place) { return changes(place); });
+    }
+
+    /// A side that is the variable, or minus the variable.
+    [[nodiscard]] std::optional<std::pair<Place, bool>> side(ExpressionId id) const {
+        bool negated = false;
+        const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
+        if (apply != nullptr && apply->operation == Operation::negate) {
+            negated = true;
+            id = program_.operands_of(*apply).front();
+        }
+        const auto* load = std::get_if<Load>(&program_.expressions[id].node);
+        if (load == nullptr || !changes(load->place)) return std::nullopt;
+        return std::pair(load->place, negated);
+    }
+
+    bool add_test(const flow::Edge& edge) {
+        const auto found = std::ranges::find(facts_.comparisons, *edge.condition, &Comparison::expression);
+        if (found == facts_.comparisons.end() || !is_comparison(found->operation)) return false;
+        // The way out is taken when the comparison `holds`; the loop goes on otherwise.
+        Operation stays = edge.holds ? opposite(found->operation) : found->operation;
+        ExpressionId bound = found->right_expression;
+        const Value* bound_value = &found->right;
+        auto variable = side(found->left_expression);
+        if (!variable) {
+            variable = side(found->right_expression);
+            bound = found->left_expression;
+            bound_value = &found->left;
+            stays = mirrored(stays);
+        }
+        if (!variable || !is_fixed(bound)) return false;
+        if (variable->second) stays = mirrored(stays);
+        if (!counter_) counter_ = Counter{variable->first, {}, {}, {}};
+        if (!(counter_->place == variable->first)) return false;
+        counter_->tests.push_back({&*found, stays, bound, bound_value});
+        return true;
+    }
+
+    /// IF[#13GT#26]THEN#13=#26
+    [[nodiscard]] bool is_clamp(const Store& store) const {
+        const auto guarded = [&](flow::EdgeId id) {
+            const auto& condition = graph_.edges[id].condition;
+            if (!condition) return false;
+            const ReadSet set = variables_of(program_, *condition);
+            return std::ranges::find(set.places, store.place) != set.places.end();
+        };
+        return !graph_.in[store.node].empty() && std::ranges::all_of(graph_.in[store.node], guarded);
+    }
+
+    const Program& program_;
+    const flow::Graph& graph_;
+    const Facts& facts_;
+    const Loop& loop_;
+    std::optional<Counter> counter_;
+};
+
+} // namespace
+
+std::optional<Counter> counter_of(const Program& program, const flow::Graph& graph, const Facts& facts,
+                                  const Loop& loop) {
+    return CounterSearch(program, graph, facts, loop).run();
+}
+
+bool disturbed_in(const Loop& loop, const Facts& facts, Place place) {
+    return std::ranges::any_of(in_body(loop, facts.disturbances), [place](const Disturbance& disturbance) {
+        return disturbance.place ? *disturbance.place == place : disturbance.space == place.space;
+    });
 }
 
 } // namespace maclint::dataflow

@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/analysis.hpp"
 #include "analyzer/flow/structure.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -15,10 +16,9 @@ struct Loop {
     flow::EdgeId back;
     std::optional<flow::StructureId> structure; ///< WHILE or DO; empty: closed by a jump
     std::vector<flow::NodeId> body;             ///< sorted, head and latch included
-    std::vector<flow::EdgeId> ways_out;         ///< passable edges that leave the body
-    bool can_stop;                              ///< a return, program end, alarm or pause is inside
-    bool has_unknown_effects; ///< a call of an unknown program, an unreadable block, a store through an
-                              ///< unknown index
+    std::vector<flow::EdgeId> ways_out; ///< edges that leave the body, also those that are never taken
+    bool can_stop; ///< a return, program end, alarm or pause is inside, or in a program called there
+    bool has_unknown_effects; ///< a call of an unknown program or an unreadable block is inside
 
     [[nodiscard]] bool holds(flow::NodeId node) const;
 };
@@ -36,8 +36,30 @@ struct ReadSet {
 };
 [[nodiscard]] ReadSet variables_of(const Program& program, ExpressionId expression);
 
-/// The stores in the loop's body that change the variable; calls and indirect stores show in
-/// Loop::has_unknown_effects or here.
+/// The assignments in the loop's body that change the variable.
 [[nodiscard]] std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place);
+/// Whether something in the loop's body that is no assignment may change the variable: a call, a store
+/// through an index.
+[[nodiscard]] bool disturbed_in(const Loop& loop, const Facts& facts, Place place);
+
+/// One way out of a loop that a counter decides.
+struct CounterTest {
+    const Comparison* comparison;
+    Operation stays;    ///< the loop goes on as long as counter `stays` bound: less for WHILE[#1LT10]
+    ExpressionId bound; ///< does not change in the loop
+    const Value* bound_value;
+};
+
+/// A variable that alone decides when a loop ends.
+struct Counter {
+    Place place;
+    std::vector<CounterTest> tests;   ///< one for every way out, at least one
+    std::vector<const Store*> steps;  ///< v = v + amount, at least one
+    std::vector<const Store*> clamps; ///< other assignments, each guarded by a condition on the variable
+};
+
+/// The counter of the loop; nothing when something else has a say in its end.
+[[nodiscard]] std::optional<Counter> counter_of(const Program& program, const flow::Graph& graph,
+                                                const Facts& facts, const Loop& loop);
 
 } // namespace maclint::dataflow

@@ -47,6 +47,7 @@ State States::at_entry() const {
 
 Vacancy States::vacancy_at_entry(Place place) const {
     if (knowledge_.entry == Entry::main) return Vacancy::vacant;
+    if (knowledge_.locals_are_callers) return Vacancy::unknown;
     if (knowledge_.arguments) {
         const auto known = std::ranges::find(*knowledge_.arguments, place, &std::pair<Place, Vacancy>::first);
         return known == knowledge_.arguments->end() ? Vacancy::vacant : known->second;
@@ -120,13 +121,22 @@ void States::forget(State& state, SpaceId space, const Origin& site) {
     state.forgotten[space] = pool_.symbols({Symbol::Kind::opaque, site.id, 2, site.node});
 }
 
+/// That the variable itself was vacant at the start says more than that another one was.
+bool States::is_entry_of(OriginId doubt, Key key) const {
+    const Origin& origin = pool_.origins[doubt];
+    const Place place = place_of(key);
+    return origin.kind == Origin::Kind::entry && origin.id == static_cast<std::uint32_t>(place.number) &&
+           origin.node == place.space;
+}
+
 Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t node) {
     if (a == b) return a;
     Value joined;
     joined.symbol = a.symbol == b.symbol ? a.symbol : pool_.symbols({Symbol::Kind::joined, key, node, 0});
     joined.origin = a.origin == b.origin ? a.origin : 0;
     joined.vacancy = join_vacancy(a.vacancy, b.vacancy);
-    joined.doubt = a.doubt != 0 ? a.doubt : b.doubt;
+    joined.doubt = a.doubt != 0 && !is_entry_of(b.doubt, key) ? a.doubt : b.doubt;
+    if (joined.doubt == 0) joined.doubt = a.doubt;
     joined.exactness = std::max(a.exactness, b.exactness);
     joined.rounding = a.rounding != 0 ? a.rounding : b.rounding;
     joined.low = std::min(a.low, b.low);

@@ -26,6 +26,8 @@ struct EntryKnowledge {
     /// All callers are known: whether each argument is passed by all, some or none of them. Absent: there may
     /// be other callers.
     std::optional<std::vector<std::pair<Place, Vacancy>>> arguments;
+    /// Some caller shares its locals with the program: what they hold at the start, nobody knows.
+    bool locals_are_callers = false;
 };
 
 [[nodiscard]] constexpr Key key_of(Place place) {
@@ -87,6 +89,7 @@ class States {
     [[nodiscard]] Vacancy vacancy_at_entry(Place place) const;
     [[nodiscard]] Value absent(const State& state, Key key);
     [[nodiscard]] std::uint32_t absent_modal(Key key);
+    [[nodiscard]] bool is_entry_of(OriginId doubt, Key key) const;
     [[nodiscard]] Value join_values(const Value& a, const Value& b, Key key, std::uint32_t node);
     [[nodiscard]] std::uint32_t join_modals(std::uint32_t a, std::uint32_t b);
 

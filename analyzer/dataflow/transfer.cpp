@@ -51,6 +51,12 @@ void Transfer::apply(State& state, const Effect& effect) {
     std::visit(overloaded{
                    [&](const Assign& what) { assign(state, what); },
                    [&](const SetModal& what) { set_modal(state, what); },
+                   // What changes nothing is only evaluated to be written down.
+                   [&](const Values& what) {
+                       if (facts_ == nullptr) return;
+                       for (const ExpressionId value : program_.values_of(what))
+                           (void)evaluate(state, value, Use::word);
+                   },
                    [&](const Motion&) { move(state); },
                    [&](const Call& what) { call(state, what); },
                    [&](const EndModalCall&) {
@@ -58,44 +64,41 @@ void Transfer::apply(State& state, const Effect& effect) {
                            set_code(state, *group, no_modal_call_code, states_.pool().origins(here()));
                    },
                    [&](const Guarded& what) {
+                       if (facts_ == nullptr) return;
                        const Truth truth = judge(state, what.condition);
-                       if (facts_ != nullptr)
-                           facts_->conditions.push_back({node_, effect_, what.condition, truth});
+                       facts_->conditions.push_back({node_, effect_, what.condition, truth});
                    },
                    [&](const Structure& what) {
-                       if (!what.condition) return;
+                       if (facts_ == nullptr || !what.condition) return;
                        const Truth truth = judge(state, *what.condition);
-                       if (facts_ != nullptr)
-                           facts_->conditions.push_back({node_, effect_, *what.condition, truth});
+                       facts_->conditions.push_back({node_, effect_, *what.condition, truth});
                    },
                    [&](const Jump& what) {
+                       if (facts_ == nullptr) return;
                        const Value target = evaluate(state, what.target, Use::jump);
-                       if (facts_ != nullptr && !flow::constant_target(program_, what.target))
+                       if (!flow::constant_target(program_, what.target))
                            facts_->computed_jumps.push_back({node_, effect_, target});
                    },
                    [&](const Exchange& what) {
                        for (const ExpressionId out : what.out) (void)evaluate(state, out, Use::word);
-                       for (const Place in : what.in) store(state, in, opaque(effect_), 0);
+                       for (const Place in : what.in) disturb(state, in, opaque_place(in, 4));
                    },
                    [&](const UnreadableBlock& what) {
-                       for (const Place place : what.may_write) {
-                           Value value;
-                           value.symbol = states_.pool().symbols(
-                               {Symbol::Kind::opaque, effect_, 4, static_cast<std::uint32_t>(place.number)});
-                           states_.write(state, place, value);
-                       }
+                       for (const Place place : what.may_write) disturb(state, place, opaque_place(place, 4));
                        if (what.may_call_or_return) forget_shared(state);
                    },
+                   [&](const ToolChange&) {
+                       if (facts_ != nullptr) facts_->tool_changes.push_back({node_, effect_, state});
+                   },
                    [&](const Stop& what) {
-                       if (what.number) (void)evaluate(state, *what.number, Use::word);
+                       if (facts_ != nullptr && what.number) (void)evaluate(state, *what.number, Use::word);
                    },
                    [](const auto&) {},
                },
                effect.what);
 }
 
-// ---- stores
-// ------------------------------------------------------------------------------------------------------
+// ---- stores ----
 
 void Transfer::assign(State& state, const Assign& assign) {
     const Value value = evaluate(state, assign.value, Use::copy);
@@ -134,16 +137,12 @@ void Transfer::store_at(State& state, const StoreAt& target, const Value& value,
         const double first = std::max<double>(index.low, range.first);
         const double last = std::min<double>(index.high, range.last);
         if (last - first > most_indexed_places) {
-            states_.forget(state, range.space, here());
+            forget(state, range.space);
             continue;
         }
         for (auto number = static_cast<std::int32_t>(std::lround(first)); number <= std::lround(last);
-             ++number) {
-            Value unknown;
-            unknown.symbol = states_.pool().symbols(
-                {Symbol::Kind::opaque, effect_, 5, static_cast<std::uint32_t>(number)});
-            states_.write(state, {range.space, number}, unknown);
-        }
+             ++number)
+            disturb(state, {range.space, number}, opaque_place({range.space, number}, 5));
     }
 }
 
@@ -169,8 +168,7 @@ std::optional<Step> Transfer::step_of(const State& state, Place place, Expressio
     return step;
 }
 
-// ---- modal groups
-// ------------------------------------------------------------------------------------------------
+// ---- modal groups ----
 
 std::optional<GroupId> Transfer::modal_call_group() const {
     const auto& groups = program_.control->groups;
@@ -228,8 +226,7 @@ void Transfer::doubt_groups(State& state, char letter) {
     }
 }
 
-// ---- calls
-// -------------------------------------------------------------------------------------------------------
+// ---- calls ----
 
 void Transfer::call(State& state, const Call& call) {
     for (const Argument& argument : program_.arguments_of(call))
@@ -244,12 +241,13 @@ void Transfer::call(State& state, const Call& call) {
 
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
     const Summary& summary = callees_(id);
+    if (facts_ != nullptr)
+        facts_->calls.push_back({node_, effect_, summary.known, !summary.known || summary.may_stop});
     if (!summary.known) {
         forget_shared(state);
         if (program_.control->calls[call.kind].frame == Frame::shared)
             for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-                if (program_.control->spaces[i].scope == Scope::frame)
-                    states_.forget(state, static_cast<SpaceId>(i), here());
+                if (program_.control->spaces[i].scope == Scope::frame) forget(state, static_cast<SpaceId>(i));
         for (const char letter : {'G', 'F', 'S', '#'}) doubt_groups(state, letter);
         return;
     }
@@ -258,7 +256,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         return shared_frame || program_.control->spaces[space].scope != Scope::frame;
     };
     for (const SpaceId space : summary.forgotten)
-        if (visible(space)) states_.forget(state, space, here());
+        if (visible(space)) forget(state, space);
     for (const PlaceChange& change : summary.places) {
         if (!visible(change.place.space)) continue;
         Value value;
@@ -272,7 +270,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         value.integer = change.integer;
         value.exactness = change.exactness == Exactness::rounded ? Exactness::unknown : change.exactness;
         value.origin = states_.pool().origins(here());
-        states_.write(state, change.place, value);
+        disturb(state, change.place, value);
     }
     change_groups(state, summary);
 }
@@ -291,8 +289,27 @@ void Transfer::change_groups(State& state, const Summary& summary) {
 
 void Transfer::forget_shared(State& state) {
     for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-        if (program_.control->spaces[i].scope != Scope::frame)
-            states_.forget(state, static_cast<SpaceId>(i), here());
+        if (program_.control->spaces[i].scope != Scope::frame) forget(state, static_cast<SpaceId>(i));
+}
+
+/// Everything in the space may have changed here.
+void Transfer::forget(State& state, SpaceId space) {
+    if (facts_ != nullptr) facts_->disturbances.push_back({node_, effect_, space, {}});
+    states_.forget(state, space, here());
+}
+
+/// The variable may have changed here, by something that is no assignment.
+void Transfer::disturb(State& state, Place place, const Value& value) {
+    if (facts_ != nullptr) facts_->disturbances.push_back({node_, effect_, place.space, place});
+    states_.write(state, place, value);
+}
+
+/// A value of which nothing is known; `what_for` keeps it apart from others that the effect makes.
+Value Transfer::opaque_place(Place place, std::uint32_t what_for) {
+    Value value;
+    value.symbol = states_.pool().symbols(
+        {Symbol::Kind::opaque, effect_, what_for, static_cast<std::uint32_t>(place.number)});
+    return value;
 }
 
 void Transfer::move(State& state) {

@@ -30,6 +30,7 @@ class Transfer {
                                 Use use);
     [[nodiscard]] Value load_modal(const State& state, GroupId group, ExpressionId id);
     [[nodiscard]] Value opaque(ExpressionId id);
+    [[nodiscard]] Value opaque_place(Place place, std::uint32_t what_for);
     [[nodiscard]] Truth judge(const State& state, ExpressionId id);
     void refine(State& state, ExpressionId id, bool holds);
     void refine_comparison(State& state, Operation operation, ExpressionId left, ExpressionId right);
@@ -49,7 +50,9 @@ class Transfer {
     void call(State& state, const Call& call);
     void run_program(State& state, EffectId id, const Call& call);
     void change_groups(State& state, const Summary& summary);
+    void forget(State& state, SpaceId space);
     void forget_shared(State& state);
+    void disturb(State& state, Place place, const Value& value);
     void move(State& state);
     void run_of_plain_blocks(State& state, flow::NodeId node);
     [[nodiscard]] Origin here() const { return {Origin::Kind::effect, effect_, node_}; }

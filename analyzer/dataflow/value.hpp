@@ -4,10 +4,11 @@
 
 #include "analyzer/program/model.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -83,20 +84,40 @@ struct ModalValue {
     friend bool operator==(const ModalValue&, const ModalValue&) = default;
 };
 
-/// Stores equal things once and names them by number.
+/// Stores equal things once and names them by number. Open addressing: most programs are small, and every one
+/// has four.
 template<class T, class Hash>
 class Interner {
   public:
     std::uint32_t operator()(const T& thing) {
-        const auto [found, fresh] = ids_.try_emplace(thing, static_cast<std::uint32_t>(things_.size()));
-        if (fresh) things_.push_back(thing);
-        return found->second;
+        if (2 * things_.size() >= slots_.size()) grow();
+        std::uint32_t& slot = slots_[place_of(thing)];
+        if (slot == 0) {
+            things_.push_back(thing);
+            slot = static_cast<std::uint32_t>(things_.size());
+        }
+        return slot - 1;
     }
     [[nodiscard]] const T& operator[](std::uint32_t id) const { return things_[id]; }
 
   private:
-    std::unordered_map<T, std::uint32_t, Hash> ids_;
+    /// The slot that holds the thing, or the free one where it belongs.
+    [[nodiscard]] std::size_t place_of(const T& thing) const {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t place = Hash{}(thing)&mask;
+        while (slots_[place] != 0 && !(things_[slots_[place] - 1] == thing)) place = (place + 1) & mask;
+        return place;
+    }
+
+    void grow() {
+        constexpr std::size_t fewest = 64;
+        slots_.assign(std::max(fewest, 2 * slots_.size()), 0);
+        for (std::size_t i = 0; i < things_.size(); ++i)
+            slots_[place_of(things_[i])] = static_cast<std::uint32_t>(i + 1);
+    }
+
     std::vector<T> things_;
+    std::vector<std::uint32_t> slots_; ///< 0: free; otherwise one more than the thing's number
 };
 
 struct HashValue {

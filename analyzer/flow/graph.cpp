@@ -43,7 +43,7 @@ class Building {
         for (StructureId id = 0; id < structures.all.size(); ++id) {
             const Paired& paired = structures.all[id];
             by_effect_.emplace(paired.open, id);
-            for (const EffectId middle : paired.middles) by_effect_.emplace(middle, id);
+            for (const EffectId middle : paired.parts) by_effect_.emplace(middle, id);
             if (paired.close) by_effect_.emplace(*paired.close, id);
         }
         collect_wanted();
@@ -64,8 +64,7 @@ class Building {
     }
 
   private:
-    // ---- what is jumped to
-    // -------------------------------------------------------------------------------------
+    // ---- what is jumped to ----
 
     void collect_wanted() {
         for_each_effect(program_, [this](EffectId id) {
@@ -90,8 +89,7 @@ class Building {
             wanted_.any = true;
     }
 
-    // ---- nodes in text order
-    // -----------------------------------------------------------------------------------
+    // ---- nodes in text order ----
 
     NodeId new_node(ItemId item, Span part, Slice effects, bool is_run) {
         const auto id = static_cast<NodeId>(graph_.nodes.size());
@@ -152,9 +150,11 @@ class Building {
             // The effect itself ends its node, so that rules find the state in front of it.
             const bool header = std::holds_alternative<Structure>(what);
             if (header && i > begin) flush(begin, i);
+            const std::vector<Loose> falling_in = header ? divert_before_case(i) : std::vector<Loose>{};
             const NodeId node = flush(header ? i : begin, i + 1);
             begin = i + 1;
             leave(node, i);
+            loose_.insert(loose_.end(), falling_in.begin(), falling_in.end());
         }
         if (begin < end) flush(begin, end);
     }
@@ -193,8 +193,7 @@ class Building {
         loose_.clear();
     }
 
-    // ---- structures
-    // --------------------------------------------------------------------------------------------
+    // ---- structures ----
 
     /// The open structure while its body is being built.
     struct Open {
@@ -217,24 +216,56 @@ class Building {
             if (paired.condition) {
                 loose_.push_back({node, EdgeKind::branch, paired.condition, true});
                 open.otherwise = Loose{node, EdgeKind::branch, paired.condition, false};
+            } else if (structure.construct == Construct::selection) {
+                open.otherwise = Loose{node, EdgeKind::next, {}, true};
             } else {
                 loose_.push_back({node, EdgeKind::next, {}, true});
             }
             open_.emplace(found->second, std::move(open));
             break;
         }
-        case Structure::Part::middle: middle(found->second); break;
+        case Structure::Part::middle: middle(found->second, node, structure); break;
+        case Structure::Part::leave: leave_selection(found->second); break;
         case Structure::Part::close: close(found->second, node); break;
         }
     }
 
-    void middle(StructureId id) {
+    void middle(StructureId id, NodeId node, const Structure& structure) {
         const auto found = open_.find(id);
         if (found == open_.end()) return;
         Open& open = found->second;
+        if (structures_.all[id].construct == Construct::selection) {
+            // The test stands in this node; the next CASE takes over when it fails.
+            loose_ = {
+                {node, structure.condition ? EdgeKind::branch : EdgeKind::next, structure.condition, true}};
+            if (structure.condition)
+                open.otherwise = Loose{node, EdgeKind::branch, structure.condition, false};
+            return;
+        }
         open.to_close.insert(open.to_close.end(), loose_.begin(), loose_.end());
         loose_.clear();
         if (open.otherwise) loose_.push_back(*std::exchange(open.otherwise, std::nullopt));
+    }
+
+    /// A CASE is reached by the tests before it, not by the branch above; that one falls into what follows
+    /// the test.
+    std::vector<Loose> divert_before_case(EffectId id) {
+        const auto& structure = std::get<Structure>(program_.effects[id].what);
+        const auto found = by_effect_.find(id);
+        if (found == by_effect_.end() || structure.part != Structure::Part::middle) return {};
+        const auto open = open_.find(found->second);
+        if (open == open_.end() || structures_.all[found->second].construct != Construct::selection)
+            return {};
+        std::vector<Loose> falling = std::exchange(loose_, {});
+        if (open->second.otherwise) loose_.push_back(*std::exchange(open->second.otherwise, std::nullopt));
+        return falling;
+    }
+
+    void leave_selection(StructureId id) {
+        const auto found = open_.find(id);
+        if (found == open_.end()) return;
+        found->second.to_close.insert(found->second.to_close.end(), loose_.begin(), loose_.end());
+        loose_.clear();
     }
 
     void close(StructureId id, NodeId node) {
@@ -251,8 +282,7 @@ class Building {
         open_.erase(found);
     }
 
-    // ---- jumps
-    // -------------------------------------------------------------------------------------------------
+    // ---- jumps ----
 
     void resolve_jumps() {
         index_labels();
@@ -316,8 +346,7 @@ class Building {
                                  [](const Label& l) { return std::pair(l.number, l.block.begin); });
     }
 
-    // ---- after all edges are there
-    // -----------------------------------------------------------------------------
+    // ---- after all edges are there ----
 
     void index_edges() {
         graph_.out.resize(graph_.nodes.size());

@@ -33,7 +33,8 @@ class Pairing {
         if (structure == nullptr) return;
         switch (structure->part) {
         case Structure::Part::open: open(id, *structure); break;
-        case Structure::Part::middle: middle(id, *structure); break;
+        case Structure::Part::middle:
+        case Structure::Part::leave: divide(id, *structure); break;
         case Structure::Part::close: close(id, *structure); break;
         }
     }
@@ -56,7 +57,7 @@ class Pairing {
     void check_number(EffectId id, const Paired& paired) {
         const Limits& limits = program_.control->limits;
         if (paired.loop_level > limits.loop_levels) return fault(Imbalance::nested_too_deep, id, {});
-        if (!paired.number) return;
+        if (!paired.number || limits.last_loop_number == 0) return;
         const auto same = std::ranges::find_if(
             open_, [&](StructureId s) { return result_.all[s].number == paired.number; });
         if (same != open_.end()) return fault(Imbalance::number_reused, id, result_.all[*same].open);
@@ -64,9 +65,10 @@ class Pairing {
             fault(Imbalance::number_out_of_range, id, {});
     }
 
-    void middle(EffectId id, const Structure& structure) {
+    void divide(EffectId id, const Structure& structure) {
         const auto position = find_open(structure);
-        if (position) result_.all[open_[*position]].middles.push_back(id);
+        if (!position) return fault(Imbalance::never_opened, id, {});
+        result_.all[open_[*position]].parts.push_back(id);
     }
 
     void close(EffectId id, const Structure& structure) {
@@ -96,8 +98,9 @@ class Pairing {
 
     [[nodiscard]] bool matches(StructureId open, const Structure& close) const {
         const Paired& paired = result_.all[open];
-        if (is_loop(paired.construct) != is_loop(close.construct)) return false;
-        return paired.number == close.number;
+        // An END closes WHILE and DO alike; every other construct has a close of its own.
+        const bool both_loops = is_loop(paired.construct) && is_loop(close.construct);
+        return (both_loops || paired.construct == close.construct) && paired.number == close.number;
     }
 
     /// The innermost open structure that the close belongs to; a loop whose number the text lacks takes any.
@@ -114,7 +117,9 @@ class Pairing {
     void never_closed(StructureId id) {
         // A loop without a number has lost its DO: that is the fault to report, not the missing END.
         const Paired& paired = result_.all[id];
-        if (paired.number || !is_loop(paired.construct)) fault(Imbalance::never_closed, paired.open, {});
+        const bool numbered = program_.control->limits.last_loop_number != 0;
+        if (!numbered || paired.number || !is_loop(paired.construct))
+            fault(Imbalance::never_closed, paired.open, {});
     }
 
     void fault(Imbalance what, EffectId effect, std::optional<EffectId> other) {

@@ -12,9 +12,9 @@ using StructureId = std::uint32_t;
 /// One loop or choice of a program.
 struct Paired {
     Construct construct;
-    EffectId open; ///< the effect that opens it
-    std::vector<EffectId> middles;
-    std::optional<EffectId> close;     ///< absent: never closed
+    EffectId open;                 ///< the effect that opens it
+    std::vector<EffectId> parts;   ///< what divides it (ELSE, CASE) and what leaves it (BREAK), in text order
+    std::optional<EffectId> close; ///< absent: never closed
     std::optional<StructureId> parent; ///< the structure that was open around it
     int loop_level; ///< 1 for an outermost loop; a choice has the level of the loop around it (0: none)
     std::optional<std::int64_t> number;

@@ -38,6 +38,10 @@ std::span<const ExpressionId> Program::operands_of(const Apply& apply) const {
     return std::span(operands).subspan(apply.operands.first, apply.operands.count);
 }
 
+std::span<const ExpressionId> Program::values_of(const Values& values) const {
+    return std::span(operands).subspan(values.values.first, values.values.count);
+}
+
 std::span<const Effect> Program::effects_in(Slice slice) const {
     return std::span(effects).subspan(slice.first, slice.count);
 }

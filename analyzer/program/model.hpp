@@ -26,8 +26,7 @@ struct Slice {
     Id count = 0;
 };
 
-// ---- expressions
-// -------------------------------------------------------------------------------------------------
+// ---- expressions ----
 
 /// What an operator or function does; the analysis has one row of semantics for each.
 enum class Operation : std::uint8_t {
@@ -107,8 +106,7 @@ struct Expression {
     Span span; ///< brackets around it included
 };
 
-// ---- effects
-// -----------------------------------------------------------------------------------------------------
+// ---- effects ----
 
 struct StoreAt {
     FamilyId family;
@@ -129,6 +127,11 @@ struct SetModal {
     ExpressionId value;
 };
 
+/// Values that words compute and that change nothing in the model: axis words, T, D, H.
+struct Values {
+    Slice values; ///< Program::operands
+};
+
 struct Motion {};      ///< axes move
 struct Synchronise {}; ///< look-ahead stops here
 struct Stop {
@@ -138,9 +141,16 @@ struct Stop {
 struct ToolChange {};
 
 enum class Construct : std::uint8_t { while_loop, endless_loop, choice, selection };
+/// Opens, divides or closes a construct. In a language whose loops have numbers, a number pairs open and
+/// close.
 struct Structure {
     Construct construct;
-    enum class Part : std::uint8_t { open, middle, close } part;
+    enum class Part : std::uint8_t {
+        open,
+        middle, ///< ELSE; CASE with its condition, DEFAULT without
+        leave,  ///< BREAK: on to the close
+        close,
+    } part;
     std::optional<std::int64_t>
         number; ///< m of DO m / END m; empty where the language pairs by nesting or the text lacks it
     std::optional<ExpressionId> condition;
@@ -185,14 +195,13 @@ struct UnreadableBlock {
 };
 
 struct Effect {
-    std::variant<Assign, SetModal, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call, EndModalCall,
-                 Return, Exchange, Guarded, UnreadableBlock>
+    std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call,
+                 EndModalCall, Return, Exchange, Guarded, UnreadableBlock>
         what;
     Span span;
 };
 
-// ---- blocks
-// ------------------------------------------------------------------------------------------------------
+// ---- blocks ----
 
 /// One word of a block: address and value as written.
 struct Word {
@@ -276,6 +285,7 @@ class Program {
         return text.substr(span.begin, span.end - span.begin);
     }
     [[nodiscard]] std::span<const ExpressionId> operands_of(const Apply& apply) const;
+    [[nodiscard]] std::span<const ExpressionId> values_of(const Values& values) const;
     [[nodiscard]] std::span<const Effect> effects_in(Slice slice) const;
     [[nodiscard]] std::span<const Argument> arguments_of(const Call& call) const;
     [[nodiscard]] std::span<const ModalSetting> net_of(const Run& run) const;
@@ -286,8 +296,7 @@ class Program {
     void for_each_block(Span part, const std::function<bool(const PlainBlock&)>& visit) const;
 };
 
-// ---- files
-// -------------------------------------------------------------------------------------------------------
+// ---- files ----
 
 /// What is wrong with a text before any flow is looked at. Rules of the families 0xx and 1xx report these.
 enum class Irregular : std::uint8_t {

@@ -45,13 +45,16 @@ struct Place {
 
 /// What a rule may say about a modal group that a program leaves changed.
 enum class Concern : std::uint8_t {
-    none,        ///< nothing: no custom asks to put it back
-    state,       ///< a way of reading words (plane, distance, units): MAC501
-    operation,   ///< something that acts on every later move until cancelled: MAC502
-    value,       ///< feed or speed: MAC503
-    motion,      ///< the motion mode itself: MAC504
+    none,      ///< nothing: no custom asks to put it back
+    state,     ///< a way of reading words (plane, distance, units): MAC501
+    operation, ///< something that acts on every later move until cancelled: MAC502
+    cycle,     ///< a canned cycle, which every later position runs until cancelled, at most to the program's
+               ///< end: MAC502
+    value,     ///< feed or speed: MAC503
+    motion,    ///< the motion mode itself: MAC504
     suppression, ///< single block, feed hold, override switched off: MAC515
     modal_call,  ///< a macro called after every move: MAC413
+    own_rule,    ///< a rule of its own speaks of it, found by the group's name
 };
 
 /// One row of the modal-group table. Codes are numbers as written: 91, 54.1; feeds and speeds are plain
@@ -89,6 +92,7 @@ struct VariableRange {
     bool changes_by_itself; ///< inputs, timers, positions: a loop that waits for it can end
     std::string_view what;  ///< "modal G code of group 03"
     std::string_view source;
+    bool is_bit = false; ///< 0 or 1, nothing else
 };
 
 /// All variable numbers that one kind of index can reach (`#[…]` on Fanuc-like controls).
@@ -117,12 +121,12 @@ struct CallKind {
 
 /// Limits of a control. Levels are counted below the main program.
 struct Limits {
-    int macro_calls;                   ///< nested macro calls
-    int subprogram_calls;              ///< nested subprogram calls
-    std::optional<int> calls_together; ///< sum of both on one chain, where it is known
-    int loop_levels;                   ///< nested loops in one program
-    int first_loop_number, last_loop_number;
-    int bracket_levels; ///< brackets in one expression, those of functions included
+    int macro_calls;                         ///< nested macro calls
+    int subprogram_calls;                    ///< nested subprogram calls
+    std::optional<int> calls_together;       ///< sum of both on one chain, where it is known
+    int loop_levels;                         ///< nested loops in one program
+    int first_loop_number, last_loop_number; ///< both 0: loops have no numbers, they pair by nesting
+    int bracket_levels;                      ///< brackets in one expression, those of functions included
     std::string_view source;
 };
 

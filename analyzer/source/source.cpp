@@ -10,10 +10,10 @@
 namespace maclint {
 
 struct Source::Contents {
-    Contents(std::string given_path, std::string given_bytes)
+    Contents(std::string given_path, std::string given_bytes, std::optional<Encoding> given_encoding)
         : path(std::move(given_path))
         , bytes(std::move(given_bytes))
-        , encoding(detect_encoding(bytes)) {}
+        , encoding(given_encoding ? *given_encoding : detect_encoding(bytes)) {}
 
     const LineIndex& lines() const {
         std::call_once(indexed, [this] { index.emplace(bytes, encoding); });
@@ -32,7 +32,11 @@ Source::Source(std::shared_ptr<const Contents> contents)
 
 Source Source::from_bytes(std::string path, std::string bytes) {
     assert(bytes.size() <= std::numeric_limits<Offset>::max());
-    return Source(std::make_shared<const Contents>(std::move(path), std::move(bytes)));
+    return Source(std::make_shared<const Contents>(std::move(path), std::move(bytes), std::nullopt));
+}
+
+Source Source::read_as(Encoding encoding) const {
+    return Source(std::make_shared<const Contents>(contents_->path, contents_->bytes, encoding));
 }
 
 const std::string& Source::path() const { return contents_->path; }

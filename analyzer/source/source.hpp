@@ -30,6 +30,9 @@ class Source {
     /// Takes bytes that somebody else read, fewer than 4 GiB.
     [[nodiscard]] static Source from_bytes(std::string path, std::string bytes);
 
+    /// The same bytes in an encoding that somebody knows better than their look tells.
+    [[nodiscard]] Source read_as(Encoding encoding) const;
+
     /// As the user gave it.
     [[nodiscard]] const std::string& path() const;
     /// The whole file, byte order mark and tape leader included.

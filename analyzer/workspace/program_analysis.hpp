@@ -19,6 +19,7 @@ using ProgramIndex = std::uint32_t; ///< place in Workspace::programs()
 struct CallSite {
     EffectId effect;
     std::optional<ProgramIndex> target; ///< empty: computed, not in the workspace, or several equally near
+    bool closes_cycle;                  ///< it calls a program from which its own program was called
     std::size_t candidates;             ///< programs of that number or name in the workspace
 };
 
@@ -67,6 +68,9 @@ class ProgramAnalysis {
     [[nodiscard]] bool is_recursive() const { return recursive_; }
     /// The deepest way in which the programs of the workspace reach it.
     [[nodiscard]] CallDepth depth() const { return depth_; }
+    /// Calls that lead from this program to another, in order; empty when there is no way or it is the same
+    /// program.
+    [[nodiscard]] std::vector<Caller> way_to(ProgramIndex program) const;
     /// The calls along that way for the limit, outermost first.
     [[nodiscard]] std::vector<Caller> chain_to(Counted counted) const;
 

@@ -3,31 +3,15 @@
 #include "analyzer/workspace/workspace.hpp"
 
 #include "analyzer/flow/components.hpp"
+#include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/resolve.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <functional>
-#include <thread>
+#include <deque>
+#include <unordered_map>
 
 namespace maclint {
-namespace {
-
-/// Calls `work(0) … work(count - 1)`, on up to `jobs` threads.
-void for_each_parallel(std::size_t count, unsigned jobs, const std::function<void(std::size_t)>& work) {
-    const auto threads = std::min<std::size_t>(jobs, count);
-    std::atomic<std::size_t> next{0};
-    const auto take = [&] {
-        for (std::size_t i = next++; i < count; i = next++) work(i);
-    };
-    std::vector<std::jthread> crew;
-    for (std::size_t i = 1; i < threads; ++i) crew.emplace_back(take);
-    take();
-}
-
-} // namespace
-
 class WorkspaceBuilder {
   public:
     WorkspaceBuilder(Workspace& workspace, std::deque<ProgramAnalysis>& programs, unsigned jobs)
@@ -43,6 +27,7 @@ class WorkspaceBuilder {
         resolve_calls();
         components_ = flow::find_components(arrows_);
         for (const auto& layer : flow::layers_of(arrows_, components_)) analyse_layer(layer);
+        mark_cycles();
         measure_depth();
     }
 
@@ -110,8 +95,9 @@ class WorkspaceBuilder {
             main ? dataflow::Entry::main : dataflow::Entry::called_unknown, {}, {}};
         for (const Caller& caller : analysis.callers_) {
             const Program& program = programs_[caller.program].program();
-            for (const Argument& argument :
-                 program.arguments_of(std::get<Call>(program.effects[caller.effect].what)))
+            const auto& call = std::get<Call>(program.effects[caller.effect].what);
+            entry.locals_are_callers |= program.control->calls[call.kind].frame == Frame::shared;
+            for (const Argument& argument : program.arguments_of(call))
                 entry.passed_somewhere.push_back(argument.formal);
         }
         if (workspace_.complete() && !analysis.callers_.empty()) entry.arguments = what_all_pass(analysis);
@@ -160,6 +146,40 @@ class WorkspaceBuilder {
         });
     }
 
+    /// Depth-first from the programs that nobody calls: a call of a program still being followed closes a
+    /// cycle.
+    void mark_cycles() {
+        enum class Mark : std::uint8_t { fresh, open, done };
+        std::vector<Mark> marks(programs_.size(), Mark::fresh);
+        struct Frame {
+            ProgramIndex program;
+            std::size_t next;
+        };
+        const auto follow = [&](ProgramIndex root) {
+            if (marks[root] != Mark::fresh) return;
+            marks[root] = Mark::open;
+            std::vector<Frame> frames{{root, 0}};
+            while (!frames.empty()) {
+                const ProgramIndex at = frames.back().program;
+                auto& calls = programs_[at].calls_;
+                if (frames.back().next == calls.size()) {
+                    marks[at] = Mark::done;
+                    frames.pop_back();
+                    continue;
+                }
+                CallSite& site = calls[frames.back().next++];
+                if (!site.target) continue;
+                if (marks[*site.target] == Mark::open) site.closes_cycle = true;
+                if (marks[*site.target] != Mark::fresh) continue;
+                marks[*site.target] = Mark::open;
+                frames.push_back({*site.target, 0});
+            }
+        };
+        for (const ProgramAnalysis& program : programs_)
+            if (program.callers_.empty()) follow(program.index());
+        for (const ProgramAnalysis& program : programs_) follow(program.index());
+    }
+
     /// Longest ways from programs that nobody calls, callers before callees; calls within a cycle do not
     /// count.
     void measure_depth() {
@@ -197,6 +217,25 @@ class WorkspaceBuilder {
 const CallSite* ProgramAnalysis::call_at(EffectId effect) const {
     const auto found = std::ranges::lower_bound(calls_, effect, {}, &CallSite::effect);
     return found != calls_.end() && found->effect == effect ? &*found : nullptr;
+}
+
+std::vector<Caller> ProgramAnalysis::way_to(ProgramIndex program) const {
+    std::unordered_map<ProgramIndex, Caller> reached_by;
+    std::deque<ProgramIndex> queue{index_};
+    while (!queue.empty() && !reached_by.contains(program)) {
+        const ProgramAnalysis& at = workspace_->programs()[queue.front()];
+        queue.pop_front();
+        for (const CallSite& site : at.calls_) {
+            if (!site.target || *site.target == index_) continue;
+            if (reached_by.try_emplace(*site.target, Caller{at.index_, site.effect}).second)
+                queue.push_back(*site.target);
+        }
+    }
+    std::vector<Caller> way;
+    for (ProgramIndex at = program; at != index_ && reached_by.contains(at); at = way.back().program)
+        way.push_back(reached_by.at(at));
+    std::ranges::reverse(way);
+    return way;
 }
 
 std::vector<Caller> ProgramAnalysis::chain_to(Counted counted) const {

@@ -9,6 +9,8 @@
 namespace maclint {
 namespace {
 
+using namespace std::string_literals;
+
 TEST(Classify, CallsAFileWithoutCharactersEmpty) {
     EXPECT_EQ(classify(""), Content::empty);
     EXPECT_EQ(classify(" \r\n\t\n"), Content::empty);
@@ -35,9 +37,7 @@ TEST(Classify, AcceptsCommentsInAnyEightBitEncoding) {
     EXPECT_EQ(classify("O1(\x8C\x8A\x96\xBE\x82\xAF)\nM30\n"), Content::text);
 }
 
-TEST(Classify, CallsNulsInsideTheTextBinary) {
-    EXPECT_EQ(classify(std::string("G0X0\n\0\0\0G1X1\n", 14)), Content::binary);
-}
+TEST(Classify, CallsNulsInsideTheTextBinary) { EXPECT_EQ(classify("G0X0\n\0\0\0G1X1\n"s), Content::binary); }
 
 TEST(Classify, CallsARandomFileBinary) {
     std::mt19937 random(7);
@@ -51,8 +51,8 @@ TEST(Classify, CallsManyControlBytesBinaryEvenWithoutNuls) {
 }
 
 TEST(Classify, TellsUtf16FromOtherBinaryFiles) {
-    EXPECT_EQ(classify(std::string("\xFF\xFE%\0\n\0", 6)), Content::utf16);
-    EXPECT_EQ(classify(std::string("\xFE\xFF\0%\0\n", 6)), Content::utf16);
+    EXPECT_EQ(classify("\xFF\xFE%\0\n\0"s), Content::utf16);
+    EXPECT_EQ(classify("\xFE\xFF\0%\0\n"s), Content::utf16);
 }
 
 } // namespace

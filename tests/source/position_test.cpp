@@ -12,8 +12,7 @@
 
 namespace maclint {
 
-void PrintTo(const Position& position,
-             std::ostream* out) { // NOLINT(readability-identifier-naming): GoogleTest's name
+void PrintTo(const Position& position, std::ostream* out) {
     *out << "line " << position.line << ", column " << position.column << ", byte " << position.byte_column;
 }
 
@@ -136,10 +135,10 @@ TEST(Columns, AColumnInsideASurrogatePairMeansTheCharacter) {
 }
 
 TEST(SparseIndex, CountsALineOfManyMegabytesFromANearbyCheckpoint) {
-    const Source source = source_of(std::string(20'000'000, 'X') + "\nM30");
-    EXPECT_EQ(source.position(19'999'999), (Position{1, 20'000'000, 20'000'000}));
-    EXPECT_EQ(source.position(20'000'001), (Position{2, 1, 1}));
-    EXPECT_EQ(source.line_span(1), (Span{0, 20'000'000}));
+    const Source source = source_of(std::string(8'000'000, 'X') + "\nM30");
+    EXPECT_EQ(source.position(7'999'999), (Position{1, 8'000'000, 8'000'000}));
+    EXPECT_EQ(source.position(8'000'001), (Position{2, 1, 1}));
+    EXPECT_EQ(source.line_span(1), (Span{0, 8'000'000}));
 }
 
 /// Positions of all bytes by plain counting, character by character.

@@ -17,6 +17,7 @@
 namespace maclint {
 namespace {
 
+using namespace std::string_literals;
 using testing::HasSubstr;
 
 /// An empty folder for one test.
@@ -28,8 +29,6 @@ class ReadFile : public testing::Test {
         std::filesystem::create_directories(folder_);
     }
     ~ReadFile() override { std::filesystem::remove_all(folder_); }
-    ReadFile(const ReadFile&) = delete;
-    ReadFile& operator=(const ReadFile&) = delete;
 
     [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
     [[nodiscard]] std::string write(const std::string& name, const std::string& bytes) const {
@@ -48,7 +47,7 @@ std::string message_of(const std::string& path) {
 }
 
 TEST_F(ReadFile, GivesTheBytesAndThePathAsTheyAre) {
-    const std::string bytes("\0%\r\nO1\n\xD8\r", 10);
+    const std::string bytes = "\0%\r\nO1\n\xD8\r"s;
     const std::string path = write("O1.nc", bytes);
     const auto result = Source::read_file(path);
     ASSERT_TRUE(std::holds_alternative<Source>(result));
@@ -63,15 +62,13 @@ TEST_F(ReadFile, ReadsAnEmptyFile) {
 }
 
 TEST_F(ReadFile, ReadsAPipeToItsEnd) {
+    if (!std::filesystem::exists("/dev/fd")) GTEST_SKIP() << "this system does not name open files";
     std::array<int, 2> ends{};
     ASSERT_EQ(::pipe(ends.data()), 0);
-    const std::string text(300'000, 'X');
-    std::thread writer([&text, out = ends[1]] {
-        EXPECT_EQ(::write(out, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-        ::close(out);
-    });
+    const std::string text(60'000, 'X'); // fits a pipe, so nobody has to read yet
+    ASSERT_EQ(::write(ends[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    ::close(ends[1]);
     const auto result = Source::read_file("/dev/fd/" + std::to_string(ends[0]));
-    writer.join();
     ::close(ends[0]);
     ASSERT_TRUE(std::holds_alternative<Source>(result));
     EXPECT_EQ(std::get<Source>(result).bytes(), text);
@@ -122,6 +119,7 @@ TEST(SourceCopies, ShareBytesThatStayInPlace) {
 TEST(SourceCopies, MayBeAskedForPositionsByManyThreads) {
     const Source source = Source::from_bytes("O1.nc", std::string(100'000, '\n'));
     std::vector<std::thread> threads;
+    threads.reserve(8);
     for (int count = 0; count < 8; ++count) {
         threads.emplace_back([copy = source] { EXPECT_EQ(copy.position(99'999).line, 100'000U); });
     }

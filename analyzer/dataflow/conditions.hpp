@@ -1,0 +1,31 @@
+//! Questions about expressions and conditions that more than one rule asks.
+#pragma once
+
+#include "analyzer/dataflow/facts.hpp"
+
+#include <optional>
+#include <span>
+
+namespace maclint::dataflow {
+
+/// The variable that the expression is, and nothing else.
+[[nodiscard]] std::optional<Place> plain_place(const Program& program, ExpressionId expression);
+
+/// Whether the two say the same, brackets aside.
+[[nodiscard]] bool same_expression(const Program& program, ExpressionId a, ExpressionId b);
+
+/// Whether the condition holds a vacancy test of whatever.
+[[nodiscard]] bool tests_any_vacancy(const Program& program, ExpressionId expression);
+
+/// How a condition turned out on a way.
+struct Decision {
+    ExpressionId condition;
+    bool holds;
+};
+
+/// The first decision that contradicts an earlier one: #1EQ50 held, and later #1NE50 held. What may have
+/// changed in between is not looked at.
+[[nodiscard]] std::optional<std::size_t> first_contradiction(const Program& program,
+                                                             std::span<const Decision> decisions);
+
+} // namespace maclint::dataflow

@@ -1,0 +1,79 @@
+//! Searches the flow graph for a way around assignments.
+#include "analyzer/dataflow/ways.hpp"
+
+#include "analyzer/dataflow/conditions.hpp"
+
+#include <algorithm>
+
+namespace maclint::dataflow {
+namespace {
+
+/// Sorted, without `except`.
+std::vector<flow::NodeId> assigning_nodes(const Facts& facts, Place place, flow::NodeId except) {
+    std::vector<flow::NodeId> nodes;
+    for (const Store& store : facts.stores)
+        if (store.place == place && store.node != except) nodes.push_back(store.node);
+    return nodes;
+}
+
+void add_disturbing_nodes(const Facts& facts, Place place, flow::NodeId except,
+                          std::vector<flow::NodeId>& nodes) {
+    for (const Disturbance& disturbance : facts.disturbances)
+        if (disturbance.node != except &&
+            (disturbance.place ? *disturbance.place == place : disturbance.space == place.space))
+            nodes.push_back(disturbance.node);
+    std::ranges::sort(nodes);
+}
+
+/// The edge whose condition cannot turn out so on this way.
+std::optional<flow::EdgeId> impossible_edge(const Program& program, const flow::Graph& graph,
+                                            const std::vector<flow::EdgeId>& way) {
+    std::vector<Decision> decisions;
+    std::vector<flow::EdgeId> deciding;
+    for (const flow::EdgeId id : way) {
+        const flow::Edge& edge = graph.edges[id];
+        if (!edge.condition) continue;
+        decisions.push_back({*edge.condition, edge.holds});
+        deciding.push_back(id);
+    }
+    const auto at = first_contradiction(program, decisions);
+    return at ? std::optional(deciding[*at]) : std::nullopt;
+}
+
+} // namespace
+
+bool assigned_on_every_way(const flow::Graph& graph, const Analysis& analysis, Place place,
+                           flow::NodeId node) {
+    const std::vector<flow::NodeId> assigning = assigning_nodes(analysis.facts(), place, node);
+    const auto assigns = [&](flow::NodeId n) { return std::ranges::binary_search(assigning, n); };
+    if (assigning.empty() || node == 0) return false;
+    if (assigns(0)) return true;
+    return !graph.way(0, node, [&](flow::EdgeId edge) {
+        return analysis.passable(edge) && !assigns(graph.edges[edge].to);
+    });
+}
+
+std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& program,
+                                                                const flow::Graph& graph,
+                                                                const Analysis& analysis, Place place,
+                                                                flow::NodeId node) {
+    constexpr std::size_t most_attempts = 8;
+    std::vector<flow::NodeId> assigning = assigning_nodes(analysis.facts(), place, node);
+    add_disturbing_nodes(analysis.facts(), place, node, assigning);
+    if (node == 0) return std::vector<flow::EdgeId>{};
+    if (std::ranges::binary_search(assigning, flow::NodeId{0})) return std::nullopt;
+    std::vector<flow::EdgeId> impossible;
+    while (impossible.size() < most_attempts) {
+        auto way = graph.way(0, node, [&](flow::EdgeId edge) {
+            return analysis.passable(edge) && !std::ranges::binary_search(assigning, graph.edges[edge].to) &&
+                   std::ranges::find(impossible, edge) == impossible.end();
+        });
+        if (!way) return std::nullopt;
+        const auto bad = impossible_edge(program, graph, *way);
+        if (!bad) return way;
+        impossible.push_back(*bad);
+    }
+    return std::nullopt;
+}
+
+} // namespace maclint::dataflow

@@ -1,0 +1,22 @@
+//! Ways through a program around every assignment to a variable.
+#pragma once
+
+#include "analyzer/dataflow/analysis.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint::dataflow {
+
+/// Whether every way from the program's start to the node passes an assignment to the variable.
+[[nodiscard]] bool assigned_on_every_way(const flow::Graph& graph, const Analysis& analysis, Place place,
+                                         flow::NodeId node);
+
+/// A way from the program's start to the node on which nothing can have changed the variable, and whose
+/// conditions do not contradict each other. Nothing when none is found in a few attempts.
+[[nodiscard]] std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& program,
+                                                                              const flow::Graph& graph,
+                                                                              const Analysis& analysis,
+                                                                              Place place, flow::NodeId node);
+
+} // namespace maclint::dataflow

@@ -1,0 +1,153 @@
+//! The code table and its index.
+#include "analyzer/dialect/fanuc/codes.hpp"
+
+#include "analyzer/dialect/fanuc/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace maclint::fanuc {
+namespace {
+
+constexpr std::uint8_t own = own_effect;
+constexpr std::uint8_t sync = synchronises;
+constexpr auto mill = Machine::mill;
+constexpr auto lathe = Machine::lathe;
+constexpr auto both = Machine::both;
+
+// A code that is missing here only sets its modal group, if it has one. Sources: fanuc-custom-macro.md
+// (section or key), T: general knowledge of the control, not confirmed by a manual page.
+// clang-format off
+constexpr CodeFact facts[] = {
+    {'G',   4,   both,  sync | no_words,           "6: G4 stops pre-reading on some controls; P, X, U are the time"},
+    {'G',   5.1, mill,  no_axes,                   "T: G5.1 Q1 X0 Y0 Z0 selects axes"},
+    {'G',   7.1, both,  no_axes,                   "T: cylindrical interpolation, the word is a radius"},
+    {'G', 107,   both,  no_axes,                   "T: G7.1 on older controls"},
+    {'G',  10,   both,  own | sync | no_words,     "7: data setting"},
+    {'G',  11,   both,  own | sync | no_words,     "7: end of data setting"},
+    {'G',  10.6, both,  no_axes,                   "T: retract"},
+    {'G',  22,   mill,  no_axes,                   "T: stored stroke limits X Y Z I J K"},
+    {'G',  22,   lathe, no_axes,                   "T: stored stroke limits X Z I K"},
+    {'G',  28,   both,  own | sync,                "T: reference position return"},
+    {'G',  29,   both,  own | sync,                "T: return from reference position"},
+    {'G',  30,   both,  own | sync,                "T: second reference position return"},
+    {'G',  30.1, both,  own | sync,                "T: floating reference position return"},
+    {'G',  31,   both,  own | sync,                "6: G31 ends look-ahead on most controls"},
+    {'G',  31.1, both,  own | sync,                "as G31"},
+    {'G',  31.2, both,  own | sync,                "as G31"},
+    {'G',  31.3, both,  own | sync,                "as G31"},
+    {'G',  36,   both,  own | sync,                "T: automatic tool offset (skip)"},
+    {'G',  37,   both,  own | sync,                "T: automatic tool length measurement (skip)"},
+    {'G',  37.1, both,  own | sync,                "as G37"},
+    {'G',  37.2, both,  own | sync,                "as G37"},
+    {'G',  50,   lathe, no_axes | limits_speed,    "T: coordinate system setting, spindle speed limit"},
+    {'G',  50.3, lathe, no_axes,                   "T: coordinate system preset"},
+    {'G',  51,   mill,  no_axes,                   "T: scaling, axis words are its centre"},
+    {'G',  51.1, mill,  no_axes,                   "T: mirror image, axis words are its axis"},
+    {'G',  50.1, mill,  no_axes,                   "T: mirror image cancel, axis words name axes"},
+    {'G',  52,   both,  own | no_axes,             "7: local coordinate system, axis words are the shift"},
+    {'G',  53,   both,  own | sync,                "MAN-AINANO: machine coordinates; stops pre-reading"},
+    {'G',  65,   both,  own | no_words,            "5.1"},
+    {'G',  66,   both,  own | no_words,            "5.1"},
+    {'G',  66.1, both,  own | no_words,            "5.1"},
+    {'G',  67,   both,  own,                       "5.1"},
+    {'G',  68,   mill,  no_axes,                   "T: rotation, axis words are its centre"},
+    {'G',  68.2, mill,  no_axes,                   "T: tilted plane, words are origin and angles"},
+    {'G',  92,   mill,  no_axes | limits_speed,    "T: coordinate system setting, spindle speed limit"},
+    {'G',  92.1, both,  no_axes,                   "T: coordinate system preset"},
+    {'G', 103,   both,  own | sync | no_words,     "HAAS-LA: limits look-ahead"},
+    {'M',   0,   both,  own | sync,                "MAN-AINANO"},
+    {'M',   1,   both,  own | sync,                "MAN-AINANO"},
+    {'M',   2,   both,  own | sync,                "MAN-AINANO"},
+    {'M',  30,   both,  own | sync,                "MAN-AINANO"},
+    {'M',   6,   both,  own | sync,                "T: tool change, usually one of the codes of parameters 3411-3432"},
+    {'M',  96,   both,  own | no_words,            "T: interruption macro on, P is its program"},
+    {'M',  97,   both,  own,                       "T: interruption macro off; Haas: local subprogram call"},
+    {'M',  98,   both,  own,                       "5.1"},
+    {'M',  99,   both,  own,                       "5.1"},
+    {'M', 198,   both,  own,                       "5.1"},
+};
+// clang-format on
+
+std::size_t tenths(double code) { return static_cast<std::size_t>(std::lround(code * 10)); }
+
+std::array<Letter, 256> letter_classes(Machine machine) {
+    std::array<Letter, 256> table{};
+    const auto set = [&](std::string_view characters, Letter letter) {
+        for (const char c : characters) {
+            table[static_cast<unsigned char>(c)] = letter;
+            if (c >= 'A' && c <= 'Z') table[static_cast<unsigned char>(c - 'A' + 'a')] = letter;
+        }
+    };
+    set(" \t", Letter::blank);
+    set("\r\n;", Letter::end);
+    set("(", Letter::comment);
+    set("ABCIJKUVWXYZ", Letter::axis);
+    set("DEHLPQRT", Letter::other);
+    set("G", Letter::g);
+    set("M", Letter::m);
+    set("F", Letter::f);
+    set("S", Letter::s);
+    set("N", Letter::n);
+    if (machine == Machine::lathe) set("T", Letter::not_plain); // T0101 changes the tool there
+    return table;
+}
+
+GroupId group_named(const ControlModel& control, std::string_view name) {
+    const auto row = std::ranges::find(control.groups, name, &ModalGroup::name);
+    return row == control.groups.end() ? no_group : static_cast<GroupId>(row - control.groups.begin());
+}
+
+CodeTable build(const ControlModel& control, Machine machine) {
+    CodeTable table{};
+    table.g.fill({.group = no_group, .traits = 0});
+    for (std::size_t i = control.groups.size(); i-- > 0;) {
+        if (control.groups[i].letter != 'G') continue;
+        for (const double code : control.groups[i].members)
+            table.g[tenths(code)].group = static_cast<GroupId>(i);
+    }
+    for (const CodeFact& fact : facts) {
+        if (fact.machine != Machine::both && fact.machine != machine) continue;
+        if (fact.letter == 'G')
+            table.g[tenths(fact.code)].traits = fact.traits;
+        else
+            table.m[static_cast<std::size_t>(fact.code)] = fact.traits;
+    }
+    table.letters = letter_classes(machine);
+    table.feed = group_named(control, group_names::feed);
+    table.speed = group_named(control, group_names::speed);
+    table.local_offset = group_named(control, group_names::local_offset);
+    table.modal_call = group_named(control, group_names::modal_call);
+    table.g[tenths(52)].group = no_group; // set or cancelled by its words, see lowering
+    return table;
+}
+
+} // namespace
+
+std::span<const CodeFact> code_facts() { return facts; }
+
+Code CodeTable::g_code(double code) const {
+    const double index = std::round(code * 10);
+    if (!(index >= 0 && index < static_cast<double>(g_codes)) || std::abs(index - code * 10) > 1e-6)
+        return {.group = no_group, .traits = 0};
+    return g[static_cast<std::size_t>(index)];
+}
+
+std::uint8_t CodeTable::m_code(double code) const {
+    if (!(code >= 0 && code < static_cast<double>(m_codes)) || code != std::floor(code)) return 0;
+    return m[static_cast<std::size_t>(code)];
+}
+
+bool is_lathe(const ControlModel& control) {
+    const std::optional<GroupId> group = control.group_of('G', 90);
+    return group && control.groups[*group].concern == Concern::motion;
+}
+
+const CodeTable& codes_of(const ControlModel& control) {
+    // All controls of a machine type share the layout of their modal groups.
+    static const CodeTable of_mills = build(fanuc_control("fanuc"), Machine::mill);
+    static const CodeTable of_lathes = build(fanuc_control("fanuc-lathe"), Machine::lathe);
+    return is_lathe(control) ? of_lathes : of_mills;
+}
+
+} // namespace maclint::fanuc

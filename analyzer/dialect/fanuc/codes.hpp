@@ -1,0 +1,67 @@
+//! What G and M codes do beyond setting a modal group: the fact table, and the same indexed for the scanner.
+#pragma once
+
+#include "analyzer/program/tables.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace maclint::fanuc {
+
+/// What a code does, as bits that add up.
+enum Trait : std::uint8_t {
+    own_effect = 1 << 0,   ///< the model needs an effect of its own: the block goes to the grammar
+    synchronises = 1 << 1, ///< look-ahead stops here; such a block goes to the grammar too
+    no_axes = 1 << 2,      ///< axis words beside it are no target of a move
+    no_words = 1 << 3,     ///< no word beside it means what it usually does: neither axes nor F nor S
+    limits_speed = 1 << 4, ///< S beside it is a limit, not the speed
+};
+
+enum class Machine : std::uint8_t { mill, lathe, both };
+
+/// One row of the code table.
+struct CodeFact {
+    char letter;
+    double code;
+    Machine machine;
+    std::uint8_t traits;
+    std::string_view source;
+};
+
+[[nodiscard]] std::span<const CodeFact> code_facts();
+
+/// A code as the scanner meets it.
+struct Code {
+    GroupId group;
+    std::uint8_t traits;
+};
+constexpr GroupId no_group = UINT8_MAX;
+
+/// What a letter starts in a plain block.
+enum class Letter : std::uint8_t { not_plain, blank, end, comment, axis, other, g, m, f, s, n };
+
+/// The code facts and modal groups of a machine type, indexed.
+struct CodeTable {
+    static constexpr std::size_t g_codes = 10'000; ///< in tenths: G54.1 is 541
+    static constexpr std::size_t m_codes = 10'000;
+    std::array<Code, g_codes> g;
+    std::array<std::uint8_t, m_codes> m;
+    std::array<Letter, 256> letters;
+    GroupId feed;
+    GroupId speed;
+    GroupId local_offset;
+    GroupId modal_call;
+
+    /// The row of a literal G code; codes that no table holds set nothing and do nothing.
+    [[nodiscard]] Code g_code(double code) const;
+    [[nodiscard]] std::uint8_t m_code(double code) const;
+};
+
+/// Whether the control reads words as a lathe with G code system A does: there G90 is a cycle.
+[[nodiscard]] bool is_lathe(const ControlModel& control);
+[[nodiscard]] const CodeTable& codes_of(const ControlModel& control);
+
+} // namespace maclint::fanuc

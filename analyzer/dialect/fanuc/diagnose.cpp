@@ -1,0 +1,409 @@
+//! Finds the cause of a syntax error in a block's text; the parser's recovery is only asked where the text
+//! ran out.
+#include "analyzer/dialect/fanuc/diagnose.hpp"
+
+#include "analyzer/dialect/fanuc/kinds.hpp"
+#include "analyzer/dialect/fanuc/numbers.hpp"
+#include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/fanuc/tokens.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace maclint::fanuc {
+namespace {
+
+using TokenKind = Token::Kind;
+
+/// Longer texts are cut: nobody wrote them by hand.
+constexpr Offset longest_looked_at = 64 * 1024;
+constexpr std::size_t longest_shown = 60;
+
+std::string shown(std::string_view text) {
+    if (text.size() <= longest_shown) return std::string(text);
+    return std::string(text.substr(0, longest_shown)) + "...";
+}
+
+/// The tokens of a block and questions about them.
+class Clues {
+  public:
+    Clues(std::string_view text, Span block)
+        : text_(text)
+        , tokens_(tokens_of(text, {block.begin, std::min(block.end, block.begin + longest_looked_at)})) {}
+
+    [[nodiscard]] std::span<const Token> tokens() const { return tokens_; }
+    [[nodiscard]] std::string_view text(const Token& token) const {
+        return text_.substr(token.span.begin, token.span.length());
+    }
+    [[nodiscard]] std::string capitals(const Token& token) const { return in_capitals(text(token)); }
+
+    [[nodiscard]] std::optional<Irregularity> parenthesis_as_bracket() const;
+    [[nodiscard]] std::optional<Irregularity> bracket_mismatch() const;
+    [[nodiscard]] std::optional<Irregularity> unknown_keyword() const;
+    [[nodiscard]] std::optional<Irregularity> symbolic_comparison() const;
+    [[nodiscard]] std::optional<Irregularity> missing_value() const;
+    [[nodiscard]] std::optional<Irregularity> remark() const;
+
+  private:
+    [[nodiscard]] const Token* at(std::size_t index) const {
+        return index < tokens_.size() ? &tokens_[index] : nullptr;
+    }
+    /// Keywords at the end of a row of letters: "GOTO" of THENGOTO, "SIN" of XSIN.
+    [[nodiscard]] std::string last_keyword(const Token& token) const;
+    [[nodiscard]] bool wants_value(const Token& token) const;
+    [[nodiscard]] bool gives_value(const Token* token) const;
+    [[nodiscard]] bool looks_like_expression(const Token& comment) const;
+    [[nodiscard]] bool is_known(const Token& token, const Token* next, int depth) const;
+    [[nodiscard]] bool has_word(std::string_view keyword) const;
+    [[nodiscard]] Irregularity make(Irregular kind, Span span, std::string_view subject,
+                                    std::string cure) const {
+        return {kind, span, shown(subject), std::move(cure)};
+    }
+
+    std::string_view text_;
+    std::vector<Token> tokens_;
+};
+
+std::string Clues::last_keyword(const Token& token) const {
+    if (token.kind != TokenKind::letters) return {};
+    const std::string word = capitals(token);
+    if (const std::vector<std::string_view> words = split_keywords(word); !words.empty())
+        return std::string(words.back());
+    // An address letter before a function: XSIN[30].
+    if (word.size() > 2 && is_function(std::string_view(word).substr(1))) return word.substr(1);
+    return word.size() == 1 ? word : std::string();
+}
+
+/// Whether an operand must follow: behind `=`, an operator, a function, IF.
+bool Clues::wants_value(const Token& token) const {
+    switch (token.kind) {
+    case TokenKind::equals:
+    case TokenKind::comparison:
+    case TokenKind::sign:
+    case TokenKind::operation:
+    case TokenKind::open: return true;
+    case TokenKind::letters: {
+        const std::string word = last_keyword(token);
+        return is_function(word) || is_operator_word(word) || word == "IF" || word == "WHILE";
+    }
+    default: return false;
+    }
+}
+
+bool Clues::gives_value(const Token* token) const {
+    if (token == nullptr) return false;
+    switch (token->kind) {
+    case TokenKind::number:
+    case TokenKind::variable:
+    case TokenKind::sharp:
+    case TokenKind::sign:
+    case TokenKind::open: return true;
+    case TokenKind::letters: return is_function(last_keyword(*token)) || last_keyword(*token) == "NOT";
+    default: return false;
+    }
+}
+
+/// Whether the text in ( ) could stand in [ ]: numbers, variables, operators and functions only.
+bool Clues::looks_like_expression(const Token& comment) const {
+    Span inside{comment.span.begin + 1, comment.span.end};
+    if (inside.end > inside.begin && text_[inside.end - 1] == ')') --inside.end;
+    bool operand = false;
+    for (const Token& token : tokens_of(text_, inside)) {
+        switch (token.kind) {
+        case TokenKind::number:
+        case TokenKind::variable: operand = true; break;
+        case TokenKind::letters:
+            if (split_keywords(in_capitals(text_.substr(token.span.begin, token.span.length()))).empty())
+                return false;
+            break;
+        case TokenKind::other:
+        case TokenKind::comma: return false;
+        default: break;
+        }
+    }
+    return operand;
+}
+
+std::optional<Irregularity> Clues::parenthesis_as_bracket() const {
+    for (std::size_t i = 1; i < tokens_.size(); ++i) {
+        const Token& comment = tokens_[i];
+        if (comment.kind != TokenKind::comment) continue;
+        const Token& before = tokens_[i - 1];
+        const std::string word = last_keyword(before);
+        const Token* next = at(i + 1);
+        const bool sign_follows = next != nullptr && next->kind == TokenKind::sign;
+        if (gives_value(next) && !(is_function(word) && sign_follows)) continue;
+        const bool touches = before.span.end == comment.span.begin;
+        const bool certain =
+            is_function(word) || ((word == "IF" || word == "WHILE") && looks_like_expression(comment));
+        const bool operand = (wants_value(before) || before.kind == TokenKind::sharp || word == "GOTO" ||
+                              word == "DO" || word == "END") &&
+                             looks_like_expression(comment);
+        const bool address =
+            word.size() == 1 && touches && looks_like_expression(comment) && word != "N" && word != "O";
+        if (!certain && !operand && !address) continue;
+        std::string cure =
+            text_[comment.span.end - 1] == ')' && comment.span.length() <= longest_shown
+                ? '[' + std::string(text_.substr(comment.span.begin + 1, comment.span.length() - 2)) + ']'
+                : std::string("[");
+        const std::string_view subject = text(before);
+        return make(Irregular::parenthesis_as_bracket, comment.span,
+                    word.empty() ? subject
+                                 : subject.substr(subject.size() - std::min(word.size(), subject.size())),
+                    cure);
+    }
+    return std::nullopt;
+}
+
+std::optional<Irregularity> Clues::bracket_mismatch() const {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        if (tokens_[i].kind == TokenKind::open) open.push_back(i);
+        if (tokens_[i].kind != TokenKind::close) continue;
+        if (open.empty())
+            return make(Irregular::bracket_mismatch, tokens_[i].span, "]", "a '[' is missing before it");
+        open.pop_back();
+    }
+    if (open.empty()) return std::nullopt;
+    // The bracket is missing before the word that ends the condition, or at the end of the block.
+    for (std::size_t i = open.back() + 1; i < tokens_.size(); ++i) {
+        if (tokens_[i].kind != TokenKind::letters) continue;
+        const std::string word = capitals(tokens_[i]);
+        if (word.starts_with("GOTO") || word.starts_with("THEN") || word.starts_with("DO"))
+            return make(Irregular::bracket_mismatch, tokens_[open.back()].span, "[",
+                        "a ']' is missing before '" + shown(text(tokens_[i])) + "'");
+    }
+    return make(Irregular::bracket_mismatch, tokens_[open.back()].span, "[", "its ']' is missing");
+}
+
+bool Clues::is_known(const Token& token, const Token* next, int depth) const {
+    std::string word = capitals(token);
+    if (word.size() == 1) return true;
+    if (explain(word).known && !is_keyword(word) && split_keywords(word).empty()) return false;
+    if (!split_keywords(word).empty()) return true;
+    if (depth > 0) return false;
+    // Letters before a keyword or behind one are addresses when a value follows: THENG1, XSIN[30].
+    const bool value_follows = gives_value(next);
+    if (value_follows && !split_keywords(std::string_view(word).substr(0, word.size() - 1)).empty())
+        return true;
+    if (is_function(std::string_view(word).substr(1))) return true;
+    // Abbreviations of functions, and addresses left without a value.
+    return word.size() == 2;
+}
+
+std::optional<Irregularity> Clues::unknown_keyword() const {
+    int depth = 0;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        const Token& token = tokens_[i];
+        if (token.kind == TokenKind::open) ++depth;
+        if (token.kind == TokenKind::close) --depth;
+        if (token.kind != TokenKind::letters) continue;
+        if (i > 0 && tokens_[i - 1].kind == TokenKind::sharp) continue; // a name
+        const std::string word = capitals(token);
+        if (word == "DPRNT" || word == "BPRNT" || word == "SETVN") return std::nullopt; // free text follows
+        const Token* next = at(i + 1);
+        if (is_operator_word(word) && next != nullptr && next->kind == TokenKind::letters &&
+            (capitals(*next) == "THEN" || capitals(*next) == "GOTO"))
+            return make(Irregular::unknown_keyword, join(token.span, next->span),
+                        text_.substr(token.span.begin, next->span.end - token.span.begin), capitals(*next));
+        if (is_known(token, next, depth)) continue;
+        return make(Irregular::unknown_keyword, token.span, text(token), explain(word).meant);
+    }
+    return std::nullopt;
+}
+
+bool Clues::has_word(std::string_view keyword) const {
+    return std::ranges::any_of(tokens_, [&](const Token& token) {
+        if (token.kind != TokenKind::letters) return false;
+        const std::string word = capitals(token);
+        const std::vector<std::string_view> words = split_keywords(word);
+        return word == keyword || std::ranges::find(words, keyword) != words.end();
+    });
+}
+
+std::optional<Irregularity> Clues::symbolic_comparison() const {
+    if (!has_word("IF") && !has_word("WHILE")) return std::nullopt;
+    for (const Token& token : tokens_) {
+        if (token.kind != TokenKind::comparison) continue;
+        const std::string_view sign = text(token);
+        const bool equal = sign.find('=') != std::string_view::npos;
+        std::string_view word = "EQ";
+        if (sign == "<>" || sign == "!=")
+            word = "NE";
+        else if (sign.find('<') != std::string_view::npos)
+            word = equal ? "LE" : "LT";
+        else if (sign.find('>') != std::string_view::npos)
+            word = equal ? "GE" : "GT";
+        return make(Irregular::symbolic_comparison, token.span, sign, std::string(word));
+    }
+    return std::nullopt;
+}
+
+std::optional<Irregularity> Clues::missing_value() const {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        const Token& token = tokens_[i];
+        if (token.kind == TokenKind::operation && i == 0) continue; // a skip mark
+        const Token* next = at(i + 1);
+        if (next != nullptr && next->kind == TokenKind::comment) next = at(i + 2);
+        if (token.kind == TokenKind::letters) {
+            const std::string word = last_keyword(token);
+            std::string expected;
+            if (word == "GOTO" && !gives_value(next)) expected = "a sequence number after 'GOTO'";
+            if ((word == "DO" || word == "END") && !gives_value(next))
+                expected = "a loop number 1 to 3 after '" + word + "'";
+            if ((word == "IF" || word == "WHILE") && !gives_value(next))
+                expected = "a condition in [ ] after '" + word + "'";
+            if (!expected.empty())
+                return make(Irregular::unreadable, token.span, text(token), std::move(expected));
+        }
+        if (!wants_value(token) || gives_value(next)) continue;
+        if (next != nullptr && next->kind == TokenKind::other) continue;
+        return make(Irregular::unreadable, token.span, text(token),
+                    "a value after '" + shown(text(token)) + "'");
+    }
+    return std::nullopt;
+}
+
+/// Words that are no code: somebody wrote a remark without parentheses, or with parentheses in it.
+std::optional<Irregularity> Clues::remark() const {
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+        if (tokens_[i].kind != TokenKind::comment) continue;
+        if (text(tokens_[i]).find('(', 1) == std::string_view::npos) continue;
+        const Span tail{tokens_[i + 1].span.begin, tokens_.back().span.end};
+        if (text_[tail.end - 1] == ')')
+            return make(Irregular::unreadable, tail, text_.substr(tail.begin, tail.length()),
+                        "comments do not nest: the first ')' ends this one");
+    }
+    std::size_t words = 0;
+    std::size_t code = 0;
+    for (const Token& token : tokens_) {
+        if (token.kind == TokenKind::letters) {
+            const std::string word = capitals(token);
+            const bool plain = word.size() > 2 && split_keywords(word).empty() && !explain(word).known;
+            (plain ? words : code) += 1;
+        }
+        if (token.kind == TokenKind::variable || token.kind == TokenKind::open ||
+            token.kind == TokenKind::equals)
+            code += 2;
+    }
+    if (words < 2 || words * 2 < code) return std::nullopt;
+    const Span all{tokens_.front().span.begin, tokens_.back().span.end};
+    return make(Irregular::unreadable, all, text_.substr(all.begin, all.length()),
+                "a remark must stand in ( )");
+}
+
+/// The first node of the tree that stands for an error.
+const syntax::Node* first_error(const syntax::Tree& tree) {
+    for (const syntax::Node& node : tree.nodes)
+        if (node.missing || kind_of(node) == Kind::error) return &node;
+    return nullptr;
+}
+
+/// What the parser put in, in the user's words.
+std::string expected_word(const syntax::Node& node) {
+    if (kind_of(node) == Kind::variable) return "a variable";
+    if (kind_of(node) == Kind::number) return "a number";
+    const std::string name(syntax::symbol_name(grammar, node.symbol));
+    return node.named ? name : "'" + name + "'";
+}
+
+Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& tree) {
+    Span span = block;
+    std::string expected;
+    if (const syntax::Node* error = first_error(tree)) {
+        if (error->missing)
+            expected = expected_word(*error);
+        else if (!error->span.empty())
+            span = {block.begin + error->span.begin, block.begin + error->span.end};
+    }
+    return {Irregular::unreadable, span, shown(text.substr(span.begin, span.length())), std::move(expected)};
+}
+
+void sort_unique(std::vector<std::int64_t>& numbers) {
+    std::ranges::sort(numbers);
+    const auto rest = std::ranges::unique(numbers);
+    numbers.erase(rest.begin(), rest.end());
+}
+
+} // namespace
+
+std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, Span block) {
+    return Clues(text, block).parenthesis_as_bracket();
+}
+
+void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
+              std::vector<Irregularity>& irregularities) {
+    const Clues clues(text, block);
+    for (const auto cause : {&Clues::remark, &Clues::parenthesis_as_bracket, &Clues::bracket_mismatch,
+                             &Clues::unknown_keyword, &Clues::symbolic_comparison, &Clues::missing_value}) {
+        if (std::optional<Irregularity> found = (clues.*cause)()) {
+            irregularities.push_back(std::move(*found));
+            return;
+        }
+    }
+    irregularities.push_back(unreadable(text, block, tree));
+}
+
+bool is_plausible(std::string_view text, Span block) {
+    constexpr Offset farthest = 48;
+    Offset without_digit = 0;
+    for (Offset at = block.begin; at < block.end; ++at) {
+        const char c = text[at];
+        if (c == '(')
+            while (at < block.end && text[at] != ')' && text[at] != '\n' && text[at] != '\r') ++at;
+        else if (c >= '0' && c <= '9')
+            without_digit = 0;
+        else if (c != ' ' && c != '\t' && ++without_digit > farthest)
+            break;
+    }
+    if (without_digit <= farthest) return true;
+    // The words of an output or naming statement are free text.
+    const std::string capitals = in_capitals(text.substr(block.begin, block.length()));
+    return capitals.find("PRNT") != std::string::npos || capitals.find("SETVN") != std::string::npos;
+}
+
+UnreadableBlock names_in(const Program& program, Span block) {
+    const Clues clues(program.text, block);
+    const std::span<const Token> tokens = clues.tokens();
+    const VariableFamily& family = program.control->families[numbered];
+    UnreadableBlock names{{}, {}, false, false};
+    std::vector<std::int64_t> written;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const Token& token = tokens[i];
+        const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
+        if (token.kind == TokenKind::variable && next != nullptr && next->kind == TokenKind::equals)
+            if (const std::optional<std::int64_t> number = read_integer(clues.text(token)))
+                written.push_back(*number);
+        if (token.kind != TokenKind::letters) continue;
+        const std::string word = clues.capitals(token);
+        const Token* value = next;
+        if (value != nullptr && (clues.capitals(*value) == "N" || clues.capitals(*value) == "O"))
+            value = i + 2 < tokens.size() ? &tokens[i + 2] : nullptr;
+        if (word.ends_with("GOTO") && value != nullptr && value->kind == TokenKind::number)
+            if (const std::optional<std::int64_t> label = read_integer(clues.text(*value)))
+                names.may_jump.push_back(*label);
+        std::vector<std::string_view> words = split_keywords(word);
+        const std::string meant = words.empty() ? explain(word).meant : std::string();
+        words.push_back(meant);
+        for (const std::string_view keyword : words)
+            names.may_open_or_close |=
+                keyword == "IF" || keyword == "WHILE" || keyword == "DO" || keyword == "END";
+        names.may_open_or_close |= word == "ELSE" || word == "ENDIF";
+        if (next == nullptr || next->kind != TokenKind::number) continue;
+        const double code = read_number(clues.text(*next)).value;
+        if (word.back() == 'G')
+            names.may_call_or_return |= std::floor(code) == 65 || std::floor(code) == 66 || code == 67;
+        if (word.back() == 'M')
+            names.may_call_or_return |= code == 2 || code == 30 || (code >= 96 && code <= 99) || code == 198;
+    }
+    sort_unique(names.may_jump);
+    sort_unique(written);
+    for (const std::int64_t number : written) {
+        const VariableRange* range = family.find(number);
+        if (range != nullptr && range->meaning == Meaning::place)
+            names.may_write.push_back({range->space, static_cast<std::int32_t>(number)});
+    }
+    return names;
+}
+
+} // namespace maclint::fanuc

@@ -1,0 +1,101 @@
+//! The node kinds and fields of the Fanuc grammar as enumerations, so that lowering switches instead of
+//! comparing names.
+#pragma once
+
+#include "analyzer/syntax/tree.hpp"
+
+#include <cstdint>
+
+namespace maclint::fanuc {
+
+/// The generated grammar.
+[[nodiscard]] const TSLanguage* grammar();
+
+/// Named nodes of grammar/fanuc; anonymous ones are `token` but for the keywords that lowering asks for.
+enum class Kind : std::uint8_t {
+    token,
+    error,
+    file,
+    block,
+    comment,
+    tape_mark,
+    skip,
+    program_number,
+    computed_program_number,
+    named_program,
+    program_name,
+    sequence_number,
+    computed_sequence_number,
+    literal_word,
+    word,
+    comma_word,
+    empty_word,
+    bare_value,
+    malformed_word,
+    letter_o_word,
+    stray_parenthesis,
+    address,
+    incremental,
+    assignment,
+    goto_statement,
+    label,
+    if_statement,
+    while_statement,
+    do_statement,
+    end_statement,
+    output_statement,
+    output_text,
+    output_variable,
+    naming_statement,
+    variable_name,
+    foreign_keyword,
+    condition,
+    compound_condition,
+    unbracketed_condition,
+    variable,
+    indirect_variable,
+    double_sharp,
+    named_variable,
+    foreign_variable,
+    system_name,
+    user_name,
+    number,
+    bracket,
+    call,
+    argument_list,
+    function,
+    unary,
+    binary,
+    comparison,
+    operation,
+    symbolic_operator,
+};
+
+enum class Field : std::uint8_t {
+    none,
+    address,
+    argument,
+    condition,
+    consequence,
+    divisor,
+    format,
+    function,
+    incremental,
+    index,
+    left,
+    loop,
+    name,
+    number,
+    operand,
+    operation,
+    right,
+    target,
+    then,
+    value,
+    variable,
+};
+
+[[nodiscard]] Kind kind_of(const syntax::Node& node);
+[[nodiscard]] Field field_of(const syntax::Node& node);
+
+} // namespace maclint::fanuc

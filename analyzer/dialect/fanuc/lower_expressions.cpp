@@ -1,0 +1,267 @@
+//! Lowering of expressions and conditions.
+#include "analyzer/dialect/fanuc/lowering.hpp"
+#include "analyzer/dialect/fanuc/numbers.hpp"
+#include "analyzer/dialect/fanuc/tables.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint::fanuc {
+namespace {
+
+/// Deeper than anything a control accepts; what lies below is not read.
+constexpr int deepest = 200;
+
+struct FunctionRow {
+    std::string_view name;
+    Operation operation;
+};
+
+// Names and abbreviations: custom macro reference, section 3. POW needs two operands, PRM has no model.
+// clang-format off
+constexpr FunctionRow functions[] = {
+    {"SIN", Operation::sine},          {"SI", Operation::sine},
+    {"COS", Operation::cosine},        {"CO", Operation::cosine},
+    {"TAN", Operation::tangent},       {"TA", Operation::tangent},
+    {"ASIN", Operation::arc_sine},     {"AS", Operation::arc_sine},
+    {"ACOS", Operation::arc_cosine},   {"AC", Operation::arc_cosine},
+    {"ATAN", Operation::arc_tangent},  {"AT", Operation::arc_tangent},   {"ATN", Operation::arc_tangent},
+    {"SQRT", Operation::square_root},  {"SQ", Operation::square_root},   {"SQR", Operation::square_root},
+    {"ABS", Operation::absolute},      {"AB", Operation::absolute},
+    {"ROUND", Operation::round},       {"RO", Operation::round},         {"RND", Operation::round},
+    {"FIX", Operation::truncate},      {"FI", Operation::truncate},
+    {"FUP", Operation::round_up},      {"FU", Operation::round_up},
+    {"LN", Operation::logarithm},
+    {"EXP", Operation::exponential},   {"EX", Operation::exponential},
+    {"BIN", Operation::to_binary},     {"BI", Operation::to_binary},
+    {"BCD", Operation::to_decimal_code}, {"BC", Operation::to_decimal_code},
+    {"ADP", Operation::add_point},     {"AD", Operation::add_point},
+    {"POW", Operation::power},
+};
+
+constexpr FunctionRow operators[] = {
+    {"+", Operation::add}, {"-", Operation::subtract}, {"*", Operation::multiply}, {"/", Operation::divide},
+    {"MOD", Operation::modulo}, {"AND", Operation::bit_and}, {"OR", Operation::bit_or}, {"XOR", Operation::bit_xor},
+};
+
+constexpr FunctionRow comparisons[] = {
+    {"EQ", Operation::equal},  {"=", Operation::equal},          {"==", Operation::equal},
+    {"NE", Operation::not_equal}, {"<>", Operation::not_equal},  {"!=", Operation::not_equal},
+    {"LT", Operation::less},   {"<", Operation::less},
+    {"LE", Operation::less_equal}, {"<=", Operation::less_equal}, {"=<", Operation::less_equal},
+    {"GT", Operation::greater}, {">", Operation::greater},
+    {"GE", Operation::greater_equal}, {">=", Operation::greater_equal}, {"=>", Operation::greater_equal},
+};
+// clang-format on
+
+Operation find(std::span<const FunctionRow> rows, std::string_view name) {
+    const auto row = std::ranges::find(rows, name, &FunctionRow::name);
+    return row == rows.end() ? Operation::unknown : row->operation;
+}
+
+/// The operator between conditions that is written like the one between numbers.
+Operation between_conditions(Operation operation) {
+    switch (operation) {
+    case Operation::bit_and: return Operation::all_of;
+    case Operation::bit_or: return Operation::any_of;
+    case Operation::bit_xor: return Operation::one_of;
+    case Operation::bit_not: return Operation::not_of;
+    default: return operation;
+    }
+}
+
+} // namespace
+
+ExpressionId BlockLowering::add(Expression expression) {
+    program_.expressions.push_back(expression);
+    return static_cast<ExpressionId>(program_.expressions.size() - 1);
+}
+
+ExpressionId BlockLowering::unreadable(Span span) { return add({Unreadable{}, span}); }
+
+ExpressionId BlockLowering::literal(double value, Span span) { return add({Literal{value, false}, span}); }
+
+ExpressionId BlockLowering::apply(Operation operation, std::span<const ExpressionId> operands, Span span) {
+    const Slice slice{static_cast<Id>(program_.operands.size()), static_cast<Id>(operands.size())};
+    program_.operands.insert(program_.operands.end(), operands.begin(), operands.end());
+    return add({Apply{operation, slice}, span});
+}
+
+bool BlockLowering::is_logical(ExpressionId id) const {
+    const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
+    if (apply == nullptr) return false;
+    switch (apply->operation) {
+    case Operation::all_of:
+    case Operation::any_of:
+    case Operation::one_of:
+    case Operation::not_of:
+    case Operation::equal:
+    case Operation::not_equal:
+    case Operation::less:
+    case Operation::less_equal:
+    case Operation::greater:
+    case Operation::greater_equal:
+    case Operation::is_vacant:
+    case Operation::is_set: return true;
+    default: return false;
+    }
+}
+
+ExpressionId BlockLowering::lower_expression(const Node& node) {
+    if (depth_ >= deepest) return unreadable(span(node));
+    ++depth_;
+    const auto lowered = [&]() -> ExpressionId {
+        switch (kind_of(node)) {
+        case Kind::number: {
+            const Number number = read_number(text(node));
+            return add({Literal{number.value, number.decimal_point}, span(node)});
+        }
+        case Kind::label: {
+            const std::optional<std::int64_t> number = read_integer(text(node));
+            return number ? literal(static_cast<double>(*number), span(node)) : unreadable(span(node));
+        }
+        case Kind::variable: {
+            const std::optional<std::int64_t> number = read_integer(text(node));
+            return number ? load_numbered(*number, span(node)) : unreadable(span(node));
+        }
+        case Kind::indirect_variable:
+        case Kind::double_sharp: {
+            const Node* index = child(node, Field::index);
+            if (index == nullptr) return unreadable(span(node));
+            const ExpressionId at = lower_expression(*index);
+            return add({LoadAt{numbered, at}, span(node)});
+        }
+        case Kind::named_variable:
+        case Kind::foreign_variable: return lower_named(node);
+        case Kind::bracket:
+        case Kind::condition:
+        case Kind::unbracketed_condition: {
+            const Nodes inner = named_children(node);
+            if (inner.size() != 1) return unreadable(span(node));
+            const ExpressionId id = lower_expression(*inner.front());
+            program_.expressions[id].span = span(node);
+            return id;
+        }
+        case Kind::call: return lower_function(node);
+        case Kind::unary: return lower_unary(node);
+        case Kind::binary:
+        case Kind::compound_condition: return lower_binary(node);
+        case Kind::comparison: return lower_comparison(node);
+        default: return unreadable(span(node));
+        }
+    }();
+    --depth_;
+    return lowered;
+}
+
+ExpressionId BlockLowering::lower_condition(const Node& node) { return lower_expression(node); }
+
+ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
+    const VariableRange* range = program_.control->families[numbered].find(number);
+    if (range == nullptr) return add({LoadAt{numbered, literal(static_cast<double>(number), span)}, span});
+    const auto n = static_cast<std::int32_t>(number);
+    switch (range->meaning) {
+    case Meaning::null: return add({Vacant{}, span});
+    case Meaning::place: return add({Load{Place{range->space, n}}, span});
+    case Meaning::modal: return add({LoadModal{range->group}, span});
+    case Meaning::machine:
+    case Meaning::absent: break;
+    }
+    return add({LoadMachine{numbered, n}, span});
+}
+
+/// A named variable is known by all that is written: `#_ABSKP[1]` is another one than `#_ABSKP[2]`.
+Place BlockLowering::named_place(const Node& node) {
+    std::string name = upper_text(node);
+    std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
+    const auto known = std::ranges::find(program_.names, name);
+    const auto index = static_cast<std::int32_t>(known - program_.names.begin());
+    if (known == program_.names.end()) program_.names.push_back(std::move(name));
+    return {spaces::named, index};
+}
+
+ExpressionId BlockLowering::lower_named(const Node& node) {
+    const Node* index = child(node, Field::index);
+    if (index == nullptr || kind_of(*index) == Kind::number)
+        return add({Load{named_place(node)}, span(node)});
+    const std::array operands{lower_expression(*index)};
+    return apply(Operation::unknown, operands, span(node));
+}
+
+ExpressionId BlockLowering::lower_unary(const Node& node) {
+    const Node* sign = child(node, Field::operation);
+    const Node* operand = child(node, Field::operand);
+    if (sign == nullptr || operand == nullptr) return unreadable(span(node));
+    const ExpressionId value = lower_expression(*operand);
+    const std::string name = upper_text(*sign);
+    if (name == "NOT") {
+        const std::array operands{value};
+        const Operation operation = is_logical(value) ? Operation::not_of : Operation::bit_not;
+        return apply(operation, operands, span(node));
+    }
+    if (name == "+") {
+        program_.expressions[value].span = span(node);
+        return value;
+    }
+    if (auto* number = std::get_if<Literal>(&program_.expressions[value].node);
+        number != nullptr && kind_of(*operand) == Kind::number) {
+        if (number->value != 0) number->value = -number->value;
+        program_.expressions[value].span = span(node);
+        return value;
+    }
+    const std::array operands{value};
+    return apply(Operation::negate, operands, span(node));
+}
+
+ExpressionId BlockLowering::lower_binary(const Node& node) {
+    const Node* left = child(node, Field::left);
+    const Node* right = child(node, Field::right);
+    const Node* sign = child(node, Field::operation);
+    if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
+    const std::array operands{lower_expression(*left), lower_expression(*right)};
+    Operation operation = find(operators, upper_text(*sign));
+    if (kind_of(node) == Kind::compound_condition || is_logical(operands[0]) || is_logical(operands[1]))
+        operation = between_conditions(operation);
+    return apply(operation, operands, span(node));
+}
+
+/// Comparison with the null variable asks whether the other side is vacant.
+ExpressionId BlockLowering::lower_comparison(const Node& node) {
+    const Node* left = child(node, Field::left);
+    const Node* right = child(node, Field::right);
+    const Node* sign = child(node, Field::operation);
+    if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
+    const std::array operands{lower_expression(*left), lower_expression(*right)};
+    const Operation operation = find(comparisons, upper_text(*sign));
+    if (operation == Operation::equal || operation == Operation::not_equal) {
+        const auto is_null = [&](ExpressionId id) {
+            return std::holds_alternative<Vacant>(program_.expressions[id].node);
+        };
+        const Operation test = operation == Operation::equal ? Operation::is_vacant : Operation::is_set;
+        if (is_null(operands[1])) return apply(test, std::span(operands).first(1), span(node));
+        if (is_null(operands[0])) return apply(test, std::span(operands).last(1), span(node));
+    }
+    return apply(operation, operands, span(node));
+}
+
+ExpressionId BlockLowering::lower_function(const Node& node) {
+    const Node* name = child(node, Field::function);
+    const Node* argument = child(node, Field::argument);
+    if (name == nullptr || argument == nullptr) return unreadable(span(node));
+    std::vector<ExpressionId> operands;
+    if (kind_of(*argument) == Kind::argument_list) {
+        for (const Node* operand : named_children(*argument)) operands.push_back(lower_expression(*operand));
+    } else {
+        operands.push_back(lower_expression(*argument));
+    }
+    if (const Node* divisor = child(node, Field::divisor)) operands.push_back(lower_expression(*divisor));
+    Operation operation = find(functions, upper_text(*name));
+    if (operation == Operation::arc_tangent && operands.size() == 2)
+        operation = Operation::arc_tangent_of_two;
+    const std::size_t wanted =
+        operation == Operation::arc_tangent_of_two || operation == Operation::power ? 2 : 1;
+    if (operands.size() != wanted) operation = Operation::unknown;
+    return apply(operation, operands, span(node));
+}
+
+} // namespace maclint::fanuc

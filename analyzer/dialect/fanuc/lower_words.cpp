@@ -1,0 +1,275 @@
+//! Lowering of NC words: what the words of a block that stand side by side do together.
+#include "analyzer/dialect/fanuc/lowering.hpp"
+#include "analyzer/dialect/fanuc/numbers.hpp"
+#include "analyzer/dialect/fanuc/tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace maclint::fanuc {
+namespace {
+
+constexpr Id no_word = UINT32_MAX;
+
+constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// "X", or ",X" behind a comma, with static lifetime.
+std::string_view address_text(char letter, bool comma) {
+    static constexpr std::string_view words = ",A,B,C,D,E,F,G,H,I,J,K,L,M,N,O,P,Q,R,S,T,U,V,W,X,Y,Z";
+    if (letter < 'A' || letter > 'Z') return comma ? "," : "@";
+    const auto at = static_cast<std::size_t>(letter - 'A') * 2;
+    return comma ? words.substr(at, 2) : words.substr(at + 1, 1);
+}
+
+/// Gives I, J and K their place: a letter that does not follow the last one in the alphabet begins a new set
+/// (5.3, 5.4).
+class SetCounter {
+  public:
+    std::optional<std::int32_t> place_of(char letter) {
+        if (letter <= last_) ++set_;
+        last_ = letter;
+        constexpr int sets = 10;
+        if (set_ >= sets) return std::nullopt;
+        return 4 + 3 * set_ + (letter - 'I');
+    }
+
+  private:
+    int set_ = 0;
+    char last_ = 0;
+};
+
+bool is_axis(const CodeTable& codes, char letter) {
+    return codes.letters[static_cast<unsigned char>(letter)] == Letter::axis;
+}
+
+} // namespace
+
+BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
+    if (kind_of(node) == Kind::program_name) return {0, false, no_word, &node, std::nullopt, std::nullopt};
+    NcWord word{0, false, static_cast<Id>(program_.words.size()), &node, std::nullopt, std::nullopt};
+    const Node* inner = &node;
+    if (kind_of(node) == Kind::comma_word) {
+        word.comma = true;
+        const Nodes below = named_children(node);
+        if (!below.empty()) inner = below.front();
+    }
+    const std::string_view written = text(*inner);
+    std::size_t letter = 0;
+    if (written.size() > 1 && written[0] == '&') letter = 1;
+    word.letter = written.empty() ? '@' : upper(written[letter]);
+    bool incremental = false;
+    if (kind_of(*inner) == Kind::literal_word) {
+        const Number number = read_number(written.substr(letter + 1));
+        word.literal = number.value;
+        std::size_t digits = letter + 1;
+        while (digits < written.size() && (written[digits] == ' ' || written[digits] == '\t')) ++digits;
+        const Span whole = span(*inner);
+        word.value = add({Literal{number.value, number.decimal_point},
+                          {whole.begin + static_cast<Offset>(digits), whole.end}});
+    } else if (kind_of(*inner) == Kind::letter_o_word) {
+        std::string digits(written.substr(letter + 1)); // GO1 is G01
+        std::ranges::replace_if(
+            digits, [](char c) { return c == 'O' || c == 'o'; }, '0');
+        const Number number = read_number(digits);
+        word.literal = number.value;
+        word.value = add({Literal{number.value, number.decimal_point}, span(*inner)});
+    } else if (kind_of(*inner) == Kind::malformed_word) {
+        word.value = unreadable(span(*inner));
+    } else if (const Node* value = child(*inner, Field::value)) {
+        incremental = child(*inner, Field::incremental) != nullptr;
+        word.value = lower_expression(*value);
+        if (const auto* number = std::get_if<Literal>(&program_.expressions[*word.value].node))
+            word.literal = number->value;
+    }
+    program_.words.push_back({address_text(word.letter, word.comma), word.value, incremental, span(node)});
+    return word;
+}
+
+void BlockLowering::lower_words(std::span<const Node* const> nodes, Effects& effects) {
+    std::vector<NcWord> words;
+    words.reserve(nodes.size());
+    for (const Node* node : nodes) words.push_back(record_word(*node));
+    const Span all = join(span(*nodes.front()), span(*nodes.back()));
+
+    // A macro call takes every word behind it as its own.
+    const auto call = std::ranges::find_if(words, [](const NcWord& word) {
+        return word.letter == 'G' && !word.comma &&
+               (word.literal == 65 || word.literal == 66 || word.literal == 66.1);
+    });
+    const auto before = static_cast<std::size_t>(call - words.begin());
+    const std::span<const NcWord> list(words);
+    if (before != 0) lower_usual_words(list.first(before), all, effects);
+    if (before != words.size()) {
+        const Span rest = join(span(*words[before].node), all);
+        lower_macro_call(list.subspan(before), {span(*words[before].node).begin, rest.end}, effects);
+    }
+}
+
+void BlockLowering::lower_macro_call(std::span<const NcWord> words, Span span, Effects& effects) {
+    const NcWord& code = words.front();
+    Call call{std::monostate{}, calls::g65, {}, std::nullopt};
+    if (code.literal == 66) call.kind = calls::g66;
+    if (code.literal == 66.1) call.kind = calls::g66_1;
+    if (call.kind != calls::g65 && codes_.modal_call != no_group)
+        effects.push_back({SetModal{codes_.modal_call, *code.value}, this->span(*code.node)});
+    for (const NcWord& word : words.subspan(1)) {
+        if (word.letter == 'P' && word.value) call.program = *word.value;
+        if (word.letter == 'L' && word.value) call.repeat = word.value;
+        if (word.letter == 0) call.program = Text{this->span(*word.node)};
+    }
+    call.arguments = arguments_from(words.subspan(1));
+    if (std::holds_alternative<std::monostate>(call.program))
+        report(Irregular::call_without_program, this->span(*code.node), "P");
+    effects.push_back({call, span});
+}
+
+Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
+    Slice slice{static_cast<Id>(program_.arguments.size()), 0};
+    SetCounter sets;
+    for (const NcWord& word : words) {
+        if (word.comma || !word.value || word.letter < 'A' || word.letter > 'Z') continue;
+        std::int32_t local = local_of_letter[static_cast<std::size_t>(word.letter - 'A')];
+        if (local == 0) continue;
+        if (word.letter >= 'I' && word.letter <= 'K') {
+            const std::optional<std::int32_t> place = sets.place_of(word.letter);
+            if (!place) continue;
+            local = *place;
+        }
+        program_.arguments.push_back(
+            {Place{spaces::local, local}, *word.value, word.letter, span(*word.node)});
+        ++slice.count;
+    }
+    return slice;
+}
+
+/// Order of a block's words: modal codes, F and S, the move, then what stops, calls or ends.
+void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span, Effects& effects) {
+    std::uint8_t traits = 0;
+    for (const NcWord& word : words) {
+        if (word.comma || !word.literal) continue;
+        if (word.letter == 'G') traits |= codes_.g_code(*word.literal).traits;
+        if (word.letter == 'M') traits |= codes_.m_code(*word.literal);
+    }
+    const bool own_words = (traits & no_words) != 0;
+    bool moves = false;
+    bool ends_modal_call = false;
+    std::vector<ExpressionId> computed;
+    for (const NcWord& word : words) {
+        if (word.comma || !word.value) continue;
+        const Span here = this->span(*word.node);
+        if (word.letter == 'G') {
+            if (!word.literal) {
+                effects.push_back({SetModal{std::nullopt, *word.value}, here});
+                continue;
+            }
+            if (*word.literal == 52) set_local_offset(words, span, effects);
+            ends_modal_call |= *word.literal == 67;
+            const Code code = codes_.g_code(*word.literal);
+            if (code.group != no_group) effects.push_back({SetModal{code.group, *word.value}, here});
+        } else if (word.letter == 'F' && !own_words) {
+            effects.push_back({SetModal{codes_.feed, *word.value}, here});
+        } else if (word.letter == 'S' && !own_words && (traits & limits_speed) == 0) {
+            effects.push_back({SetModal{codes_.speed, *word.value}, here});
+        } else {
+            moves |= is_axis(codes_, word.letter);
+            if (!word.literal) computed.push_back(*word.value);
+        }
+    }
+    if (!computed.empty()) {
+        effects.push_back(
+            {Values{{static_cast<Id>(program_.operands.size()), static_cast<Id>(computed.size())}}, span});
+        program_.operands.insert(program_.operands.end(), computed.begin(), computed.end());
+    }
+    if (ends_modal_call) effects.push_back({EndModalCall{}, span});
+    if (moves && (traits & (no_axes | no_words)) == 0) effects.push_back({Motion{}, span});
+    if ((traits & synchronises) != 0) effects.push_back({Synchronise{}, span});
+    for (const NcWord& word : words) {
+        const bool lathe_tool = word.letter == 'T' && codes_.letters['T'] == Letter::not_plain;
+        if (lathe_tool && !word.comma && word.value && !own_words)
+            effects.push_back({ToolChange{}, this->span(*word.node)});
+        if (word.letter == 'M' && !word.comma && word.literal)
+            lower_machine_function(word, words, span, effects);
+    }
+}
+
+void BlockLowering::lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span,
+                                           Effects& effects) {
+    const auto value_of = [&](char letter) -> std::optional<ExpressionId> {
+        const auto found = std::ranges::find_if(
+            words, [&](const NcWord& w) { return w.letter == letter && !w.comma && w.value.has_value(); });
+        return found == words.end() ? std::nullopt : found->value;
+    };
+    const Span here = this->span(*word.node);
+    if (*word.literal == 0 || *word.literal == 1)
+        effects.push_back({Stop{Stop::Kind::pause, std::nullopt}, here});
+    if (*word.literal == 2 || *word.literal == 30)
+        effects.push_back({Stop{Stop::Kind::end, std::nullopt}, here});
+    if (*word.literal == 6) effects.push_back({ToolChange{}, here});
+    if (*word.literal == 98) lower_subprogram_call(calls::m98, word, words, span, effects);
+    if (*word.literal == 198) lower_subprogram_call(calls::m198, word, words, span, effects);
+    if (*word.literal == 99) effects.push_back({Return{std::nullopt, value_of('P')}, span});
+    if (*word.literal == 97) // Haas
+        if (const std::optional<ExpressionId> label = value_of('P')) lower_local_call(*label, span, effects);
+}
+
+/// The blocks from a label to M99 run as a subprogram of this program. They may run, reading goes on here,
+/// and what they have done by then is not known.
+void BlockLowering::lower_local_call(ExpressionId label, Span span, Effects& effects) {
+    effects.push_back(guarded(unreadable(span), {{Jump{label}, span}}, span));
+    const Slice no_arguments{static_cast<Id>(program_.arguments.size()), 0};
+    effects.push_back({Call{unreadable(span), calls::m98, no_arguments, std::nullopt}, span});
+}
+
+/// Whether the digits of `P51002` are repeats and a program number of four digits.
+bool BlockLowering::holds_repeats(const NcWord& program) const {
+    if (!program_word_holds_repeats(*program_.control)) return false;
+    if (program_.number && *program_.number > 9999) return false; // longer numbers are in use here
+    constexpr double longest = 99'999'999;
+    return program.literal && *program.literal > 9999 && *program.literal <= longest &&
+           std::floor(*program.literal) == *program.literal && std::fmod(*program.literal, 10000) != 0;
+}
+
+void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, std::span<const NcWord> words,
+                                          Span span, Effects& effects) {
+    Call call{std::monostate{}, kind, {static_cast<Id>(program_.arguments.size()), 0}, std::nullopt};
+    const NcWord* program = nullptr;
+    std::optional<ExpressionId> label;
+    for (const NcWord& word : words) {
+        if (word.comma) continue;
+        if (word.letter == 0) call.program = Text{this->span(*word.node)};
+        if (word.letter == 'P' && word.value) program = &word;
+        if (word.letter == 'L' && word.value) call.repeat = word.value;
+        if (word.letter == 'Q' && word.value) label = word.value;
+    }
+    if (program != nullptr && !call.repeat && holds_repeats(*program)) {
+        const Span where = program_.expressions[*program->value].span;
+        call.program = literal(std::fmod(*program->literal, 10000), where);
+        call.repeat = literal(std::floor(*program->literal / 10000), where);
+    } else if (program != nullptr) {
+        call.program = *program->value;
+    }
+    const bool names_program = !std::holds_alternative<std::monostate>(call.program);
+    if (!names_program && label) { // M98 Q100: from N100 of this program
+        lower_local_call(*label, span, effects);
+        return;
+    }
+    if (!names_program) report(Irregular::call_without_program, this->span(*code.node), "P");
+    effects.push_back({call, span});
+}
+
+/// `G52 X0 Y0 Z0` ends the shift; any other value may begin one.
+void BlockLowering::set_local_offset(std::span<const NcWord> words, Span span, Effects& effects) {
+    if (codes_.local_offset == no_group) return;
+    bool named = false;
+    bool shifts = false;
+    for (const NcWord& word : words) {
+        if (word.comma || !is_axis(codes_, word.letter) || !word.value) continue;
+        named = true;
+        shifts |= !word.literal || *word.literal != 0;
+    }
+    if (!named) return;
+    effects.push_back({SetModal{codes_.local_offset, literal(shifts ? 52 : 0, span)}, span});
+}
+
+} // namespace maclint::fanuc

@@ -1,0 +1,84 @@
+//! Counts what only mills and only lathes have, in the first part of a text.
+#include "analyzer/dialect/fanuc/machine_type.hpp"
+
+#include "analyzer/dialect/fanuc/numbers.hpp"
+
+#include <cstddef>
+
+namespace maclint::fanuc {
+namespace {
+
+constexpr std::size_t looked_at = 64 * 1024;
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The words of one block that tell.
+struct BlockWords {
+    bool g50 = false, g92 = false, cycle = false, s = false, p = false, q = false;
+};
+
+struct Signs {
+    bool mill = false;        ///< Y, G17, G19, G43, G91, M6
+    bool turning = false;     ///< G50 S, G92 S, G96, G70-G73 P Q
+    bool incremental = false; ///< U or W with X or Z elsewhere
+    bool turret = false;      ///< T0101
+
+    void take(const BlockWords& block) {
+        turning |= (block.g50 && block.s) || (block.cycle && block.p && block.q);
+    }
+};
+
+void take_word(char letter, std::string_view digits, BlockWords& block, Signs& signs) {
+    const double value = read_number(digits).value;
+    switch (letter) {
+    case 'Y': signs.mill = true; break;
+    case 'G':
+        signs.mill |= value == 17 || value == 19 || value == 43 || value == 91 || value == 49;
+        signs.turning |= value == 96;
+        block.g50 |= value == 50;
+        block.cycle |= value >= 70 && value <= 73;
+        break;
+    case 'M': signs.mill |= value == 6; break;
+    case 'S': block.s = true; break;
+    case 'P': block.p = true; break;
+    case 'Q': block.q = true; break;
+    case 'U':
+    case 'W': signs.incremental = true; break;
+    case 'T': signs.turret |= digits.size() == 4; break;
+    default: break;
+    }
+}
+
+} // namespace
+
+bool is_written_for_lathe(std::string_view text) {
+    text = text.substr(0, looked_at);
+    Signs signs;
+    BlockWords block;
+    for (std::size_t at = 0; at < text.size();) {
+        const char c = text[at];
+        if (c == '(') {
+            while (at < text.size() && text[at] != ')' && text[at] != '\n') ++at;
+            continue;
+        }
+        ++at;
+        if (c == '\n' || c == '\r' || c == ';') {
+            signs.take(block);
+            block = {};
+            continue;
+        }
+        const char letter = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        if (letter < 'A' || letter > 'Z') continue;
+        const std::size_t value = at;
+        while (at < text.size() &&
+               (is_digit(text[at]) || text[at] == '.' || text[at] == '-' || text[at] == ' '))
+            ++at;
+        std::string_view digits = text.substr(value, at - value);
+        while (!digits.empty() && digits.back() == ' ') digits.remove_suffix(1);
+        if (!digits.empty()) take_word(letter, digits, block, signs);
+    }
+    signs.take(block);
+    return !signs.mill && (signs.turning || (signs.turret && signs.incremental));
+}
+
+} // namespace maclint::fanuc

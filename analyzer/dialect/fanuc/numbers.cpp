@@ -1,0 +1,64 @@
+//! Numbers: exact for up to 15 digits, which is more than any control keeps.
+#include "analyzer/dialect/fanuc/numbers.hpp"
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace maclint::fanuc {
+namespace {
+
+constexpr unsigned exact_digits = 15;
+
+double read_long(std::string_view text) {
+    std::string digits;
+    for (const char c : text)
+        if ((c >= '0' && c <= '9') || c == '.') digits += c;
+    double value = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+}
+
+} // namespace
+
+double scaled(std::uint64_t mantissa, unsigned decimals) {
+    static constexpr std::array<double, exact_digits + 1> powers{
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    return static_cast<double>(mantissa) / powers[decimals];
+}
+
+Number read_number(std::string_view text) {
+    std::uint64_t mantissa = 0;
+    unsigned digits = 0;
+    unsigned decimals = 0;
+    bool point = false;
+    bool negative = false;
+    for (const char c : text) {
+        if (c >= '0' && c <= '9') {
+            if (digits == 0 && c == '0' && !point) continue;
+            if (++digits <= exact_digits) mantissa = mantissa * 10 + static_cast<std::uint64_t>(c - '0');
+            if (point) ++decimals;
+        } else if (c == '.') {
+            point = true;
+        } else if (c == '-') {
+            negative = true;
+        }
+    }
+    const double value =
+        digits <= exact_digits && decimals <= exact_digits ? scaled(mantissa, decimals) : read_long(text);
+    return {negative && value != 0 ? -value : value, point};
+}
+
+std::optional<std::int64_t> read_integer(std::string_view text) {
+    constexpr unsigned longest = 18;
+    std::int64_t value = 0;
+    unsigned digits = 0;
+    for (const char c : text) {
+        if (c < '0' || c > '9') continue;
+        if (++digits > longest) return std::nullopt;
+        value = value * 10 + (c - '0');
+    }
+    return digits == 0 ? std::nullopt : std::optional(value);
+}
+
+} // namespace maclint::fanuc

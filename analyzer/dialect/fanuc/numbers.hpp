@@ -1,0 +1,25 @@
+//! Reads the numbers of Fanuc words and expressions: digits with a point, no exponent, blanks allowed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace maclint::fanuc {
+
+struct Number {
+    double value;
+    bool decimal_point;
+};
+
+/// The number in `text`, which may hold a sign and blanks; what is no digit, sign or point is passed over.
+[[nodiscard]] Number read_number(std::string_view text);
+
+/// The whole number in the digits of `text`, as long as it has at most 18 of them.
+[[nodiscard]] std::optional<std::int64_t> read_integer(std::string_view text);
+
+/// The value of a mantissa of up to 15 digits with `decimals` of them behind the point.
+/// One division, so the result is the double nearest to what is written.
+[[nodiscard]] double scaled(std::uint64_t mantissa, unsigned decimals);
+
+} // namespace maclint::fanuc

@@ -1,0 +1,313 @@
+//! The reader: cuts the file, sends each block down the plain lane or through the grammar, and collects
+//! programs.
+#include "analyzer/dialect/fanuc/read.hpp"
+
+#include "analyzer/dialect/fanuc/diagnose.hpp"
+#include "analyzer/dialect/fanuc/lowering.hpp"
+#include "analyzer/dialect/fanuc/machine_type.hpp"
+#include "analyzer/dialect/fanuc/numbers.hpp"
+#include "analyzer/dialect/fanuc/plain.hpp"
+#include "analyzer/dialect/fanuc/shape.hpp"
+#include "analyzer/dialect/fanuc/split.hpp"
+#include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/syntax/memory.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace maclint::fanuc {
+namespace {
+
+/// Longer blocks are not parsed: noise in one line costs the parser quadratic time.
+constexpr Offset longest_block = 4096;
+
+/// The file's name without folder and extension.
+std::string stem_of(std::string_view path) {
+    const std::size_t slash = path.find_last_of("/\\");
+    std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
+    const std::size_t dot = name.rfind('.');
+    if (dot != std::string_view::npos && dot != 0) name = name.substr(0, dot);
+    return std::string(name);
+}
+
+/// The program number in a name like "O9100".
+std::optional<std::int64_t> number_in(std::string_view name) {
+    if (name.size() < 2 || (name[0] != 'O' && name[0] != 'o')) return std::nullopt;
+    const std::string_view digits = name.substr(1);
+    const bool all = std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+    return all ? read_integer(digits) : std::nullopt;
+}
+
+/// The block without its comments, blanks and tape leader.
+std::string bare(std::string_view text, const RawBlock& block) {
+    std::string rest;
+    Offset at = block.span.begin;
+    const auto take = [&](Offset end) {
+        for (; at < end; ++at)
+            if (text[at] != ' ' && text[at] != '\t' && text[at] != '\0') rest += text[at];
+    };
+    for (const Span comment : block.comments) {
+        take(comment.begin);
+        at = comment.end;
+    }
+    take(block.span.end);
+    return rest;
+}
+
+bool is_sequence_number(std::string_view text) {
+    return !text.empty() && (text[0] == 'N' || text[0] == 'n') &&
+           std::ranges::all_of(text.substr(1), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// The lathe twin of a control that the caller took from the table, if the text is for one.
+const ControlModel& control_for(const ControlModel& control, std::string_view text) {
+    if (is_lathe(control) || !is_written_for_lathe(text)) return control;
+    const std::span<const ControlModel> all = fanuc_controls();
+    const bool ours = std::ranges::any_of(all, [&](const ControlModel& row) { return &row == &control; });
+    const auto twin = std::ranges::find(all, control.name + "-lathe", &ControlModel::name);
+    return ours && twin != all.end() ? *twin : control;
+}
+
+class Reader {
+  public:
+    Reader(std::shared_ptr<const Source> source, const ControlModel& control)
+        : text_(source->bytes())
+        , codes_(codes_of(control)) {
+        file_.source = std::move(source);
+        file_.control = &control;
+    }
+
+    ProgramFile run() {
+        const TapeStart start = find_tape_start(text_);
+        tape_open_ = !start.at_mark;
+        for (Offset at = start.begin; at < text_.size();) at = read_from(at);
+        close_program();
+        for (Irregularity& irregularity : file_.irregularities)
+            irregularity.subject = file_.source->to_utf8(irregularity.subject);
+        return std::move(file_);
+    }
+
+  private:
+    /// Reads one block and whatever plain blocks follow it.
+    Offset read_from(Offset at) {
+        if (!tape_open_) {
+            tape_open_ = true;
+            return behind_opening_mark(text_, at);
+        }
+        ScannedBlock block;
+        while (at < text_.size()) {
+            const Lane lane = scan_block(text_, at, codes_, block);
+            if (lane == Lane::grammar) break;
+            if (lane == Lane::plain) take_plain(block);
+            at = block.next;
+        }
+        return at < text_.size() ? read_with_grammar(at) : at;
+    }
+
+    void take_plain(const ScannedBlock& block) {
+        if (waiting_ < file_.comments.size()) tell_comments(block.span);
+        run_.add(block);
+    }
+
+    Offset read_with_grammar(Offset at) {
+        const Offset first = skip_blanks(text_, at);
+        if (first == text_.size()) return first;
+        if (text_[first] == '%') return take_tape_mark(first);
+        cut_block(text_, first, raw_);
+        if (raw_.span.empty()) return raw_.next;
+        const std::string code = bare(text_, raw_);
+        const bool only_comments = code.empty();
+        if (!only_comments) {
+            tell_comments(raw_.span);
+            take_head();
+            lower(raw_.span);
+        } else {
+            report_open_comment();
+        }
+        record_comments(only_comments || is_sequence_number(code));
+        return raw_.next;
+    }
+
+    Offset take_tape_mark(Offset mark) {
+        const BehindMark behind = behind_mark(text_, mark);
+        tape_open_ = !behind.opens;
+        return behind.begin;
+    }
+
+    void take_head() {
+        std::optional<ProgramHead> head = find_program_head(text_, raw_.span);
+        if (!head) return;
+        close_program();
+        Program& program = open_program();
+        program.name = std::move(head->name);
+        program.number = head->number;
+        program.name_span = head->span;
+        name_otherwise(program);
+    }
+
+    /// Ways in which a call may write the program's name.
+    static void name_otherwise(Program& program) {
+        if (program.number) {
+            std::string digits = std::to_string(*program.number);
+            program.also_known_as.push_back("O" + digits);
+            if (digits.size() < 4)
+                program.also_known_as.push_back("O" + std::string(4 - digits.size(), '0') + digits);
+        } else if (program.name.size() > 2 && program.name.front() == '<') {
+            program.also_known_as.push_back(program.name.substr(1, program.name.size() - 2));
+        }
+        std::erase(program.also_known_as, program.name);
+    }
+
+    Program& open_program() {
+        Program& program = file_.programs.emplace_back();
+        program.text = text_;
+        program.control = file_.control;
+        program.decode = decode_run;
+        program_open_ = true;
+        return program;
+    }
+
+    /// The program that is being read; one without a number is named after its file.
+    Program& program() {
+        if (program_open_) return file_.programs.back();
+        Program& program = open_program();
+        program.name = stem_of(file_.source->path());
+        program.number = number_in(program.name);
+        name_otherwise(program);
+        return program;
+    }
+
+    void close_program() {
+        close_run();
+        if (!program_open_) return;
+        Program& program = file_.programs.back();
+        program_open_ = false;
+        const auto count = static_cast<Id>(program.items.size());
+        program.sections.push_back({"program", {0, count}, Section::Executed::when_reached});
+        if (count == 0) return;
+        program.span = {program.span_of(0).begin, program.span_of(count - 1).end};
+        if (program.name_span.empty()) program.name_span = {program.span.begin, program.span.begin};
+        if (file_.programs.size() == 1) {
+            std::string stem = stem_of(file_.source->path());
+            if (stem != program.name &&
+                std::ranges::find(program.also_known_as, stem) == program.also_known_as.end())
+                program.also_known_as.push_back(std::move(stem));
+        }
+    }
+
+    void close_run() {
+        if (!run_.empty()) run_.close(program());
+    }
+
+    void lower(Span block) {
+        close_run();
+        const bool swallowed = report_open_comment();
+        if (block.length() > longest_block) {
+            constexpr Offset shown = 60;
+            file_.irregularities.push_back(
+                {Irregular::oversized_block, {block.begin, block.begin + shown}, "", ""});
+            add_unreadable(block);
+            return;
+        }
+        static const syntax::Tree nothing{.nodes = {}, .has_error = true};
+        const syntax::Tree& tree = is_plausible(text_, block) ? parse(with_end_of_block(block)) : nothing;
+        if (tree.has_error) {
+            if (!swallowed) diagnose(text_, block, tree, file_.irregularities);
+            add_unreadable(block);
+            return;
+        }
+        BlockLowering(tree, block, program(), file_.irregularities).lower();
+    }
+
+    /// The block's tree, good until the next block; every thread has its own memory of trees.
+    const syntax::Tree& parse(std::string_view block) {
+        thread_local syntax::TreeMemory trees(grammar);
+        shape_of(block, shape_);
+        return trees.parse(block, shape_);
+    }
+
+    /// The lexer that tree-sitter generates must not meet the end of the text inside `DPRNT[`: it would not
+    /// return.
+    std::string_view with_end_of_block(Span block) {
+        const std::string_view text = text_.substr(block.begin, raw_.next - block.begin);
+        if (is_line_end(text.back()) || text.back() == ';') return text;
+        ended_ = text_.substr(block.begin, block.length());
+        ended_ += '\n';
+        return ended_;
+    }
+
+    /// Whether the block ends in a comment that nobody closed; what it swallowed explains any other error.
+    bool report_open_comment() {
+        if (raw_.comments.empty()) return false;
+        const Span open = raw_.comments.back();
+        if (open.length() > 1 && text_[open.end - 1] == ')') return false;
+        file_.irregularities.push_back({Irregular::unterminated_comment, open,
+                                        std::string(text_.substr(open.begin, open.length())), ")"});
+        return true;
+    }
+
+    void add_unreadable(Span span) {
+        Program& program = this->program();
+        Block block{};
+        block.span = span;
+        take_unreadable_head(block);
+        block.words.first = static_cast<Id>(program.words.size());
+        block.effects = {static_cast<Id>(program.effects.size()), 1};
+        program.effects.push_back({names_in(program, span), span});
+        program.items.emplace_back(block);
+    }
+
+    /// Skip mark and sequence number stand at the head of the text whatever is wrong behind them.
+    void take_unreadable_head(Block& block) const {
+        Offset at = block.span.begin;
+        const auto skip_blanks = [&] {
+            while (at < block.span.end && (text_[at] == ' ' || text_[at] == '\t')) ++at;
+        };
+        const auto digits = [&](Offset most) {
+            const Offset begin = at;
+            while (at < block.span.end && at - begin < most && text_[at] >= '0' && text_[at] <= '9') ++at;
+            return text_.substr(begin, at - begin);
+        };
+        while (at < block.span.end && text_[at] == '/') {
+            ++at;
+            block.skip_levels |= static_cast<std::uint16_t>(1U << read_integer(digits(1)).value_or(1));
+            skip_blanks();
+        }
+        if (at == block.span.end || (text_[at] != 'N' && text_[at] != 'n')) return;
+        const Offset letter = at++;
+        skip_blanks();
+        block.sequence_number = read_integer(digits(longest_block));
+        if (block.sequence_number) block.sequence_number_span = {letter, at};
+    }
+
+    void record_comments(bool alone) {
+        for (const Span comment : raw_.comments)
+            if (addresses_maclint(text_.substr(comment.begin, comment.length())))
+                file_.comments.push_back({comment, alone, raw_.span, {}});
+    }
+
+    /// `block` is the next one for every comment that still waits for it.
+    void tell_comments(Span block) {
+        for (; waiting_ < file_.comments.size(); ++waiting_) file_.comments[waiting_].next_block = block;
+    }
+
+    std::string_view text_;
+    const CodeTable& codes_;
+    ProgramFile file_;
+    RunTotals run_;
+    RawBlock raw_;
+    std::string shape_;
+    std::string ended_;       ///< a copy of the last block, with an end of block
+    std::size_t waiting_ = 0; ///< first comment without a next block
+    bool tape_open_ = true;
+    bool program_open_ = false;
+};
+
+} // namespace
+
+ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control) {
+    const ControlModel& actual = control_for(control, source->bytes());
+    return Reader(std::move(source), actual).run();
+}
+
+} // namespace maclint::fanuc

@@ -1,0 +1,178 @@
+//! The splitter. Every function looks at each byte a bounded number of times.
+#include "analyzer/dialect/fanuc/split.hpp"
+
+#include "analyzer/dialect/fanuc/numbers.hpp"
+
+#include <algorithm>
+
+namespace maclint::fanuc {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
+constexpr bool is_line_end_or_semicolon(char c) { return c == '\n' || c == '\r' || c == ';'; }
+constexpr bool is_line_break(char c) { return c == '\n' || c == '\r'; }
+constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+Offset size_of(std::string_view text) { return static_cast<Offset>(text.size()); }
+
+/// Behind the comment that opens at `open`: at its ')' plus one, or at its line's end.
+Offset behind_comment(std::string_view text, Offset open) {
+    Offset at = open + 1;
+    while (at < text.size() && text[at] != ')' && !is_line_break(text[at])) ++at;
+    return at < text.size() && text[at] == ')' ? at + 1 : at;
+}
+
+/// Behind blanks, line ends and comments.
+Offset skip_to_code(std::string_view text, Offset at) {
+    while (at < text.size()) {
+        if (is_blank(text[at]) || is_line_end_or_semicolon(text[at]))
+            ++at;
+        else if (text[at] == '(')
+            at = behind_comment(text, at);
+        else
+            break;
+    }
+    return at;
+}
+
+bool ends_line(std::string_view text, Offset mark) {
+    const Offset behind = skip_blanks(text, mark + 1);
+    return behind == text.size() || is_line_end_or_semicolon(text[behind]);
+}
+
+/// The first tape mark between `from` and the end of its line; `from` is the head of a line or behind a mark.
+std::optional<Offset> find_mark_in_line(std::string_view text, Offset from) {
+    bool heads_block = true;
+    Offset at = from;
+    while (at < text.size() && !is_line_break(text[at])) {
+        if (text[at] == '(') {
+            at = behind_comment(text, at);
+            continue;
+        }
+        if (text[at] == '%' && (heads_block || ends_line(text, at))) return at;
+        if (text[at] == ';')
+            heads_block = true;
+        else if (!is_blank(text[at]))
+            heads_block = false;
+        ++at;
+    }
+    return std::nullopt;
+}
+
+Offset line_end(std::string_view text, Offset at) {
+    while (at < text.size() && !is_line_break(text[at])) ++at;
+    return at;
+}
+
+/// Whether a block like those of a program begins at `at`.
+bool begins_block(std::string_view text, Offset at) {
+    if (at >= text.size()) return false;
+    const char letter = upper(text[at]);
+    if (letter == '<' || letter == '#') return true;
+    if (letter != 'O' && letter != ':' && letter != 'N' && letter != 'G' && letter != 'M') return false;
+    const Offset value = skip_blanks(text, at + 1);
+    return value < text.size() && (is_digit(text[value]) || (letter == 'O' && text[value] == '<'));
+}
+
+bool begins_program(std::string_view text, Offset at) {
+    return find_program_head(text, {at, size_of(text)}).has_value();
+}
+
+/// Whether any line of `text` begins like a block.
+bool holds_blocks(std::string_view text) {
+    for (Offset at = skip_to_code(text, 0); at < text.size(); at = skip_to_code(text, line_end(text, at)))
+        if (begins_block(text, at)) return true;
+    return false;
+}
+
+} // namespace
+
+Offset skip_blanks(std::string_view text, Offset at) {
+    while (at < text.size() && is_blank(text[at])) ++at;
+    return at;
+}
+
+void cut_block(std::string_view text, Offset begin, RawBlock& block) {
+    block.comments.clear();
+    const Offset first = skip_blanks(text, begin);
+    Offset at = first;
+    Offset last = first;
+    while (at < text.size() && !is_line_end_or_semicolon(text[at])) {
+        if (text[at] == '(') {
+            const Offset behind = behind_comment(text, at);
+            block.comments.push_back({at, behind});
+            at = behind;
+            last = at;
+            continue;
+        }
+        if (text[at] == '%' && at > first && ends_line(text, at)) {
+            block.span = {first, last};
+            block.next = at;
+            return;
+        }
+        if (!is_blank(text[at])) last = at + 1;
+        ++at;
+    }
+    block.span = {first, last};
+    block.next = std::min(at + 1, size_of(text));
+}
+
+std::optional<Offset> find_tape_mark(std::string_view text, Offset from) {
+    while (true) {
+        const std::size_t percent = text.find('%', from);
+        if (percent == std::string_view::npos) return std::nullopt;
+        auto line = static_cast<Offset>(percent);
+        while (line > from && !is_line_break(text[line - 1])) --line;
+        if (const std::optional<Offset> mark = find_mark_in_line(text, line)) return mark;
+        from = line_end(text, static_cast<Offset>(percent));
+    }
+}
+
+TapeStart find_tape_start(std::string_view text) {
+    const Offset first = text.starts_with(byte_order_mark) ? 3 : 0;
+    const std::optional<Offset> mark = find_tape_mark(text, first);
+    if (!mark || holds_blocks(text.substr(first, *mark - first))) return {first, false};
+    return {*mark, true};
+}
+
+Offset behind_opening_mark(std::string_view text, Offset mark) {
+    const Offset at = skip_blanks(text, mark + 1);
+    if (at == text.size() || text[at] == '(' || text[at] == '%' || is_line_end_or_semicolon(text[at]) ||
+        begins_block(text, at))
+        return at;
+    return line_end(text, at);
+}
+
+BehindMark behind_mark(std::string_view text, Offset mark) {
+    const std::optional<Offset> next = find_tape_mark(text, mark + 1);
+    if (!next) return {size_of(text), false};
+    if (begins_program(text.substr(0, *next), skip_to_code(text, mark + 1))) return {mark + 1, false};
+    return {*next, true};
+}
+
+std::optional<ProgramHead> find_program_head(std::string_view text, Span block) {
+    text = text.substr(0, block.end);
+    Offset at = skip_blanks(text, block.begin);
+    if (at >= text.size()) return std::nullopt;
+    const Offset begin = at;
+    const char letter = upper(text[at]);
+    if (letter == 'O' || letter == ':') {
+        at = skip_blanks(text, at + 1);
+        const Offset digits = at;
+        while (at < text.size() && is_digit(text[at])) ++at;
+        if (at > digits) {
+            const std::string_view number = text.substr(digits, at - digits);
+            return ProgramHead{{begin, at}, read_integer(number), "O" + std::string(number)};
+        }
+    }
+    if (at >= text.size() || text[at] != '<' || letter == ':') return std::nullopt;
+    const std::size_t close = text.find_first_of(">\r\n;(#[", at);
+    if (close == std::string_view::npos || text[close] != '>') return std::nullopt;
+    const auto behind = static_cast<Offset>(close) + 1;
+    return ProgramHead{{begin, behind}, std::nullopt, std::string(text.substr(at, behind - at))};
+}
+
+} // namespace maclint::fanuc

@@ -1,0 +1,57 @@
+//! Cuts a Fanuc file into blocks: comments, ends of block, tape marks and program heads.
+#pragma once
+
+#include "analyzer/source/span.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace maclint::fanuc {
+
+/// A block as it stands in the file.
+struct RawBlock {
+    Span span;                  ///< without blanks around it
+    Offset next;                ///< behind its end of block
+    std::vector<Span> comments; ///< brackets included; the last one may lack its ')'
+};
+
+/// Behind the blanks and the tape leader at `at`.
+[[nodiscard]] Offset skip_blanks(std::string_view text, Offset at);
+
+/// The block that begins at `begin`. It ends at `;`, at a line end, or before a tape mark at the end of its
+/// line.
+void cut_block(std::string_view text, Offset begin, RawBlock& block);
+
+/// The first tape mark at or behind `from`, which is the head of a line or behind a mark.
+/// A mark is a `%` outside of comments that begins a block or ends a line.
+[[nodiscard]] std::optional<Offset> find_tape_mark(std::string_view text, Offset from);
+
+/// Where reading starts. A file without a mark, or with blocks before its first one, is code from the start.
+struct TapeStart {
+    Offset begin;
+    bool at_mark; ///< `begin` is a mark that opens the tape
+};
+[[nodiscard]] TapeStart find_tape_start(std::string_view text);
+
+/// What stands behind a mark in an open tape: another program, or nothing that the control reads.
+struct BehindMark {
+    Offset begin;
+    bool opens; ///< `begin` is a mark that opens the tape again
+};
+/// Behind the mark that opens a tape: the first block. A title on the mark's own line is passed over.
+[[nodiscard]] Offset behind_opening_mark(std::string_view text, Offset mark);
+/// Behind a mark in an open tape; the end of the text when nothing follows that the control reads.
+[[nodiscard]] BehindMark behind_mark(std::string_view text, Offset mark);
+
+/// A program number or name that heads a block.
+struct ProgramHead {
+    Span span;
+    std::optional<std::int64_t> number;
+    std::string name; ///< "O9100" or "<PART>"
+};
+[[nodiscard]] std::optional<ProgramHead> find_program_head(std::string_view text, Span block);
+
+} // namespace maclint::fanuc

@@ -1,0 +1,58 @@
+//! The controls of the Fanuc family: limits, variables, modal groups and calls.
+#pragma once
+
+#include "analyzer/program/tables.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace maclint::fanuc {
+
+/// Rows of ControlModel::spaces.
+namespace spaces {
+constexpr SpaceId local = 0, common = 1, retained = 2, machine = 3, named = 4;
+}
+
+/// The only family: the number behind `#`.
+constexpr FamilyId numbered = 0;
+
+/// Rows of ControlModel::calls.
+namespace calls {
+constexpr CallKindId g65 = 0, g66 = 1, g66_1 = 2, m98 = 3, m198 = 4;
+}
+
+/// Names by which lowering finds groups that no G code stands for.
+namespace group_names {
+constexpr std::string_view feed = "feed", speed = "spindle speed", local_offset = "local offset",
+                           modal_call = "modal macro call";
+}
+
+[[nodiscard]] std::vector<ModalGroup> mill_groups();
+[[nodiscard]] std::vector<ModalGroup> lathe_groups();
+[[nodiscard]] std::vector<VariableSpace> variable_spaces();
+/// What `#n` is; `groups` gives the rows that #4001 and the like read.
+/// `group_twelve` is the row that #4012 reads, where that is known.
+[[nodiscard]] VariableFamily numbered_variables(std::span<const ModalGroup> groups,
+                                                std::optional<GroupId> group_twelve);
+[[nodiscard]] std::vector<CallKind> call_kinds();
+
+// Argument specification I, fanuc-custom-macro.md 5.2: the local variable of each letter from A to Z, 0 for
+// none.
+// clang-format off
+//                                                     A  B  C  D  E  F  G  H   I  J  K  L  M   N  O  P  Q   R   S   T   U   V   W   X   Y   Z
+constexpr std::array<std::int32_t, 26> local_of_letter{1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+// clang-format on
+
+/// All controls of the family.
+[[nodiscard]] std::span<const ControlModel> fanuc_controls();
+/// The control of that name, which must exist.
+[[nodiscard]] const ControlModel& fanuc_control(std::string_view name);
+
+/// Whether `M98 P51002` means five times O1002 (program numbers of four digits).
+[[nodiscard]] bool program_word_holds_repeats(const ControlModel& control);
+
+} // namespace maclint::fanuc

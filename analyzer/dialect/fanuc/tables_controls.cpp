@@ -1,0 +1,101 @@
+//! The controls themselves: their limits, and which machine types they come in.
+#include "analyzer/dialect/fanuc/tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace maclint::fanuc {
+namespace {
+
+/// One row of the control table. Every row gives a mill and a lathe, named with "-lathe" behind.
+struct ControlRow {
+    std::string_view name;
+    std::string_view description;
+    bool assumed;
+    Limits limits;
+    bool repeats_in_program_word; ///< M98 P51002 is 5 x O1002
+    bool has_lathe;
+    bool offset_is_group_12; ///< #4012 reads G54-G59
+};
+
+constexpr auto unknown = std::nullopt;
+constexpr std::string_view lathe_suffix = "-lathe";
+
+// clang-format off
+const std::array<ControlRow, 7> rows{{
+    // name          description                              assumed  macro sub together DO  first last [ ] source                                              P rep  lathe  #4012
+    {"fanuc",        "FANUC, series not named",               true,  {4,     4,  unknown, 3,  1,    3,   5,  "as 16i/18i/21i"},                                 true,  true,  false},
+    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4,  unknown, 3,  1,    3,   5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},        true,  true,  false},
+    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4,  unknown, 3,  1,    3,   5,  "TENC-G65; T"},                                    true,  true,  false},
+    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10,  15,      3,  1,    3,   5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                 true,  true,  false},
+    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10,  15,      3,  1,    3,   5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                 true,  true,  false},
+    {"nct",          "NCT 104-M",                             false, {4,     4,  unknown, 3,  1,    3,   5,  "NCT-171; NCT-188; M98 and DO levels unknown"},    true,  false, false},
+    {"haas",         "Haas",                                  false, {9,     9,  unknown, 3,  1,    3,   5,  "T"},                                              false, true,  true},
+}};
+// clang-format on
+
+ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
+    ControlModel control;
+    control.name = row.name;
+    control.description = row.description;
+    control.assumed = row.assumed;
+    control.limits = row.limits;
+    control.spaces = variable_spaces();
+    std::optional<GroupId> group_twelve;
+    const auto work_offset = std::ranges::find(groups, std::string_view("work offset"), &ModalGroup::name);
+    if (row.offset_is_group_12) group_twelve = static_cast<GroupId>(work_offset - groups.begin());
+    control.families = {numbered_variables(groups, group_twelve)};
+    control.groups = std::move(groups);
+    control.calls = call_kinds();
+    for (const std::int32_t local : local_of_letter)
+        if (local != 0) control.formals.push_back({spaces::local, local});
+    control.vacant_equals_zero = false;
+    return control;
+}
+
+std::vector<ControlModel> make_all() {
+    std::vector<ControlModel> controls;
+    for (const ControlRow& row : rows) {
+        controls.push_back(make(row, mill_groups()));
+        if (!row.has_lathe) continue;
+        controls.push_back(make(row, lathe_groups()));
+        controls.back().name += lathe_suffix;
+        controls.back().description += ", lathe with G code system A";
+    }
+    return controls;
+}
+
+} // namespace
+
+std::vector<CallKind> call_kinds() {
+    // clang-format off
+    return {
+        {"G65 macro call",                       Frame::fresh,  Counted::macro,      When::once,              "SEED-001:423"},
+        {"G66 modal macro call",                 Frame::fresh,  Counted::macro,      When::after_each_motion, "SEED-001:466"},
+        {"G66.1 modal macro call",               Frame::fresh,  Counted::macro,      When::after_each_block,  "NCT-171"},
+        {"M98 subprogram call",                  Frame::shared, Counted::subprogram, When::once,              "TENC-G65; CPH-M98"},
+        {"M198 subprogram call",                 Frame::shared, Counted::subprogram, When::once,              "CNCWIKI-SUB"},
+    };
+    // clang-format on
+}
+
+std::span<const ControlModel> fanuc_controls() {
+    static const std::vector<ControlModel> controls = make_all();
+    return controls;
+}
+
+const ControlModel& fanuc_control(std::string_view name) {
+    const auto control = std::ranges::find(fanuc_controls(), name, &ControlModel::name);
+    assert(control != fanuc_controls().end());
+    return *control;
+}
+
+bool program_word_holds_repeats(const ControlModel& control) {
+    std::string_view name = control.name;
+    if (name.ends_with(lathe_suffix)) name.remove_suffix(lathe_suffix.size());
+    const auto* row = std::ranges::find(rows, name, &ControlRow::name);
+    return row == rows.end() || row->repeats_in_program_word;
+}
+
+} // namespace maclint::fanuc

@@ -1,0 +1,118 @@
+//! What the numbers behind `#` stand for.
+#include "analyzer/dialect/fanuc/tables.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace maclint::fanuc {
+namespace {
+
+using enum Meaning;
+using enum OnWrite;
+
+constexpr GroupId modal_groups = 22; ///< #4001-#4022
+
+GroupId row_of(std::span<const ModalGroup> groups, std::string_view name) {
+    const auto row = std::ranges::find(groups, name, &ModalGroup::name);
+    return static_cast<GroupId>(row - groups.begin());
+}
+
+/// #4001-#4022 and their twins in other hundreds: one row a group. Group 12 is G66 on some controls and
+/// G54-G59 on others (Haas, and programs in the wild); where it is not the work offset, nothing is known of
+/// its value.
+void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::string_view what,
+                  std::optional<GroupId> group_twelve) {
+    constexpr GroupId twelve = 11;
+    for (GroupId group = 0; group < modal_groups; ++group) {
+        const std::int32_t number = first + group;
+        const bool known = group != twelve || group_twelve;
+        const GroupId row = group == twelve ? group_twelve.value_or(0) : group;
+        ranges.push_back({number, number, known ? modal : machine, spaces::machine, row, forbidden, false,
+                          what, "SEED-001:1340-1357"});
+    }
+}
+
+} // namespace
+
+std::vector<VariableSpace> variable_spaces() {
+    // clang-format off
+    return {
+        {"local variable",           "#", false, Scope::frame,     Unset::vacant,    "SEED-001:161"},
+        {"common variable",          "#", false, Scope::workspace, Unset::vacant,    "SEED-001:162"},
+        {"retained common variable", "#", false, Scope::retained,  Unset::old_value, "SEED-001:162"},
+        {"system variable",          "#", false, Scope::machine,   Unset::old_value, "SEED-001:163"},
+        {"named variable",           "",  true,  Scope::machine,   Unset::old_value, "2.3: names of the 30i"},
+    };
+    // clang-format on
+}
+
+VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optional<GroupId> group_twelve) {
+    constexpr SpaceId here = spaces::machine;
+    const GroupId feed = row_of(groups, group_names::feed);
+    const GroupId speed = row_of(groups, group_names::speed);
+    const GroupId single_block = row_of(groups, "single-block suppression");
+    const GroupId feed_hold = row_of(groups, "feed-hold suppression");
+    std::vector<VariableRange> ranges;
+    const auto add = [&](const VariableRange& range) { ranges.push_back(range); };
+    // Ranges that exist only as an option, or on one series, are taken to exist. What has no row here and
+    // lies from #1000 upward is a machine value of unknown meaning.
+    // clang-format off
+    //   first    last   meaning  space             group         on write   by itself what                                    source
+    add({    0,      0,  null,    here,             0,            forbidden, false, "null variable",                           "SEED-001:160,198"});
+    add({    1,     33,  place,   spaces::local,    0,            store,     false, "local variable",                          "SEED-001:161"});
+    add({   34,     99,  absent,  here,             0,            forbidden, false, "no variable",                             "SEED-001:161-162"});
+    add({  100,    199,  place,   spaces::common,   0,            store,     false, "common variable",                         "SEED-001:162"});
+    add({  200,    499,  place,   spaces::common,   0,            store,     false, "common variable (option)",                "T"});
+    add({  500,    999,  place,   spaces::retained, 0,            store,     false, "retained common variable",                "SEED-001:162"});
+    add({ 1000,   1031,  machine, here,             0,            forbidden, true,  "input from the PMC",                      "T", true});
+    add({ 1032,   1099,  machine, here,             0,            forbidden, true,  "input word from the PMC",                 "T"});
+    add({ 1100,   1131,  machine, here,             0,            store,     false, "output to the PMC",                       "T; HAAS-LA", true});
+    add({ 1132,   1199,  machine, here,             0,            store,     false, "output word to the PMC",                  "T"});
+    add({ 1200,   1999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
+    add({ 2000,   2999,  machine, here,             0,            store,     false, "tool or work offset",                     "SEED-001:1312-1333; T"});
+    add({ 3000,   3000,  machine, here,             0,            alarm,     false, "macro alarm",                             "CNCCI; ZAPP-ALM"});
+    add({ 3001,   3002,  machine, here,             0,            store,     true,  "timer",                                   "ZAPP-ALM; TENC-SYS"});
+    add({ 3003,   3003,  modal,   here,             single_block, set_modal, false, "single-block suppression",                "SEED-001:214-220"});
+    add({ 3004,   3004,  modal,   here,             feed_hold,    set_modal, false, "feed-hold suppression",                   "SEED-001:226-234"});
+    add({ 3005,   3005,  machine, here,             0,            store,     false, "settings",                                "T"});
+    add({ 3006,   3006,  machine, here,             0,            pause,     false, "stop with a message",                     "ZAPP-ALM; SEED-002:331"});
+    add({ 3007,   3007,  machine, here,             0,            forbidden, false, "mirror image state",                      "T"});
+    add({ 3008,   3010,  machine, here,             0,            forbidden, true,  "program restart",                         "T"});
+    add({ 3011,   3012,  machine, here,             0,            forbidden, true,  "date and time",                           "TENC-SYS"});
+    add({ 3013,   3900,  machine, here,             0,            store,     true,  "machine value",                           "unknown; Haas: tool and spindle data"});
+    add({ 3901,   3902,  machine, here,             0,            store,     true,  "parts counter",                           "TENC-SYS"});
+    add({ 3903,   3999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
+    add({ 4000,   4000,  machine, here,             0,            forbidden, false, "main program number",                     "TENC-SYS"});
+    append_modal(ranges, 4001, "modal G code up to the previous block", group_twelve);
+    add({ 4023,   4108,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1358-1359; T"});
+    add({ 4109,   4109,  modal,   here,             feed,         forbidden, false, "feed F",                                  "SEED-001:1360"});
+    add({ 4110,   4118,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1361-1364"});
+    add({ 4119,   4119,  modal,   here,             speed,        forbidden, false, "spindle speed S",                         "SEED-001:1365"});
+    add({ 4120,   4200,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1366-1367"});
+    append_modal(ranges, 4201, "modal G code of the block being executed", group_twelve);
+    add({ 4223,   4308,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
+    add({ 4309,   4309,  modal,   here,             feed,         forbidden, false, "feed F of the block being executed",      "T; MITSU-331"});
+    add({ 4310,   4318,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
+    add({ 4319,   4319,  modal,   here,             speed,        forbidden, false, "speed S of the block being executed",     "T; MITSU-331"});
+    add({ 4320,   4999,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-389"});
+    add({ 5000,   5020,  machine, here,             0,            forbidden, true,  "block end position",                      "SEED-001:1373"});
+    add({ 5021,   5040,  machine, here,             0,            forbidden, true,  "machine position",                        "SEED-001:1374"});
+    add({ 5041,   5060,  machine, here,             0,            forbidden, true,  "work position",                           "SEED-001:1375"});
+    add({ 5061,   5080,  machine, here,             0,            forbidden, true,  "skip position",                           "SEED-001:1376; NCT-183"});
+    add({ 5081,   5100,  machine, here,             0,            forbidden, true,  "tool length offset in effect",            "SEED-001:1377; NCT-183"});
+    add({ 5101,   5120,  machine, here,             0,            forbidden, true,  "servo deviation",                         "SEED-001:1378"});
+    add({ 5121,   5200,  machine, here,             0,            forbidden, true,  "machine value",                           "T"});
+    add({ 5201,   5220,  machine, here,             0,            store,     false, "external work offset",                    "SEED-001:1383"});
+    add({ 5221,   5400,  machine, here,             0,            store,     false, "work offset",                             "SEED-001:1384-1389"});
+    add({ 5401,   6999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
+    add({ 7000,   7999,  machine, here,             0,            store,     false, "additional work offset",                  "TENC-SYS"});
+    add({ 8000,   9999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
+    add({10000,  19999,  machine, here,             0,            store,     false, "tool offset or additional work offset",   "SEED-001:1312-1335; T"});
+    add({20000,  97999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
+    add({98000,  98499,  place,   spaces::common,   0,            store,     false, "common variable",                         "T"});
+    add({98500, 999999,  machine, here,             0,            store,     true,  "machine value",                           "T: six-digit numbers of the 30i"});
+    // clang-format on
+    return {"#", std::move(ranges)};
+}
+
+} // namespace maclint::fanuc

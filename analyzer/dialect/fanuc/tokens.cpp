@@ -1,0 +1,203 @@
+//! The tokenizer, the word lists, and the search for the word that was meant.
+#include "analyzer/dialect/fanuc/tokens.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint::fanuc {
+namespace {
+
+using Kind = Token::Kind;
+
+constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
+
+constexpr std::array control_words{"IF", "THEN", "GOTO", "WHILE", "DO", "END"};
+constexpr std::array operator_words{"EQ", "NE", "GT", "GE", "LT", "LE", "AND", "OR", "XOR", "MOD", "NOT"};
+constexpr std::array function_words{"SIN",  "COS", "TAN", "ASIN",  "ACOS", "ATAN", "ATN",
+                                    "SQRT", "SQR", "ABS", "ROUND", "RND",  "FIX",  "FUP",
+                                    "LN",   "EXP", "BIN", "BCD",   "ADP",  "POW",  "PRM"};
+constexpr std::array output_words{"POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"};
+
+struct Foreign {
+    std::string_view word, meant;
+};
+
+// Words that other languages have, or that people expect, and what Custom Macro B has for them.
+constexpr Foreign foreign_words[] = {
+    {"LTE", "LE"},       {"GTE", "GE"},      {"LEQ", "LE"},      {"GEQ", "GE"},     {"NEQ", "NE"},
+    {"EQU", "EQ"},       {"EQUAL", "EQ"},    {"EQL", "EQ"},      {"ELSE", ""},      {"ELSEIF", ""},
+    {"ELSIF", ""},       {"ELIF", ""},       {"ENDIF", ""},      {"THN", "THEN"},   {"ENDW", "END"},
+    {"ENDWHILE", "END"}, {"WEND", "END"},    {"GO", "GOTO"},     {"GOTOF", "GOTO"}, {"GOTOB", "GOTO"},
+    {"JUMP", "GOTO"},    {"RETURN", "M99"},  {"RET", "M99"},     {"CALL", "G65 P"}, {"REPEAT", "WHILE"},
+    {"UNTIL", "WHILE"},  {"FOR", "WHILE"},   {"NEXT", "END"},    {"INT", "FIX"},    {"TRUNC", "FIX"},
+    {"ARCTAN", "ATAN"},  {"ARCSIN", "ASIN"}, {"ARCCOS", "ACOS"}, {"MODULO", "MOD"}, {"DIV", "/"},
+};
+
+template<std::size_t N>
+bool holds(const std::array<const char*, N>& words, std::string_view word) {
+    return std::ranges::any_of(words, [&](std::string_view known) { return known == word; });
+}
+
+/// Edits (insert, delete, change, swap of neighbours) between two short words.
+std::size_t distance(std::string_view a, std::string_view b) {
+    constexpr std::size_t longest = 16;
+    if (a.size() > longest || b.size() > longest) return longest;
+    std::array<std::array<std::size_t, longest + 1>, longest + 1> cost{};
+    for (std::size_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
+    for (std::size_t j = 0; j <= b.size(); ++j) cost[0][j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i)
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
+            cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + change});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+        }
+    return cost[a.size()][b.size()];
+}
+
+template<class Visit>
+void for_each_keyword(const Visit& visit) {
+    for (const std::string_view word : control_words) visit(word);
+    for (const std::string_view word : operator_words) visit(word);
+    for (const std::string_view word : function_words) visit(word);
+    for (const std::string_view word : output_words) visit(word);
+}
+
+/// The comparison that begins at `at`: one or two signs.
+Offset comparison_length(std::string_view text, Offset at) {
+    static constexpr std::string_view pairs[] = {"==", "<=", ">=", "=<", "=>", "<>", "!="};
+    for (const std::string_view pair : pairs)
+        if (text.substr(at).starts_with(pair)) return 2;
+    return text[at] == '<' || text[at] == '>' ? 1 : 0;
+}
+
+class Cutter {
+  public:
+    Cutter(std::string_view file, Span block)
+        : text_(file.substr(0, block.end))
+        , at_(block.begin) {}
+
+    std::vector<Token> run() {
+        while (at_ < text_.size()) {
+            const char c = text_[at_];
+            const Offset begin = at_;
+            if (is_blank(c))
+                ++at_;
+            else
+                tokens_.push_back({cut(c), {begin, at_}});
+        }
+        return std::move(tokens_);
+    }
+
+  private:
+    template<class Is>
+    void pass(const Is& is) {
+        while (at_ < text_.size() && is(text_[at_])) ++at_;
+    }
+
+    Kind cut(char c) {
+        if (is_letter(c)) return pass(is_letter), Kind::letters;
+        if (is_digit(c) || c == '.') {
+            pass([](char d) { return is_digit(d) || d == '.'; });
+            return Kind::number;
+        }
+        if (c == '#') return variable();
+        if (c == '(') return comment();
+        if (const Offset length = comparison_length(text_, at_); length != 0)
+            return at_ += length, Kind::comparison;
+        ++at_;
+        switch (c) {
+        case '[': return Kind::open;
+        case ']': return Kind::close;
+        case '=': return Kind::equals;
+        case '+':
+        case '-': return Kind::sign;
+        case '*':
+        case '/': return Kind::operation;
+        case ',': return Kind::comma;
+        default: return Kind::other;
+        }
+    }
+
+    Kind variable() {
+        ++at_;
+        Offset digits = at_;
+        while (digits < text_.size() && is_blank(text_[digits])) ++digits;
+        if (digits >= text_.size() || !is_digit(text_[digits])) return Kind::sharp;
+        at_ = digits;
+        pass(is_digit);
+        return Kind::variable;
+    }
+
+    Kind comment() {
+        pass([](char d) { return d != ')' && d != '\n' && d != '\r'; });
+        if (at_ < text_.size() && text_[at_] == ')') ++at_;
+        return Kind::comment;
+    }
+
+    std::string_view text_;
+    Offset at_;
+    std::vector<Token> tokens_;
+};
+
+} // namespace
+
+std::vector<Token> tokens_of(std::string_view file, Span block) { return Cutter(file, block).run(); }
+
+std::string in_capitals(std::string_view text) {
+    std::string capitals(text);
+    for (char& c : capitals)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return capitals;
+}
+
+bool is_function(std::string_view capitals) { return holds(function_words, capitals); }
+
+bool is_operator_word(std::string_view capitals) { return holds(operator_words, capitals); }
+
+bool is_keyword(std::string_view capitals) {
+    return holds(control_words, capitals) || is_operator_word(capitals) || is_function(capitals) ||
+           holds(output_words, capitals);
+}
+
+std::vector<std::string_view> split_keywords(std::string_view capitals) {
+    // reach[i]: length of the keyword that ends at i and joins a row of keywords from the start, 0 for none.
+    std::vector<std::uint8_t> reach(capitals.size() + 1, 0);
+    for (std::size_t end = 1; end <= capitals.size(); ++end) {
+        constexpr std::size_t longest = 5;
+        for (std::size_t length = std::min(longest, end); length >= 2; --length) {
+            const std::size_t begin = end - length;
+            if ((begin == 0 || reach[begin] != 0) && is_keyword(capitals.substr(begin, length))) {
+                reach[end] = static_cast<std::uint8_t>(length);
+                break;
+            }
+        }
+    }
+    std::vector<std::string_view> words;
+    for (std::size_t end = capitals.size(); end > 0; end -= reach[end]) {
+        if (reach[end] == 0) return {};
+        words.push_back(capitals.substr(end - reach[end], reach[end]));
+    }
+    std::ranges::reverse(words);
+    return words;
+}
+
+Misspelling explain(std::string_view capitals) {
+    const auto* row = std::ranges::find(foreign_words, capitals, &Foreign::word);
+    if (row != std::end(foreign_words)) return {true, std::string(row->meant)};
+    std::string_view nearest;
+    std::size_t least = capitals.size() >= 6 ? 2 : 1;
+    for_each_keyword([&](std::string_view word) {
+        if (word.size() < 3 || capitals.size() < 3) return;
+        const std::size_t edits = distance(capitals, word);
+        if (edits < least + (nearest.empty() ? 1 : 0)) {
+            least = edits;
+            nearest = word;
+        }
+    });
+    return {!nearest.empty(), std::string(nearest)};
+}
+
+} // namespace maclint::fanuc

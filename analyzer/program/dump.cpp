@@ -1,0 +1,230 @@
+//! The printer.
+#include "analyzer/program/dump.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace maclint {
+namespace {
+
+template<class... Cases>
+struct Overloaded : Cases... {
+    using Cases::operator()...;
+};
+template<class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+std::string text_of(double value) {
+    std::array<char, 40> digits{};
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    return {digits.data(), error == std::errc{} ? end : digits.data()};
+}
+
+std::string describe_machine(const Program& program, FamilyId family, std::int32_t number) {
+    return program.control->families[family].name.data() + std::to_string(number);
+}
+
+std::string describe_slice(const Program& program, Slice slice) {
+    std::string out;
+    for (const Effect& effect : program.effects_in(slice)) {
+        if (!out.empty()) out += "; ";
+        out += describe(program, effect);
+    }
+    return out;
+}
+
+std::string describe(const Program& program, const Call& call) {
+    std::string out = "call ";
+    out += program.control->calls[call.kind].name;
+    out += ' ';
+    out += std::visit(Overloaded{[](std::monostate) -> std::string { return "?"; },
+                                 [&](ExpressionId id) { return maclint::describe(program, id); },
+                                 [&](Text name) { return std::string(program.slice(name.characters)); }},
+                      call.program);
+    for (const Argument& argument : program.arguments_of(call)) {
+        out += ' ';
+        out += argument.letter;
+        out += '>' + program.spell(argument.formal) + '=' + maclint::describe(program, argument.value);
+    }
+    if (call.repeat) out += " times " + maclint::describe(program, *call.repeat);
+    return out;
+}
+
+std::string describe(const Program& program, const Structure& structure) {
+    static constexpr std::string_view constructs[] = {"while", "endless", "choice", "selection"};
+    static constexpr std::string_view parts[] = {"open", "middle", "leave", "close"};
+    std::string out(parts[static_cast<std::size_t>(structure.part)]);
+    out += ' ';
+    out += constructs[static_cast<std::size_t>(structure.construct)];
+    if (structure.number) out += ' ' + std::to_string(*structure.number);
+    if (structure.condition) out += ' ' + maclint::describe(program, *structure.condition);
+    return out;
+}
+
+std::string describe(const Program& program, const UnreadableBlock& block) {
+    std::string out = "unreadable";
+    for (const Place place : block.may_write) out += " writes " + program.spell(place);
+    for (const std::int64_t label : block.may_jump) out += " jumps " + std::to_string(label);
+    if (block.may_open_or_close) out += " opens-or-closes";
+    if (block.may_call_or_return) out += " calls-or-returns";
+    return out;
+}
+
+std::string describe(const Program& program, const Assign& assign) {
+    const std::string target = std::visit(
+        Overloaded{[&](Place place) { return program.spell(place); },
+                   [&](const StoreAt& at) { return "#[" + maclint::describe(program, at.index) + "]"; },
+                   [&](const StoreMachine& at) {
+                       return "machine " + describe_machine(program, at.family, at.number);
+                   }},
+        assign.target);
+    return target + " := " + maclint::describe(program, assign.value);
+}
+
+std::string describe(const Program& program, const Block& block) {
+    std::string out;
+    if (block.sequence_number) out += 'N' + std::to_string(*block.sequence_number) + ' ';
+    for (unsigned level = 0; level < 16; ++level)
+        if ((block.skip_levels >> level & 1U) != 0) out += '/' + std::to_string(level) + ' ';
+    out += describe_slice(program, block.effects);
+    return out;
+}
+
+std::string describe(const Program& program, const Run& run) {
+    std::string out = "run of " + std::to_string(run.blocks);
+    if (run.has_sequence_numbers) out += " numbered";
+    if (run.moves) out += " moving";
+    for (const ModalSetting& setting : program.net_of(run)) {
+        out += ", ";
+        out += program.control->groups[setting.group].name;
+        out += '=' + text_of(setting.value);
+    }
+    return out;
+}
+
+} // namespace
+
+std::string_view name_of(Operation operation) {
+    static constexpr std::string_view names[] = {
+        "add",     "subtract", "multiply",  "divide",  "modulo",     "power",   "negate",
+        "bit-and", "bit-or",   "bit-xor",   "bit-not", "all-of",     "any-of",  "one-of",
+        "not",     "equal",    "not-equal", "less",    "less-equal", "greater", "greater-equal",
+        "vacant?", "set?",     "sin",       "cos",     "tan",        "asin",    "acos",
+        "atan",    "atan2",    "sqrt",      "abs",     "round",      "fix",     "fup",
+        "ln",      "exp",      "bin",       "bcd",     "adp",        "unknown"};
+    static_assert(std::size(names) == static_cast<std::size_t>(Operation::unknown) + 1);
+    return names[static_cast<std::size_t>(operation)];
+}
+
+std::string_view name_of(Irregular irregular) {
+    static constexpr std::string_view names[] = {"oversized-block",
+                                                 "unterminated-comment",
+                                                 "parenthesis-as-bracket",
+                                                 "bracket-mismatch",
+                                                 "unknown-keyword",
+                                                 "symbolic-comparison",
+                                                 "bracket-depth",
+                                                 "assignment-to-null",
+                                                 "loop-without-do",
+                                                 "call-without-program",
+                                                 "unreadable"};
+    static_assert(std::size(names) == static_cast<std::size_t>(Irregular::unreadable) + 1);
+    return names[static_cast<std::size_t>(irregular)];
+}
+
+std::string describe(const Program& program, ExpressionId expression) {
+    const auto apply = [&](const Apply& node) {
+        std::string out(name_of(node.operation));
+        out += '(';
+        bool first = true;
+        for (const ExpressionId operand : program.operands_of(node)) {
+            if (!first) out += ", ";
+            first = false;
+            out += describe(program, operand);
+        }
+        return out + ')';
+    };
+    return std::visit(
+        Overloaded{[](const Literal& node) { return text_of(node.value) + (node.decimal_point ? "." : ""); },
+                   [&](const Text& node) { return '"' + std::string(program.slice(node.characters)) + '"'; },
+                   [](Vacant) { return std::string("vacant"); },
+                   [&](const Load& node) { return program.spell(node.place); },
+                   [&](const LoadAt& node) { return "#[" + describe(program, node.index) + "]"; },
+                   [&](const LoadModal& node) {
+                       return "modal(" + std::string(program.control->groups[node.group].name) + ")";
+                   },
+                   [&](const LoadMachine& node) {
+                       return "machine " + describe_machine(program, node.family, node.number);
+                   },
+                   apply, [](Unreadable) { return std::string("unreadable"); }},
+        program.expressions[expression].node);
+}
+
+std::string describe(const Program& program, const Effect& effect) {
+    const auto optional = [&](std::string_view before, const std::optional<ExpressionId>& id) {
+        return id ? std::string(before) + describe(program, *id) : std::string();
+    };
+    return std::visit(
+        Overloaded{
+            [&](const Assign& what) { return describe(program, what); },
+            [&](const SetModal& what) {
+                const std::string group(what.group ? program.control->groups[*what.group].name : "modal");
+                return group + '=' + describe(program, what.value);
+            },
+            [&](const Values& values) {
+                std::string text = "values";
+                for (const ExpressionId value : program.values_of(values))
+                    text += ' ' + describe(program, value);
+                return text;
+            },
+            [](Motion) { return std::string("move"); },
+            [](Synchronise) { return std::string("synchronise"); },
+            [&](const Stop& what) {
+                static constexpr std::string_view kinds[] = {"alarm", "pause", "end"};
+                return std::string(kinds[static_cast<std::size_t>(what.kind)]) + optional(" ", what.number);
+            },
+            [](ToolChange) { return std::string("tool change"); },
+            [&](const Structure& what) { return describe(program, what); },
+            [&](const Jump& what) { return "jump " + describe(program, what.target); },
+            [&](const Call& what) { return describe(program, what); },
+            [](EndModalCall) { return std::string("end modal call"); },
+            [&](const Return& what) {
+                return "return" + optional(" ", what.value) + optional(" to ", what.resume_label);
+            },
+            [&](const Exchange& what) {
+                std::string out = "exchange";
+                for (const ExpressionId id : what.out) out += " out " + describe(program, id);
+                for (const Place place : what.in) out += " in " + program.spell(place);
+                return out;
+            },
+            [&](const Guarded& what) {
+                return "if " + describe(program, what.condition) + " {" +
+                       describe_slice(program, what.effects) + "}";
+            },
+            [&](const UnreadableBlock& what) { return describe(program, what); }},
+        effect.what);
+}
+
+std::string describe(const Program& program) {
+    std::string out;
+    for (const Item& item : program.items) {
+        out += std::visit([&](const auto& part) { return describe(program, part); }, item);
+        out += '\n';
+    }
+    return out;
+}
+
+std::string describe(const ProgramFile& file) {
+    std::string out;
+    for (const Program& program : file.programs) out += program.name + ":\n" + describe(program);
+    for (const Irregularity& irregularity : file.irregularities) {
+        out += "! ";
+        out += name_of(irregularity.kind);
+        out += " '" + irregularity.subject + "'";
+        if (!irregularity.cure.empty()) out += " -> " + irregularity.cure;
+        out += '\n';
+    }
+    return out;
+}
+
+} // namespace maclint

@@ -1,0 +1,33 @@
+//! Programs made to measure: deterministic NC text of any size and shape for benchmarks and scaling tests.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace maclint::bench {
+
+/// A 3D finishing job as a CAM system posts it: raster passes of short lines in X Y Z, arcs at the turns, a
+/// tool change every 20,000 lines. Every second tool has N numbers. At least `bytes` long, at most one pass
+/// more.
+[[nodiscard]] std::string cam_output(std::size_t bytes);
+
+/// A tape of macro programs of 30 to 60 lines (checks, saved modal state, loops, jumps, canned cycles), every
+/// one callable with G65. Each calls only the helper macros at the head of the tape. At least `bytes` long,
+/// at most one program more.
+[[nodiscard]] std::string macro_code(std::size_t bytes);
+
+/// One main program with `jumps` GOTO statements: short ones forward, long ones forward, counted ones
+/// backward.
+[[nodiscard]] std::string one_program_with_jumps(std::size_t jumps);
+
+/// One main program that assigns `variables` different variables (common, then by index) and reads each of
+/// them, with a branch after every eighth.
+[[nodiscard]] std::string one_program_with_variables(std::size_t variables);
+
+/// A main program and `depth` macros under it, each called by the one before.
+[[nodiscard]] std::string call_chain(std::size_t depth);
+
+/// Exactly `bytes` bytes that look like NC text to a lexer and to nobody else; the same for the same seed.
+[[nodiscard]] std::string line_noise(std::size_t bytes, unsigned seed);
+
+} // namespace maclint::bench

@@ -1,0 +1,119 @@
+//! `./dev bench`: speed beside the parser alone, peak memory, and growth from n to 2n.
+#include "bench/generate.hpp"
+#include "bench/pipeline.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+using maclint::bench::lint;
+
+constexpr std::size_t megabyte = 1'000'000;
+
+std::vector<std::string> a_thousand(const std::function<std::string(std::size_t)>& make, std::size_t bytes) {
+    return std::vector<std::string>(1000, make(bytes / 1000));
+}
+
+void measure(benchmark::State& state, const std::vector<std::string>& files,
+             const std::function<void()>& work) {
+    std::size_t bytes = 0;
+    for (const std::string& file : files) bytes += file.size();
+    for ([[maybe_unused]] auto round : state) work();
+    state.SetBytesProcessed(static_cast<std::int64_t>(bytes) * state.iterations());
+}
+
+void register_speed(const std::string& name, std::vector<std::string> files) {
+    const auto work = [files] { benchmark::DoNotOptimize(lint(files)); };
+    benchmark::RegisterBenchmark((name + "/maclint").c_str(), [files, work](benchmark::State& state) {
+        measure(state, files, work);
+    })->Unit(benchmark::kMillisecond);
+    const auto parse = [files] {
+        for (const std::string& file : files)
+            benchmark::DoNotOptimize(maclint::bench::parse_in_one_piece(file));
+    };
+    benchmark::RegisterBenchmark((name + "/parser_alone").c_str(), [files, parse](benchmark::State& state) {
+        measure(state, files, parse);
+    })->Unit(benchmark::kMillisecond);
+}
+
+/// Peak memory in bytes of a child process that does the work; 0 when there is no child to be had.
+std::size_t peak_memory(const std::function<void()>& work) {
+    const pid_t child = fork();
+    if (child < 0) return 0;
+    if (child == 0) {
+        work();
+        _exit(0);
+    }
+    rusage usage{};
+    int status = 0;
+    if (wait4(child, &status, 0, &usage) != child) return 0;
+    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+void print_memory(const char* name, std::size_t bytes, const std::function<std::string(std::size_t)>& make) {
+    // The text is made in the child, too: what it costs to hold it once is taken off.
+    const std::size_t empty = peak_memory([&] { benchmark::DoNotOptimize(make(bytes)); });
+    const std::size_t full = peak_memory([&] {
+        const std::vector<std::string> files{make(bytes)};
+        benchmark::DoNotOptimize(lint(files));
+    });
+    const double extra = static_cast<double>(full) - static_cast<double>(empty);
+    std::printf("%-28s %8.1f MB of text: %8.1f MB beside the text itself (%.2f bytes a byte)\n", name,
+                static_cast<double>(bytes) / 1e6, extra / 1e6, extra / static_cast<double>(bytes));
+}
+
+double seconds(const std::function<void()>& work) {
+    double best = 1e9;
+    for (int round = 0; round < 3; ++round) {
+        const auto begin = std::chrono::steady_clock::now();
+        work();
+        best =
+            std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    }
+    return best;
+}
+
+void print_growth(const char* name, std::size_t n, const std::function<std::string(std::size_t)>& make) {
+    const std::vector<std::string> once{make(n)};
+    const std::vector<std::string> twice{make(2 * n)};
+    const double a = seconds([&] { benchmark::DoNotOptimize(lint(once)); });
+    const double b = seconds([&] { benchmark::DoNotOptimize(lint(twice)); });
+    std::printf("%-28s n = %8zu: %8.1f ms, 2n: %8.1f ms, growth %.2f\n", name, n, a * 1e3, b * 1e3, b / a);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    namespace make = maclint::bench;
+    std::printf("Peak memory\n");
+    print_memory("CAM output", 50 * megabyte, make::cam_output);
+    print_memory("macro code", 2 * megabyte, make::macro_code);
+    std::printf("\nGrowth from n to 2n (best of three)\n");
+    print_growth("size, CAM output (bytes)", 10 * megabyte, make::cam_output);
+    print_growth("size, macro code (bytes)", megabyte, make::macro_code);
+    print_growth("jumps", 4000, make::one_program_with_jumps);
+    print_growth("variables", 4000, make::one_program_with_variables);
+    print_growth("call depth", 1000, make::call_chain);
+    print_growth("line noise (bytes)", megabyte / 2,
+                 [](std::size_t bytes) { return make::line_noise(bytes, 1); });
+    std::printf("\nSpeed, beside the parser alone on the same text in one piece\n");
+    std::fflush(stdout);
+    register_speed("cam/one_file", {make::cam_output(10 * megabyte)});
+    register_speed("cam/thousand_files", a_thousand(make::cam_output, 10 * megabyte));
+    register_speed("macro/one_file", {make::macro_code(2 * megabyte)});
+    register_speed("macro/thousand_files", a_thousand(make::macro_code, 4 * megabyte));
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}

@@ -1,0 +1,43 @@
+//! Runs the layers one after the other, without files.
+#include "bench/pipeline.hpp"
+
+#include "analyzer/dialect/dialect.hpp"
+#include "analyzer/workspace/workspace.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+#include <tree_sitter/api.h>
+
+extern "C" const TSLanguage* tree_sitter_fanuc();
+
+namespace maclint::bench {
+
+std::size_t lint(const std::vector<std::string>& files) {
+    const Dialect& dialect = *find_dialect("fanuc");
+    const ControlModel& control = *find_control(dialect.default_control);
+    std::vector<WorkspaceFile> workspace;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        auto source = std::make_shared<const Source>(
+            Source::from_bytes("bench/" + std::to_string(i) + ".nc", files[i]));
+        workspace.push_back(
+            {std::make_shared<const ProgramFile>(dialect.read(std::move(source), control)), true});
+    }
+    const auto analysed = Workspace::analyse(std::move(workspace), {.complete = false, .jobs = 1});
+    Selection selection;
+    std::ranges::copy_if(all_rules(), std::back_inserter(selection.rules), &Rule::on_by_default);
+    return run_rules(*analysed, selection, 1).size();
+}
+
+std::size_t parse_in_one_piece(const std::string& text) {
+    const std::unique_ptr<TSParser, decltype(&ts_parser_delete)> parser(ts_parser_new(), &ts_parser_delete);
+    ts_parser_set_language(parser.get(), tree_sitter_fanuc());
+    const std::unique_ptr<TSTree, decltype(&ts_tree_delete)> tree(
+        ts_parser_parse_string(parser.get(), nullptr, text.data(), static_cast<std::uint32_t>(text.size())),
+        &ts_tree_delete);
+    return ts_node_child_count(ts_tree_root_node(tree.get()));
+}
+
+} // namespace maclint::bench

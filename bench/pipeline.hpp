@@ -1,0 +1,16 @@
+//! The whole of maclint on text in memory, and the parser alone: the two things that benchmarks compare.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace maclint::bench {
+
+/// Reads, analyses and runs all default rules over the files as one workspace; the number of findings.
+[[nodiscard]] std::size_t lint(const std::vector<std::string>& files);
+
+/// tree-sitter with our Fanuc grammar on the text in one piece; the number of nodes under the root.
+[[nodiscard]] std::size_t parse_in_one_piece(const std::string& text);
+
+} // namespace maclint::bench

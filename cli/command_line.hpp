@@ -1,0 +1,65 @@
+//! What the user asked for.
+#pragma once
+
+#include "cli/config/settings.hpp"
+#include "cli/report/report.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace maclint::cli {
+
+enum class Format : std::uint8_t { text, concise, json, sarif };
+
+/// One place where a report goes.
+struct Sink {
+    Format format;
+    std::string path; ///< "-": standard output
+};
+
+enum class ColourChoice : std::uint8_t { automatic, always, never };
+enum class ShowConfig : std::uint8_t { no, yes };
+
+struct CheckRequest {
+    std::vector<std::string> paths;
+    std::vector<Sink> sinks;
+    Overrides overrides;
+    ShowConfig show_config = ShowConfig::no;
+    std::string stdin_name;
+    unsigned jobs = 1;
+    std::optional<Severity> fail_on; ///< nothing: never
+    std::optional<std::size_t> max_findings;
+    ColourChoice colour = ColourChoice::automatic;
+    bool quiet = false;
+    bool timestamps = true;
+};
+
+enum class ListFormat : std::uint8_t { text, json, markdown };
+struct RulesRequest {
+    ListFormat format = ListFormat::text;
+    std::string docs_folder; ///< write pages there instead; empty: no
+};
+
+struct ExplainRequest {
+    std::string rule;
+};
+
+/// Text to be printed instead of doing anything: help, version.
+struct PrintRequest {
+    std::string text;
+};
+
+struct UsageError {
+    std::string message; ///< "what. Cure."
+};
+
+using Request = std::variant<CheckRequest, RulesRequest, ExplainRequest, PrintRequest, UsageError>;
+
+/// `arguments` without the program's name.
+[[nodiscard]] Request read_command_line(std::vector<std::string> arguments);
+
+} // namespace maclint::cli

@@ -1,0 +1,149 @@
+//! `maclint check`: find files, read, lint, report.
+#include "cli/commands/commands.hpp"
+#include "cli/commands/show_config.hpp"
+#include "cli/lint.hpp"
+#include "cli/terminal.hpp"
+#include "cli/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <iterator>
+
+namespace maclint::cli {
+namespace {
+
+std::string utc_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    std::array<char, 32> text{};
+    const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return {text.data(), length};
+}
+
+/// A --config that is wrong, or a --control that neither maclint nor the configuration knows, ends the run.
+std::optional<Notice> refuse_settings(const Overrides& overrides, Settings& settings) {
+    const auto here = settings.for_folder(".");
+    if (!overrides.config_path.empty() && !here) return settings.take_notices().front();
+    if (overrides.control.empty() || find_control(overrides.control) != nullptr) return std::nullopt;
+    const Configuration* configuration = here ? here->get() : nullptr;
+    if (configuration != nullptr && configuration->control(overrides.control) != nullptr) return std::nullopt;
+    auto known = control_names();
+    if (configuration != nullptr)
+        for (const auto& own : configuration->controls) known.push_back(own.first);
+    return Notice{NoticeKind::configuration, "",
+                  "--control does not know '" + overrides.control + "'." +
+                      did_you_mean(overrides.control, known, "Known are " + enumerate(known) + ".")};
+}
+
+/// The files that were asked for, and with single files those around them.
+std::vector<InputFile> inputs_of(const CheckRequest& request, Settings& settings,
+                                 std::vector<Notice>& notices) {
+    Discovered found = discover(request.paths, request.stdin_name, settings);
+    std::ranges::move(found.notices, std::back_inserter(notices));
+    const bool only_files =
+        !found.files.empty() &&
+        std::ranges::all_of(found.files, [](const InputFile& file) { return file.named; });
+    if (!only_files) return std::move(found.files);
+    Discovered around = discover_context(found.files, settings);
+    std::ranges::move(around.notices, std::back_inserter(notices));
+    std::ranges::move(around.files, std::back_inserter(found.files));
+    std::ranges::stable_sort(found.files, {}, &InputFile::path);
+    return std::move(found.files);
+}
+
+/// What was not asked for is nobody's concern.
+void collect_notices(const std::vector<ReadFile>& files, std::vector<Notice>& notices) {
+    for (const ReadFile& file : files)
+        if (file.notice && file.input.asked) notices.push_back(*file.notice);
+    std::ranges::stable_sort(notices, {}, &Notice::path);
+}
+
+bool fails(const Report& report, std::optional<Severity> fail_on) {
+    return fail_on && std::ranges::any_of(report.findings, [&](const JudgedFinding& judged) {
+               return !judged.suppressed && judged.finding.severity >= *fail_on;
+           });
+}
+
+void cut(Report& report, std::size_t most) {
+    std::size_t kept = 0;
+    std::erase_if(report.findings, [&](const JudgedFinding& judged) {
+        if (judged.suppressed || ++kept <= most) return false;
+        ++report.not_shown;
+        return true;
+    });
+}
+
+Report report_of(const CheckRequest& request, const std::vector<ReadFile>& files, LintResult& result,
+                 std::vector<Notice> notices) {
+    Report report;
+    report.findings = std::move(result.findings);
+    report.notices = std::move(notices);
+    for (const ReadFile& file : files)
+        if (file.file && file.input.asked) report.files.push_back(file.file.get());
+    if (fails(report, request.fail_on)) report.exit_status = exit_findings;
+    if (std::ranges::any_of(report.notices, &Notice::is_error)) report.exit_status = exit_error;
+    if (request.max_findings) cut(report, *request.max_findings);
+    return report;
+}
+
+std::string write(const Report& report, Format format, const TextStyle& style) {
+    switch (format) {
+    case Format::text: return write_text(report, style);
+    case Format::concise: return write_concise(report, style);
+    case Format::json: return write_json(report);
+    case Format::sarif: return write_sarif(report);
+    }
+    return {};
+}
+
+/// Standard output comes last: a report that could not be written is an error that all others tell of.
+int deliver(const CheckRequest& request, Report report) {
+    const Summary summary = request.quiet ? Summary::left_out : Summary::at_the_end;
+    auto sinks = request.sinks;
+    std::ranges::stable_partition(sinks, [](const Sink& sink) { return sink.path != "-"; });
+    for (const Sink& sink : sinks) {
+        const bool printed = sink.path == "-";
+        const Colour colour = printed ? colour_for_output(request.colour) : Colour::plain;
+        if (auto failure = write_to(sink.path, write(report, sink.format, {colour, summary}))) {
+            print_notice(*failure);
+            report.exit_status = exit_error;
+            report.notices.push_back(*std::move(failure));
+        }
+    }
+    return report.exit_status;
+}
+
+} // namespace
+
+int run_check(const CheckRequest& request) {
+    const std::string begin = utc_now();
+    Settings settings(request.overrides);
+    if (const auto refused = refuse_settings(request.overrides, settings)) {
+        print_notice(*refused);
+        return exit_error;
+    }
+    const bool watched = error_is_terminal() && !request.quiet;
+    std::optional<Progress> progress(std::in_place,
+                                     watched ? Progress::Shown::when_long : Progress::Shown::never);
+    std::vector<Notice> notices;
+    auto inputs = inputs_of(request, settings, notices);
+    const auto files = read_files(std::move(inputs), settings, request.jobs, *progress);
+    LintResult result;
+    if (request.show_config == ShowConfig::no) result = lint(files, settings, request.jobs, *progress);
+    std::ranges::move(settings.take_notices(), std::back_inserter(notices));
+    collect_notices(files, notices);
+    progress.reset();
+    for (const Notice& notice : notices)
+        if (notice.is_error() || !request.quiet) print_notice(notice);
+    Report report = report_of(request, files, result, std::move(notices));
+    if (request.show_config == ShowConfig::yes) {
+        const int printed = print_text(show_config(files));
+        return std::max(printed, report.exit_status);
+    }
+    if (request.timestamps) report.times = RunTimes{begin, utc_now()};
+    return deliver(request, std::move(report));
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,12 @@
+//! The commands; each gives the exit status.
+#pragma once
+
+#include "cli/command_line.hpp"
+
+namespace maclint::cli {
+
+[[nodiscard]] int run_check(const CheckRequest& request);
+[[nodiscard]] int run_rules_command(const RulesRequest& request);
+[[nodiscard]] int run_explain(const ExplainRequest& request);
+
+} // namespace maclint::cli

@@ -1,0 +1,17 @@
+//! `maclint explain RULE`.
+#include "cli/commands/commands.hpp"
+#include "cli/config/selection.hpp"
+#include "cli/report/page.hpp"
+#include "cli/terminal.hpp"
+#include "cli/words.hpp"
+
+namespace maclint::cli {
+
+int run_explain(const ExplainRequest& request) {
+    if (const Rule* rule = find_rule(request.rule)) return print_text(plain_page(*rule));
+    print_error("there is no rule '" + shown(request.rule) + "'." +
+                did_you_mean(request.rule, rule_words(), "See 'maclint rules' for the list."));
+    return exit_error;
+}
+
+} // namespace maclint::cli

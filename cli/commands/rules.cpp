@@ -1,0 +1,87 @@
+//! `maclint rules`: the list, and the pages of the documentation.
+#include "cli/commands/commands.hpp"
+#include "cli/config/selection.hpp"
+#include "cli/report/page.hpp"
+#include "cli/terminal.hpp"
+#include "cli/words.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+namespace maclint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_list() {
+    std::size_t widest = 0;
+    for (const Rule* rule : all_rules()) widest = std::max(widest, rule->name.size());
+    std::string out;
+    std::string_view family;
+    for (const Rule* rule : all_rules()) {
+        if (family_of(*rule) != family) {
+            family = family_of(*rule);
+            out += (out.empty() ? "" : "\n") + std::string(family) + "\n";
+        }
+        std::string severity(name_of(rule->severity));
+        severity.resize(7, ' ');
+        out += "  " + std::string(rule->code) + " " + std::string(rule->name) +
+               std::string(widest - rule->name.size() + 1, ' ') + severity +
+               (rule->on_by_default ? "      " : "  off ") + std::string(rule->summary) + "\n";
+    }
+    return out + "\nOff: only with --select. 'maclint explain RULE' tells more.\n";
+}
+
+std::string json_list() {
+    auto list = nlohmann::ordered_json::array();
+    for (const Rule* rule : all_rules())
+        list.push_back({{"code", rule->code},
+                        {"name", rule->name},
+                        {"aliases", rule->aliases},
+                        {"family", family_of(*rule)},
+                        {"summary", rule->summary},
+                        {"why", rule->why},
+                        {"severity", name_of(rule->severity)},
+                        {"precision", name_of(rule->precision)},
+                        {"on_by_default", rule->on_by_default}});
+    return list.dump(2) + "\n";
+}
+
+/// Pages of rules that are gone, so that the folder shows what there is.
+void remove_old_pages(const fs::path& folder) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        const bool ours = (name.starts_with("MAC") || name.starts_with("DIN")) && name.ends_with(".md");
+        if (ours && find_rule(name.substr(0, name.size() - 3)) == nullptr) fs::remove(entry.path(), ignored);
+    }
+}
+
+int write_docs(const std::string& folder) {
+    std::error_code ignored;
+    fs::create_directories(folder, ignored);
+    remove_old_pages(folder);
+    auto failure = write_to((fs::path(folder) / "README.md").string(), markdown_index());
+    for (const Rule* rule : all_rules())
+        if (!failure)
+            failure = write_to((fs::path(folder) / page_name(*rule)).string(), markdown_page(*rule));
+    if (!failure) return exit_clean;
+    print_notice(*failure);
+    return exit_error;
+}
+
+} // namespace
+
+int run_rules_command(const RulesRequest& request) {
+    if (!request.docs_folder.empty()) return write_docs(request.docs_folder);
+    switch (request.format) {
+    case ListFormat::text: return print_text(text_list());
+    case ListFormat::json: return print_text(json_list());
+    case ListFormat::markdown: return print_text(markdown_index());
+    }
+    return exit_error;
+}
+
+} // namespace maclint::cli

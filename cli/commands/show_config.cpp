@@ -1,0 +1,78 @@
+//! One paragraph a file.
+#include "cli/commands/show_config.hpp"
+
+#include "cli/words.hpp"
+
+#include <map>
+
+namespace maclint::cli {
+namespace {
+
+std::string line(std::string_view name, const std::string& value) {
+    std::string label(name);
+    label.resize(15, ' ');
+    return "  " + label + value + "\n";
+}
+
+std::string with_reason(std::string_view value, const std::string& reason) {
+    return shown(value) + (reason.empty() ? "" : " (" + shown(reason) + ")");
+}
+
+std::string control_line(const ReadFile& file) {
+    const ControlModel* control = file.file ? file.file->control : file.settings.control;
+    if (control == nullptr) return line("control", "none");
+    const std::string reason =
+        file.settings.control_reason.empty() ? "assumed for the dialect" : file.settings.control_reason;
+    return line("control", with_reason(control->name + ", " + control->description, reason));
+}
+
+/// Rules whose state is not the one they come with, by reason.
+std::string changed_rules(const RuleStates& rules) {
+    const RuleStates standard;
+    std::map<std::string, std::string> by_reason;
+    for (const Rule* rule : all_rules()) {
+        const RuleState& state = rules.of(*rule);
+        std::string& list = by_reason[state.reason];
+        const std::string code(rule->code);
+        if (state.on != standard.of(*rule).on)
+            list += (list.empty() ? "" : ", ") + code + (state.on ? " on" : " off");
+        if (state.severity != rule->severity)
+            list += (list.empty() ? "" : ", ") + code + " " + std::string(name_of(state.severity));
+    }
+    std::string out;
+    for (const auto& [reason, list] : by_reason)
+        if (!list.empty()) out += line("", list + " (" + reason + ")");
+    return out;
+}
+
+std::string rules_lines(const RuleStates& rules) {
+    std::size_t on = 0;
+    for (const RuleState& state : rules.all()) on += state.on ? 1 : 0;
+    return line("rules", std::to_string(on) + " of " + std::to_string(rules.all().size()) + " on") +
+           changed_rules(rules);
+}
+
+} // namespace
+
+std::string show_config(const std::vector<ReadFile>& files) {
+    std::string out;
+    for (const ReadFile& file : files) {
+        if (!file.input.asked) continue;
+        out += shown(file.input.path) + "\n";
+        const auto& configuration = file.settings.configuration;
+        out += line("configuration", configuration ? shown(configuration->path) : "none");
+        if (file.dialect == nullptr) {
+            out += line("dialect", with_reason("none, not linted", file.dialect_reason));
+            continue;
+        }
+        out += line("dialect", with_reason(file.dialect->name, file.dialect_reason));
+        out += control_line(file);
+        if (file.file)
+            out +=
+                line("encoding", file.file->source->encoding() == Encoding::utf8 ? "utf-8" : "windows-1252");
+        out += rules_lines(*file.settings.rules);
+    }
+    return out;
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,76 @@
+//! What a .maclint.json says.
+#pragma once
+
+#include "analyzer/program/tables.hpp"
+#include "analyzer/source/encoding.hpp"
+#include "analyzer/source/source.hpp"
+#include "cli/notice.hpp"
+#include "rules/finding.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace maclint::cli {
+
+/// The name of the file that is looked for.
+inline constexpr std::string_view configuration_name = ".maclint.json";
+
+/// A word for rules and the place where it stands, for MAC002.
+struct RuleWord {
+    std::string word;
+    std::size_t source; ///< which of Configuration::sources it stands in
+    Span span;
+};
+
+/// An entry of "files": what the matching files are written for.
+struct FileEntry {
+    std::string glob;
+    std::string control; ///< empty: not said
+    std::string dialect; ///< empty: not said
+};
+
+struct PerFileIgnore {
+    std::string glob;
+    std::vector<RuleWord> rules;
+};
+
+struct SeverityEntry {
+    RuleWord rules;
+    Severity severity;
+};
+
+/// One configuration with what it extends. Globs are relative to `folder`.
+struct Configuration {
+    std::string path;            ///< as it is shown
+    std::string folder;          ///< absolute
+    std::vector<Source> sources; ///< the file itself, then those it extends
+    std::map<std::string, std::shared_ptr<const ControlModel>, std::less<>> controls;
+    std::vector<FileEntry> files;
+    std::vector<std::string> include, exclude;
+    std::optional<std::vector<RuleWord>> select;
+    std::vector<RuleWord> ignore;
+    std::vector<SeverityEntry> severity;
+    std::vector<PerFileIgnore> per_file_ignores;
+    std::optional<Encoding> encoding;
+    bool complete = false;
+
+    /// Of this configuration or of those built in, or nullptr.
+    [[nodiscard]] const ControlModel* control(std::string_view name) const;
+    /// Every word that stands where rules are named.
+    [[nodiscard]] std::vector<const RuleWord*> rule_words() const;
+};
+
+/// Reads a configuration file and what it extends.
+[[nodiscard]] std::variant<std::shared_ptr<const Configuration>, Notice>
+load_configuration(const std::string& path);
+
+/// Names that "control" and --control may take besides those of a configuration.
+[[nodiscard]] std::vector<std::string> control_names();
+/// Names that "dialect" and --dialect may take besides "auto".
+[[nodiscard]] std::vector<std::string> dialect_names();
+
+} // namespace maclint::cli

@@ -1,0 +1,364 @@
+//! Reads .maclint.json: every key is known, every value is of its kind, or the user is told where and what
+//! instead.
+#include "analyzer/dialect/dialect.hpp"
+#include "cli/config/configuration.hpp"
+#include "cli/config/json_tree.hpp"
+#include "cli/config/selection.hpp"
+#include "cli/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace maclint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_chain = 16; ///< files that extend each other
+
+/// Why loading stopped. Thrown from deep inside a tree, caught by load_configuration.
+struct Rejected {
+    Notice notice;
+};
+
+class Loader {
+  public:
+    std::shared_ptr<const Configuration> load(const std::string& path) {
+        configuration_->path = path;
+        configuration_->folder = fs::absolute(path).lexically_normal().parent_path().string();
+        read(path);
+        return configuration_;
+    }
+
+  private:
+    using Reader = void (Loader::*)(const JsonNode&);
+    struct Key {
+        std::string_view name;
+        Reader reader;
+    };
+
+    /// The keys of the top level.
+    static const std::array<Key, 12>& keys() {
+        static constexpr std::array<Key, 12> rows{{
+            {"$schema", &Loader::skip},
+            {"extends", &Loader::skip},
+            {"controls", &Loader::read_controls},
+            {"files", &Loader::read_files},
+            {"include", &Loader::read_include},
+            {"exclude", &Loader::read_exclude},
+            {"select", &Loader::read_select},
+            {"ignore", &Loader::read_ignore},
+            {"severity", &Loader::read_severity},
+            {"per-file-ignores", &Loader::read_per_file_ignores},
+            {"complete", &Loader::read_complete},
+            {"encoding", &Loader::read_encoding},
+        }};
+        return rows;
+    }
+
+    void read(const std::string& path) {
+        const auto source = open(path);
+        configuration_->sources.push_back(source);
+        const auto parsed = parse_json(source.bytes());
+        if (const auto* error = std::get_if<JsonError>(&parsed))
+            reject({error->at, error->at}, error->message + ". Correct it");
+        const auto& root = std::get<JsonNode>(parsed);
+        const auto& members = object(root, "the configuration");
+        for (const JsonMember& member : members) {
+            const auto* const key = std::ranges::find(keys(), member.key, &Key::name);
+            if (key == keys().end()) reject_key(member, names(keys()));
+            // The nearer file was read before the one that it extends: what is there stays.
+            if (std::ranges::find(seen_, member.key) != seen_.end() && !is_merged(member.key)) continue;
+            (this->*key->reader)(member.node);
+        }
+        for (const JsonMember& member : members) seen_.push_back(member.key);
+        const auto extends = std::ranges::find(members, "extends", &JsonMember::key);
+        if (extends != members.end()) extend(extends->node, path);
+    }
+
+    static bool is_merged(std::string_view key) {
+        return key == "controls" || key == "severity" || key == "per-file-ignores";
+    }
+
+    Source open(const std::string& path) {
+        auto result = Source::read_file(path);
+        if (const auto* error = std::get_if<InputError>(&result))
+            throw Rejected{{NoticeKind::configuration, path, error->message}};
+        return std::get<Source>(std::move(result));
+    }
+
+    void extend(const JsonNode& node, const std::string& path) {
+        const fs::path other = fs::path(path).parent_path() / text(node, "'extends'");
+        if (configuration_->sources.size() >= longest_chain)
+            reject(node.span, "'extends' leads in a circle or through more than " +
+                                  std::to_string(longest_chain) + " files. Break the chain");
+        read(other.lexically_normal().string());
+    }
+
+    // ---- the keys
+
+    void skip(const JsonNode& /*node*/) {}
+
+    void read_controls(const JsonNode& node) {
+        for (const JsonMember& member : object(node, "'controls'"))
+            configuration_->controls.try_emplace(member.key, read_control(member));
+    }
+
+    std::shared_ptr<const ControlModel> read_control(const JsonMember& member) {
+        static constexpr std::array<std::string_view, 2> known = {"model", "limits"};
+        const auto& settings = object(member.node, "a control");
+        const auto model = std::ranges::find(settings, "model", &JsonMember::key);
+        if (model == settings.end())
+            reject(member.key_span, "the control '" + member.key +
+                                        "' has no 'model'. Name the control that it is, "
+                                        "for instance \"fanuc-16i\"");
+        const std::string& name = text(model->node, "'model'");
+        const ControlModel* base = find_control(name);
+        if (base == nullptr)
+            reject(model->node.span,
+                   "there is no control '" + name + "'." +
+                       did_you_mean(name, control_names(), "Known are " + enumerate(control_names())));
+        auto control = std::make_shared<ControlModel>(*base);
+        control->assumed = false;
+        control->description = member.key + " (" + base->description + ")";
+        for (const JsonMember& setting : settings) {
+            if (setting.key == "limits") read_limits(setting.node, control->limits);
+            if (std::ranges::find(known, setting.key) == known.end())
+                reject_key(setting, {known.begin(), known.end()});
+        }
+        return control;
+    }
+
+    void read_limits(const JsonNode& node, Limits& limits) {
+        struct Limit {
+            std::string_view name;
+            int Limits::*value;
+        };
+        static constexpr std::array<Limit, 4> known{{{"macro-calls", &Limits::macro_calls},
+                                                     {"subprogram-calls", &Limits::subprogram_calls},
+                                                     {"loop-levels", &Limits::loop_levels},
+                                                     {"bracket-levels", &Limits::bracket_levels}}};
+        for (const JsonMember& member : object(node, "'limits'")) {
+            const auto* const limit = std::ranges::find(known, member.key, &Limit::name);
+            if (member.key == "calls-together") {
+                limits.calls_together = level(member.node, member.key);
+            } else if (limit == known.end()) {
+                auto names_known = names(known);
+                names_known.emplace_back("calls-together");
+                reject_key(member, names_known);
+            } else {
+                limits.*(limit->value) = level(member.node, member.key);
+            }
+        }
+    }
+
+    int level(const JsonNode& node, const std::string& key) {
+        const auto* number = std::get_if<double>(&node.value);
+        if (number == nullptr || *number < 1 || *number > 1000 || *number != std::floor(*number))
+            reject(node.span, "'" + key + "' must be a whole number from 1 to 1000. Correct it");
+        return static_cast<int>(*number);
+    }
+
+    void read_files(const JsonNode& node) {
+        static constexpr std::array<std::string_view, 3> known = {"glob", "control", "dialect"};
+        for (const JsonNode& entry : array(node, "'files'")) {
+            FileEntry file;
+            for (const JsonMember& member : object(entry, "an entry of 'files'")) {
+                const std::string& value = text(member.node, "'" + member.key + "'");
+                if (member.key == "glob") {
+                    file.glob = value;
+                } else if (member.key == "control") {
+                    file.control = value;
+                    controls_named_.push_back({value, member.node.span});
+                } else if (member.key == "dialect") {
+                    file.dialect = value;
+                    if (find_dialect(value) == nullptr && value != "auto")
+                        reject(member.node.span,
+                               "there is no dialect '" + value + "'." +
+                                   did_you_mean(value, dialect_names(),
+                                                "Known are auto, " + enumerate(dialect_names())));
+                } else {
+                    reject_key(member, {known.begin(), known.end()});
+                }
+            }
+            if (file.glob.empty())
+                reject(entry.span, "an entry of 'files' has no 'glob'. Say which files it is for");
+            configuration_->files.push_back(std::move(file));
+        }
+        // Read once all controls are known: 'files' may stand before 'controls'.
+        files_source_ = configuration_->sources.size() - 1;
+    }
+
+    void read_include(const JsonNode& node) { configuration_->include = texts(node, "'include'"); }
+    void read_exclude(const JsonNode& node) { configuration_->exclude = texts(node, "'exclude'"); }
+    void read_select(const JsonNode& node) { configuration_->select = rule_words(node, "'select'"); }
+    void read_ignore(const JsonNode& node) { configuration_->ignore = rule_words(node, "'ignore'"); }
+
+    void read_severity(const JsonNode& node) {
+        for (const JsonMember& member : object(node, "'severity'")) {
+            const std::string& word = text(member.node, "a severity");
+            const auto severity = severity_named(word);
+            if (!severity)
+                reject(member.node.span, "there is no severity '" + word + "'. Write error, warning or note");
+            const auto same = [&](const SeverityEntry& entry) { return entry.rules.word == member.key; };
+            if (std::ranges::none_of(configuration_->severity, same))
+                configuration_->severity.push_back({{member.key, source(), member.key_span}, *severity});
+        }
+    }
+
+    void read_per_file_ignores(const JsonNode& node) {
+        for (const JsonMember& member : object(node, "'per-file-ignores'")) {
+            if (std::ranges::find(configuration_->per_file_ignores, member.key, &PerFileIgnore::glob) ==
+                configuration_->per_file_ignores.end())
+                configuration_->per_file_ignores.push_back(
+                    {member.key, rule_words(member.node, "'per-file-ignores'")});
+        }
+    }
+
+    void read_complete(const JsonNode& node) {
+        const auto* value = std::get_if<bool>(&node.value);
+        if (value == nullptr) reject(node.span, "'complete' must be true or false. Correct it");
+        configuration_->complete = *value;
+    }
+
+    void read_encoding(const JsonNode& node) {
+        const std::string& name = text(node, "'encoding'");
+        if (name == "utf-8") {
+            configuration_->encoding = Encoding::utf8;
+        } else if (name == "windows-1252") {
+            configuration_->encoding = Encoding::windows_1252;
+        } else if (name != "auto") {
+            const std::vector<std::string> known = {"auto", "utf-8", "windows-1252"};
+            reject(node.span, "there is no encoding '" + name + "'." +
+                                  did_you_mean(name, known, "Write " + enumerate(known)));
+        }
+    }
+
+    // ---- values of a kind
+
+    const JsonNode::Object& object(const JsonNode& node, const std::string& what) {
+        const auto* members = std::get_if<JsonNode::Object>(&node.value);
+        if (members == nullptr) reject(node.span, what + " must be an object. Put it in braces { }");
+        return *members;
+    }
+
+    const JsonNode::Array& array(const JsonNode& node, const std::string& what) {
+        const auto* elements = std::get_if<JsonNode::Array>(&node.value);
+        if (elements == nullptr) reject(node.span, what + " must be a list. Put it in brackets [ ]");
+        return *elements;
+    }
+
+    const std::string& text(const JsonNode& node, const std::string& what) {
+        const auto* value = std::get_if<std::string>(&node.value);
+        if (value == nullptr) reject(node.span, what + " must be a text. Put it in quotes");
+        return *value;
+    }
+
+    std::vector<std::string> texts(const JsonNode& node, const std::string& what) {
+        std::vector<std::string> values;
+        for (const JsonNode& element : array(node, what))
+            values.push_back(text(element, "an entry of " + what));
+        return values;
+    }
+
+    std::vector<RuleWord> rule_words(const JsonNode& node, const std::string& what) {
+        std::vector<RuleWord> words;
+        for (const JsonNode& element : array(node, what))
+            words.push_back({text(element, "an entry of " + what), source(), element.span});
+        return words;
+    }
+
+    // ---- complaints
+
+    [[nodiscard]] std::size_t source() const { return configuration_->sources.size() - 1; }
+
+    template<class Rows>
+    static std::vector<std::string> names(const Rows& rows) {
+        std::vector<std::string> all;
+        for (const auto& row : rows) all.emplace_back(row.name);
+        return all;
+    }
+
+    [[noreturn]] void reject(Span span, const std::string& message) const {
+        const Source& source = configuration_->sources.back();
+        const Position at = source.position(span.begin);
+        const std::string place = "line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
+        const bool ends = message.ends_with('?') || message.ends_with('.');
+        throw Rejected{
+            {NoticeKind::configuration, source.path(), place + ": " + message + (ends ? "" : ".")}};
+    }
+
+    [[noreturn]] void reject_key(const JsonMember& member, const std::vector<std::string>& known) const {
+        reject(member.key_span, "there is no key '" + member.key + "' here." +
+                                    did_you_mean(member.key, known, "Known are " + enumerate(known)));
+    }
+
+  public:
+    /// Controls of "files" are looked up when all files of the chain have been read.
+    void check_controls() const {
+        for (const auto& [name, span] : controls_named_) {
+            if (configuration_->control(name) != nullptr) continue;
+            auto known = control_names();
+            for (const auto& control : configuration_->controls) known.push_back(control.first);
+            const Source& source = configuration_->sources[files_source_];
+            const Position at = source.position(span.begin);
+            throw Rejected{{NoticeKind::configuration, source.path(),
+                            "line " + std::to_string(at.line) + ", column " + std::to_string(at.column) +
+                                ": there is no control '" + name + "'." +
+                                did_you_mean(name, known, "Known are " + enumerate(known) + ".")}};
+        }
+    }
+
+  private:
+    std::shared_ptr<Configuration> configuration_ = std::make_shared<Configuration>();
+    std::vector<std::string> seen_;
+    std::vector<std::pair<std::string, Span>> controls_named_;
+    std::size_t files_source_ = 0;
+};
+
+} // namespace
+
+std::variant<std::shared_ptr<const Configuration>, Notice> load_configuration(const std::string& path) {
+    try {
+        Loader loader;
+        auto configuration = loader.load(path);
+        loader.check_controls();
+        return configuration;
+    } catch (const Rejected& rejected) {
+        return rejected.notice;
+    }
+}
+
+const ControlModel* Configuration::control(std::string_view name) const {
+    const auto own = controls.find(name);
+    return own != controls.end() ? own->second.get() : find_control(name);
+}
+
+std::vector<const RuleWord*> Configuration::rule_words() const {
+    std::vector<const RuleWord*> words;
+    const auto add = [&words](const std::vector<RuleWord>& more) {
+        for (const RuleWord& word : more) words.push_back(&word);
+    };
+    if (select) add(*select);
+    add(ignore);
+    for (const SeverityEntry& entry : severity) words.push_back(&entry.rules);
+    for (const PerFileIgnore& entry : per_file_ignores) add(entry.rules);
+    return words;
+}
+
+std::vector<std::string> control_names() {
+    std::vector<std::string> names;
+    for (const ControlModel* control : controls()) names.push_back(control->name);
+    return names;
+}
+
+std::vector<std::string> dialect_names() {
+    std::vector<std::string> names;
+    for (const Dialect& dialect : dialects()) names.emplace_back(dialect.name);
+    return names;
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,150 @@
+//! Looks configurations up folder by folder and lays command line, configuration and defaults over each
+//! other.
+#include "cli/config/settings.hpp"
+
+#include "cli/config/glob.hpp"
+#include "cli/words.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace maclint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path absolute(const std::string& path) {
+    std::error_code ignored;
+    return fs::absolute(path, ignored).lexically_normal();
+}
+
+std::vector<const Rule*> rules_of(const std::vector<RuleWord>& words) {
+    std::vector<const Rule*> rules;
+    for (const RuleWord& word : words) {
+        const auto named = rules_named(word.word);
+        rules.insert(rules.end(), named.begin(), named.end());
+    }
+    return rules;
+}
+
+std::vector<const Rule*> rules_of(const std::vector<std::string>& words) {
+    std::vector<const Rule*> rules;
+    for (const std::string& word : words) {
+        const auto named = rules_named(word);
+        rules.insert(rules.end(), named.begin(), named.end());
+    }
+    return rules;
+}
+
+} // namespace
+
+std::string relative_to(const std::string& folder, const std::string& path) {
+    return absolute(path).lexically_relative(folder).generic_string();
+}
+
+std::optional<std::shared_ptr<const Configuration>> Settings::load(const std::string& path) {
+    if (const auto known = by_path_.find(path); known != by_path_.end()) return known->second;
+    auto result = load_configuration(path);
+    if (auto* notice = std::get_if<Notice>(&result)) {
+        notices_.push_back(std::move(*notice));
+        return by_path_[path] = std::nullopt;
+    }
+    return by_path_[path] = std::get<std::shared_ptr<const Configuration>>(result);
+}
+
+std::optional<std::shared_ptr<const Configuration>> Settings::for_folder(const std::string& folder) {
+    if (overrides_.isolated) return nullptr;
+    if (!overrides_.config_path.empty()) return load(overrides_.config_path);
+    const fs::path at = absolute(folder);
+    if (const auto known = by_folder_.find(at.string()); known != by_folder_.end()) return known->second;
+    std::error_code ignored;
+    const fs::path candidate = at / configuration_name;
+    Loaded found = nullptr;
+    if (fs::is_regular_file(candidate, ignored)) {
+        const fs::path shown = candidate.lexically_proximate(absolute("."));
+        found = load(shown.string());
+    } else if (at.has_relative_path()) {
+        found = for_folder(at.parent_path().string());
+    }
+    return by_folder_[at.string()] = found;
+}
+
+std::optional<FileSettings> Settings::for_file(const std::string& path) {
+    const auto found = for_folder(absolute(path).parent_path().string());
+    if (!found) return std::nullopt;
+    FileSettings settings;
+    settings.configuration = *found;
+    const std::string relative = *found ? relative_to((*found)->folder, path) : std::string();
+    if (*found) {
+        for (const FileEntry& entry : (*found)->files) {
+            if (!matches(entry.glob, relative)) continue;
+            const std::string reason = shown((*found)->path) + ": files '" + shown(entry.glob) + "'";
+            if (!entry.dialect.empty()) {
+                settings.dialect = find_dialect(entry.dialect);
+                settings.dialect_reason = reason;
+            }
+            if (!entry.control.empty()) {
+                settings.control = (*found)->control(entry.control);
+                settings.control_reason = reason;
+            }
+        }
+    }
+    if (overrides_.dialect != nullptr) {
+        settings.dialect = overrides_.dialect;
+        settings.dialect_reason = "--dialect";
+    }
+    if (!overrides_.control.empty()) {
+        settings.control = *found ? (*found)->control(overrides_.control) : find_control(overrides_.control);
+        settings.control_reason = "--control";
+    }
+    settings.rules = rules_for(found->get(), relative);
+    return settings;
+}
+
+std::shared_ptr<const RuleStates> Settings::rules_for(const Configuration* configuration,
+                                                      const std::string& relative) {
+    std::vector<bool> ignores;
+    if (configuration != nullptr)
+        for (const PerFileIgnore& entry : configuration->per_file_ignores)
+            ignores.push_back(matches(entry.glob, relative));
+    auto& known = rule_states_[{configuration, ignores}];
+    if (known) return known;
+    auto rules = std::make_shared<RuleStates>();
+    if (configuration != nullptr) {
+        const std::string name = shown(configuration->path);
+        if (overrides_.select.empty()) {
+            if (configuration->select)
+                rules->select_only(rules_of(*configuration->select), name + ": select");
+            rules->switch_off(rules_of(configuration->ignore), name + ": ignore");
+        }
+        for (const SeverityEntry& entry : configuration->severity)
+            rules->set_severity(rules_named(entry.rules.word), entry.severity, name + ": severity");
+    }
+    apply_overrides(*rules);
+    for (std::size_t i = 0; i < ignores.size(); ++i) {
+        const PerFileIgnore& entry = configuration->per_file_ignores[i];
+        if (ignores[i])
+            rules->switch_off(rules_of(entry.rules),
+                              shown(configuration->path) + ": per-file-ignores '" + shown(entry.glob) + "'");
+    }
+    return known = rules;
+}
+
+void Settings::apply_overrides(RuleStates& rules) const {
+    if (!overrides_.select.empty()) rules.select_only(rules_of(overrides_.select), "--select");
+    rules.switch_off(rules_of(overrides_.ignore), "--ignore");
+    for (const auto& [word, severity] : overrides_.severity)
+        rules.set_severity(rules_named(word), severity, "--severity");
+}
+
+std::vector<std::shared_ptr<const Configuration>> Settings::configurations() const {
+    std::vector<std::shared_ptr<const Configuration>> all;
+    for (const auto& [path, loaded] : by_path_)
+        if (loaded && *loaded) all.push_back(*loaded);
+    return all;
+}
+
+std::vector<Notice> Settings::take_notices() { return std::exchange(notices_, {}); }
+
+} // namespace maclint::cli

@@ -1,0 +1,72 @@
+//! What holds for each file: the command line over the configuration over what maclint assumes.
+#pragma once
+
+#include "analyzer/dialect/dialect.hpp"
+#include "cli/config/configuration.hpp"
+#include "cli/config/selection.hpp"
+#include "cli/notice.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace maclint::cli {
+
+/// What the command line says about rules, dialect and configuration. Its words have been checked.
+struct Overrides {
+    const Dialect* dialect = nullptr; ///< nullptr: the configuration says, or the file shows it
+    std::string control;              ///< empty: the configuration says
+    std::vector<std::string>
+        select; ///< empty: the configuration says; else it replaces its select and ignore
+    std::vector<std::string> ignore;
+    std::vector<std::pair<std::string, Severity>> severity;
+    std::string config_path; ///< --config; empty: the nearest one upward from each file
+    bool isolated = false;   ///< no configuration at all
+};
+
+struct FileSettings {
+    std::shared_ptr<const Configuration> configuration; ///< nullptr: none
+    const Dialect* dialect = nullptr;                   ///< nullptr: the file's content decides
+    std::string dialect_reason;
+    const ControlModel* control = nullptr; ///< nullptr: what the dialect assumes
+    std::string control_reason;
+    std::shared_ptr<const RuleStates> rules;
+};
+
+/// Finds settings and remembers what many files share. For one thread.
+class Settings {
+  public:
+    explicit Settings(Overrides overrides)
+        : overrides_(std::move(overrides)) {}
+
+    /// Nothing when the configuration that holds for the file is wrong; see take_notices.
+    [[nodiscard]] std::optional<FileSettings> for_file(const std::string& path);
+    /// The configuration that holds in a folder, or nullptr; nothing when it is wrong.
+    [[nodiscard]] std::optional<std::shared_ptr<const Configuration>> for_folder(const std::string& folder);
+
+    /// All configurations that were used so far, in the order of their paths.
+    [[nodiscard]] std::vector<std::shared_ptr<const Configuration>> configurations() const;
+    /// What is wrong with configurations that were met since the last call.
+    [[nodiscard]] std::vector<Notice> take_notices();
+
+  private:
+    using Loaded = std::optional<std::shared_ptr<const Configuration>>;
+    Loaded load(const std::string& path);
+    std::shared_ptr<const RuleStates> rules_for(const Configuration* configuration,
+                                                const std::string& relative);
+    void apply_overrides(RuleStates& rules) const;
+
+    Overrides overrides_;
+    std::map<std::string, Loaded> by_folder_;
+    std::map<std::string, Loaded> by_path_;
+    std::map<std::pair<const Configuration*, std::vector<bool>>, std::shared_ptr<const RuleStates>>
+        rule_states_;
+    std::vector<Notice> notices_;
+};
+
+/// The path relative to a configuration's folder, as its globs see it.
+[[nodiscard]] std::string relative_to(const std::string& folder, const std::string& path);
+
+} // namespace maclint::cli

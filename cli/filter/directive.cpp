@@ -1,0 +1,124 @@
+//! Reads a directive word by word. What a control's comment can hold is enough: letters, digits, blanks,
+//! minus.
+#include "cli/filter/directive.hpp"
+
+#include "cli/config/selection.hpp"
+#include "cli/words.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint::cli {
+namespace {
+
+struct VerbRow {
+    std::string_view word;
+    Verb verb;
+};
+constexpr std::array<VerbRow, 4> verbs{
+    {{"ALLOW", Verb::allow}, {"ALLOW-FILE", Verb::allow_file}, {"OFF", Verb::off}, {"ON", Verb::on}}};
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == ','; }
+
+/// Words of a text with their places in the file.
+class Words {
+  public:
+    Words(std::string_view text, Offset begin)
+        : text_(text)
+        , at_(begin) {}
+
+    /// The next word; empty at the end.
+    struct Word {
+        std::string_view text;
+        Span span;
+    };
+    Word next() {
+        skip_blanks();
+        std::size_t length = 0;
+        while (length < text_.size() && !is_blank(text_[length])) ++length;
+        const Word word{text_.substr(0, length), {at_, at_ + static_cast<Offset>(length)}};
+        advance(length);
+        return word;
+    }
+    [[nodiscard]] std::string_view rest() {
+        skip_blanks();
+        return text_;
+    }
+
+  private:
+    void skip_blanks() {
+        std::size_t length = 0;
+        while (length < text_.size() && is_blank(text_[length])) ++length;
+        advance(length);
+    }
+    void advance(std::size_t length) {
+        text_.remove_prefix(length);
+        at_ += static_cast<Offset>(length);
+    }
+
+    std::string_view text_;
+    Offset at_;
+};
+
+std::string example(char open) {
+    if (open == '[') return "[MACLINT ALLOW MAC301 - REASON]";
+    if (open == ';') return ";MACLINT ALLOW MAC301 - REASON";
+    return "(MACLINT ALLOW MAC301 - REASON)";
+}
+
+DirectiveFault unknown_rule(const ProgramFile& file, const RuleToken& token) {
+    const std::string word = file.source->to_utf8(token.word);
+    if (const auto similar = closest(word, rule_words())) return {token.span, "similar", {word, *similar}};
+    return {token.span, "unknown", {word}};
+}
+
+void read_tokens(const ProgramFile& file, Words& words, Directive& directive) {
+    for (auto word = words.next(); !word.text.empty(); word = words.next()) {
+        if (word.text.starts_with('-')) {
+            std::string reason(word.text.substr(1));
+            if (!reason.empty() && !words.rest().empty()) reason += ' ';
+            reason += words.rest();
+            directive.reason = file.source->to_utf8(reason);
+            return;
+        }
+        RuleToken token{word.span, std::string(word.text), rules_named(word.text)};
+        if (token.rules.empty()) directive.faults.push_back(unknown_rule(file, token));
+        directive.tokens.push_back(std::move(token));
+    }
+}
+
+} // namespace
+
+std::optional<Directive> read_directive(const ProgramFile& file, const Comment& comment) {
+    std::string_view text = file.source->bytes(comment.span);
+    Offset begin = comment.span.begin;
+    const char open = text.empty() ? '(' : text.front();
+    while (!text.empty() && std::string_view("([; \t").find(text.front()) != std::string_view::npos) {
+        text.remove_prefix(1);
+        ++begin;
+    }
+    if (text.ends_with(')') || text.ends_with(']')) text.remove_suffix(1);
+    Words words(text, begin);
+    const auto name = words.next();
+    if (in_upper_case(name.text) != "MACLINT") return std::nullopt;
+    Directive directive;
+    directive.comment = &comment;
+    const auto verb = words.next();
+    const auto* const row = std::ranges::find(verbs, in_upper_case(verb.text), &VerbRow::word);
+    if (row != verbs.end()) {
+        directive.verb = row->verb;
+        read_tokens(file, words, directive);
+        directive.valid = row->verb == Verb::on || !directive.tokens.empty();
+        if (!directive.valid) directive.faults.push_back({comment.span, "no-rule", {example(open)}});
+        return directive;
+    }
+    directive.valid = false;
+    if (verb.text.empty()) {
+        directive.faults.push_back({comment.span, "no-rule", {example(open)}});
+    } else {
+        directive.faults.push_back({verb.span, "no-verb", {file.source->to_utf8(verb.text)}});
+    }
+    return directive;
+}
+
+} // namespace maclint::cli

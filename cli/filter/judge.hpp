@@ -1,0 +1,35 @@
+//! What becomes of findings: rules that are off, severities, suppression comments and what is wrong with
+//! those.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+#include "cli/config/selection.hpp"
+#include "rules/rule.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace maclint::cli {
+
+/// The comment that allows a finding.
+struct Suppression {
+    Span comment;
+    std::string reason; ///< UTF-8, may be empty
+};
+
+struct JudgedFinding {
+    Finding finding;
+    std::optional<Suppression> suppressed;
+};
+
+struct FileRules {
+    const ProgramFile* file;
+    const RuleStates* rules;
+};
+
+/// Judges findings of the files given; others are dropped. In the order of reports.
+[[nodiscard]] std::vector<JudgedFinding> judge(std::vector<Finding> findings,
+                                               const std::vector<FileRules>& files);
+
+} // namespace maclint::cli

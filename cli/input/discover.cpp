@@ -1,0 +1,233 @@
+//! Walks folders without recursion; what was seen once, by whatever name, is not seen again.
+#include "cli/input/discover.hpp"
+
+#include "cli/config/glob.hpp"
+#include "cli/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <set>
+#include <system_error>
+
+namespace maclint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders that hold what programs made, not programs.
+constexpr std::array<std::string_view, 4> passed_over = {"build", "node_modules", "__pycache__",
+                                                         "CMakeFiles"};
+
+/// Bounds for files that nobody asked for; a folder of a shop's programs is far below.
+struct Bounds {
+    std::size_t entries = std::numeric_limits<std::size_t>::max();
+    std::size_t files = std::numeric_limits<std::size_t>::max();
+    std::uintmax_t bytes = std::numeric_limits<std::uintmax_t>::max();
+};
+constexpr Bounds context_bounds{100'000, 10'000, 64ULL * 1024 * 1024};
+
+enum class Depth : std::uint8_t { this_folder, all_below };
+
+bool is_passed_over(const std::string& name) {
+    return name.starts_with('.') || std::ranges::find(passed_over, name) != passed_over.end();
+}
+
+std::string as_shown(const fs::path& path) {
+    const std::string normal = path.lexically_normal().string();
+    return normal.empty() ? "." : normal;
+}
+
+/// The file behind all symbolic links: what makes two names one file.
+std::string identity(const fs::path& path) {
+    std::error_code error;
+    const fs::path real = fs::canonical(path, error);
+    return error ? path.lexically_normal().string() : real.string();
+}
+
+Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
+    return {NoticeKind::unreadable, as_shown(folder),
+            "this folder cannot be read: the system says '" + error.message() +
+                "'. Ask its owner for access or exclude it."};
+}
+
+class Walk {
+  public:
+    Walk(Settings& settings, Bounds bounds)
+        : settings_(settings)
+        , bounds_(bounds) {}
+
+    void add_named(const std::string& path, bool standard_input) {
+        if (!standard_input && !seen_.insert(identity(path)).second) return;
+        found_.files.push_back({standard_input ? path : as_shown(path), true, true, standard_input});
+    }
+
+    /// What was named is not found once more.
+    void pass_over(const std::string& path) { seen_.insert(identity(path)); }
+
+    /// How many NC programs are there, those included that were known before.
+    std::size_t add_folder(const fs::path& root, Depth depth, bool asked) {
+        wanted_ = 0;
+        std::vector<fs::path> pending = {root};
+        while (!pending.empty() && !full_) {
+            const fs::path folder = std::move(pending.back());
+            pending.pop_back();
+            if (!folders_.insert(identity(folder)).second) continue;
+            auto below = visit(folder, asked);
+            if (depth == Depth::this_folder) break;
+            std::ranges::move(below.rbegin(), below.rend(), std::back_inserter(pending));
+        }
+        return wanted_;
+    }
+
+    void note(Notice notice) { found_.notices.push_back(std::move(notice)); }
+    [[nodiscard]] bool is_full() const { return full_; }
+
+    Discovered take() {
+        std::ranges::stable_sort(found_.files, {}, &InputFile::path);
+        return std::move(found_);
+    }
+
+  private:
+    /// Takes the files of one folder; gives the folders in it, both in the order of their names.
+    std::vector<fs::path> visit(const fs::path& folder, bool asked) {
+        std::error_code error;
+        std::vector<fs::directory_entry> entries;
+        for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+             entry.increment(error))
+            entries.push_back(*entry);
+        if (error) {
+            if (asked) note(unreadable_folder(folder, error));
+            return {};
+        }
+        std::ranges::sort(entries, {},
+                          [](const fs::directory_entry& entry) { return entry.path().native(); });
+        const auto loaded = settings_.for_folder(folder.string());
+        const Configuration* configuration = loaded ? loaded->get() : nullptr;
+        std::vector<fs::path> folders;
+        for (const fs::directory_entry& entry : entries) {
+            if (++entries_ > bounds_.entries) full_ = true;
+            if (full_) break;
+            std::error_code ignored;
+            if (is_excluded(configuration, entry.path())) continue;
+            if (entry.is_directory(ignored)) {
+                if (!is_passed_over(entry.path().filename().string())) folders.push_back(entry.path());
+            } else if (is_wanted(configuration, entry)) {
+                take_file(entry, asked);
+            }
+        }
+        return folders;
+    }
+
+    static bool is_excluded(const Configuration* configuration, const fs::path& path) {
+        if (configuration == nullptr || configuration->exclude.empty()) return false;
+        const std::string relative = relative_to(configuration->folder, path.string());
+        return std::ranges::any_of(configuration->exclude,
+                                   [&](const std::string& glob) { return matches(glob, relative); });
+    }
+
+    static bool is_wanted(const Configuration* configuration, const fs::directory_entry& entry) {
+        std::error_code ignored;
+        const fs::file_status status = entry.status(ignored);
+        // A link that leads nowhere is reported when it is read; pipes and devices are not for linting.
+        if (fs::exists(status) && !fs::is_regular_file(status)) return false;
+        if (entry.path().filename().string().starts_with('.')) return false;
+        if (has_nc_extension(entry.path().string())) return true;
+        if (configuration == nullptr || configuration->include.empty()) return false;
+        const std::string relative = relative_to(configuration->folder, entry.path().string());
+        return std::ranges::any_of(configuration->include,
+                                   [&](const std::string& glob) { return matches(glob, relative); });
+    }
+
+    void take_file(const fs::directory_entry& entry, bool asked) {
+        ++wanted_;
+        if (!seen_.insert(identity(entry.path())).second) return;
+        std::error_code error;
+        const auto size = entry.file_size(error);
+        if (!error) bytes_ += size;
+        if (found_.files.size() >= bounds_.files || bytes_ > bounds_.bytes) {
+            full_ = true;
+            return;
+        }
+        found_.files.push_back({as_shown(entry.path()), false, asked, false});
+    }
+
+    Settings& settings_;
+    Bounds bounds_;
+    Discovered found_;
+    std::set<std::string> seen_, folders_;
+    std::size_t entries_ = 0;
+    std::size_t wanted_ = 0;
+    std::uintmax_t bytes_ = 0;
+    bool full_ = false;
+};
+
+/// The folder that holds the programs which a file's programs may call.
+struct Home {
+    fs::path folder;
+    Depth depth;
+    friend auto operator<=>(const Home&, const Home&) = default;
+};
+
+Home home_of(const std::string& file, Settings& settings) {
+    std::error_code ignored;
+    const fs::path beside = fs::absolute(file, ignored).lexically_normal().parent_path();
+    if (const auto configuration = settings.for_folder(beside.string()); configuration && *configuration)
+        return {(*configuration)->folder, Depth::all_below};
+    for (fs::path folder = beside;; folder = folder.parent_path()) {
+        if (fs::exists(folder / ".git", ignored)) return {folder, Depth::all_below};
+        if (!folder.has_relative_path()) return {beside, Depth::this_folder};
+    }
+}
+
+} // namespace
+
+Discovered discover(const std::vector<std::string>& paths, const std::string& stdin_name,
+                    Settings& settings) {
+    Walk walk(settings, {});
+    for (const std::string& path : paths) {
+        std::error_code ignored;
+        if (path == "-") {
+            walk.add_named(stdin_name, true);
+        } else if (!fs::is_directory(path, ignored)) {
+            walk.add_named(path, false);
+        }
+    }
+    std::set<std::string> folders;
+    for (const std::string& path : paths) {
+        std::error_code ignored;
+        if (path == "-" || !fs::is_directory(path, ignored) || !folders.insert(identity(path)).second)
+            continue;
+        if (walk.add_folder(path, Depth::all_below, true) == 0)
+            walk.note({NoticeKind::left_out, as_shown(path),
+                       "no NC program is in this folder. Name files themselves when they have unusual names, "
+                       "or add "
+                       "'include' to the configuration."});
+    }
+    return walk.take();
+}
+
+Discovered discover_context(const std::vector<InputFile>& asked, Settings& settings) {
+    Walk walk(settings, context_bounds);
+    std::set<Home> homes;
+    for (const InputFile& file : asked) {
+        walk.pass_over(file.path);
+        homes.insert(home_of(file.path, settings));
+    }
+    std::error_code ignored;
+    const fs::path here = fs::current_path(ignored);
+    for (const Home& home : homes) {
+        const fs::path shorter = home.folder.lexically_proximate(here);
+        const bool below = !shorter.string().starts_with("..");
+        walk.add_folder(below ? shorter : home.folder, home.depth, false);
+    }
+    if (walk.is_full())
+        walk.note({NoticeKind::left_out, homes.begin()->folder.string(),
+                   "this folder holds too many files to look for callers and callees in all of them. Add a " +
+                       std::string(configuration_name) +
+                       " to the folder that holds the programs of one control."});
+    return walk.take();
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,27 @@
+//! From files that were read to judged findings: what the command, the tests and an editor ask for.
+#pragma once
+
+#include "analyzer/workspace/workspace.hpp"
+#include "cli/filter/judge.hpp"
+#include "cli/input/read.hpp"
+#include "cli/progress.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace maclint::cli {
+
+/// Findings and all that they point to.
+struct LintResult {
+    std::unique_ptr<Workspace> workspace;
+    std::vector<std::shared_ptr<const ProgramFile>>
+        kept; ///< files outside the workspace that findings point to
+    std::vector<JudgedFinding> findings;
+};
+
+/// Runs the rules that any file wants over all files as one workspace. Configurations are looked through for
+/// rules that do not exist.
+[[nodiscard]] LintResult lint(const std::vector<ReadFile>& files, Settings& settings, unsigned jobs,
+                              Progress& progress);
+
+} // namespace maclint::cli

@@ -1,0 +1,28 @@
+//! What the command says about the run itself rather than about a program: errors and notes on stderr.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace maclint::cli {
+
+enum class NoticeKind : std::uint8_t {
+    unreadable,    ///< a file, a folder or the output could not be read or written
+    configuration, ///< a configuration file is wrong
+    foreign,       ///< a file in a language that maclint does not lint
+    left_out,      ///< something was not looked at, on purpose
+};
+
+/// Text is UTF-8 and may hold anything: reports escape it.
+struct Notice {
+    NoticeKind kind;
+    std::string path;    ///< of the file concerned; may be empty
+    std::string message; ///< "what. Cure."
+
+    /// Errors end the run with status 2, notes do not.
+    [[nodiscard]] bool is_error() const {
+        return kind == NoticeKind::unreadable || kind == NoticeKind::configuration;
+    }
+};
+
+} // namespace maclint::cli

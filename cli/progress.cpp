@@ -1,0 +1,56 @@
+//! A thread that writes the line again five times a second.
+#include "cli/progress.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+namespace maclint::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto patience = 1s;
+constexpr auto interval = 200ms;
+
+void write_line(const std::string& text) {
+    // To the line's beginning, erase it, write: what ECMA-48 calls CR and EL.
+    std::fputs(("\r\x1B[K" + text).c_str(), stderr);
+    std::fflush(stderr);
+}
+
+} // namespace
+
+Progress::Progress(Shown shown) {
+    if (shown == Shown::never) return;
+    ticker_ = std::jthread([this](const std::stop_token& stop) { show_until_stopped(stop); });
+}
+
+Progress::~Progress() {
+    if (!ticker_.joinable()) return;
+    ticker_.request_stop();
+    ticker_.join();
+    if (visible_) write_line("");
+}
+
+void Progress::begin(std::string_view phase, std::size_t steps) {
+    const std::lock_guard lock(mutex_);
+    phase_ = phase;
+    steps_ = steps;
+    done_ = 0;
+}
+
+void Progress::show_until_stopped(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    const auto wait = [&](auto time) { return stopped_.wait_for(lock, stop, time, [] { return false; }); };
+    wait(patience);
+    while (!stop.stop_requested()) {
+        const std::string count =
+            steps_ == 0 ? "" : " " + std::to_string(done_) + " of " + std::to_string(steps_) + " files";
+        write_line("maclint: " + std::string(phase_) + count + " …");
+        visible_ = true;
+        wait(interval);
+    }
+}
+
+} // namespace maclint::cli

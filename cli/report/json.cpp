@@ -1,0 +1,93 @@
+//! The report as JSON of our own; docs/json.md describes it. Keys are added, never changed, within a version.
+#include "analyzer/dialect/dialect.hpp"
+#include "cli/report/report.hpp"
+#include "cli/words.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace maclint::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int format_version = 1;
+
+Json json_of(const Position& at) { return {{"line", at.line}, {"column", at.column}}; }
+
+Json json_of(const Source& source, Span span) {
+    return {{"start", json_of(source.position(span.begin))},
+            {"end", json_of(source.position(span.end))},
+            {"bytes", {span.begin, span.end}}};
+}
+
+std::string path_of(const ProgramFile& file) {
+    const std::string& path = file.source->path();
+    return to_utf8(path, detect_encoding(path));
+}
+
+Json json_of(const std::vector<Remark>& remarks) {
+    Json list = Json::array();
+    for (const Remark& remark : remarks)
+        list.push_back({{"file", path_of(*remark.file)},
+                        {"range", json_of(*remark.file->source, remark.span)},
+                        {"text", remark.text}});
+    return list;
+}
+
+Json json_of(const Source& source, const std::vector<Edit>& fix) {
+    Json list = Json::array();
+    for (const Edit& edit : fix) list.push_back({{"range", json_of(source, edit.span)}, {"text", edit.text}});
+    return list;
+}
+
+Json json_of(const JudgedFinding& judged) {
+    const Finding& finding = judged.finding;
+    const Source& source = *finding.file->source;
+    Json out = {{"code", finding.rule->code},
+                {"name", finding.rule->name},
+                {"severity", name_of(finding.severity)},
+                {"message", finding.message()},
+                {"message_id", finding.message_id},
+                {"arguments", finding.arguments},
+                {"file", path_of(*finding.file)},
+                {"range", json_of(source, finding.span)},
+                {"related", json_of(finding.related)},
+                {"path", json_of(finding.path)},
+                {"fix", json_of(source, finding.fix)}};
+    if (judged.suppressed)
+        out["suppressed"] = {{"range", json_of(source, judged.suppressed->comment)},
+                             {"reason", judged.suppressed->reason}};
+    return out;
+}
+
+} // namespace
+
+std::string write_json(const Report& report) {
+    Json findings = Json::array();
+    Json suppressed = Json::array();
+    for (const JudgedFinding& judged : report.findings)
+        (judged.suppressed ? suppressed : findings).push_back(json_of(judged));
+    Json notices = Json::array();
+    for (const Notice& notice : report.notices)
+        notices.push_back({{"severity", notice.is_error() ? "error" : "note"},
+                           {"file", to_utf8(notice.path, detect_encoding(notice.path))},
+                           {"message", notice.message}});
+    const Tally counts = tally(report);
+    Json out = {{"version", format_version},
+                {"tool", {{"name", "maclint"}, {"version", MACLINT_VERSION}}},
+                {"findings", std::move(findings)},
+                {"suppressed", std::move(suppressed)},
+                {"notices", std::move(notices)},
+                {"summary",
+                 {{"files", report.files.size()},
+                  {"errors", counts.errors},
+                  {"warnings", counts.warnings},
+                  {"notes", counts.notes},
+                  {"suppressed", counts.suppressed},
+                  {"not_shown", report.not_shown},
+                  {"exit_status", report.exit_status}}}};
+    if (report.times) out["times"] = {{"begin", report.times->begin}, {"end", report.times->end}};
+    return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace maclint::cli

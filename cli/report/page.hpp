@@ -1,0 +1,26 @@
+//! A rule's page: what `explain` shows, `rules --write-docs` writes and SARIF carries as help.
+#pragma once
+
+#include "rules/rule.hpp"
+
+#include <string>
+
+namespace maclint::cli {
+
+/// Markdown with a heading of the first level.
+[[nodiscard]] std::string markdown_page(const Rule& rule);
+/// The same for a terminal or a plain-text viewer.
+[[nodiscard]] std::string plain_page(const Rule& rule);
+/// Table of all rules with links to their pages.
+[[nodiscard]] std::string markdown_index();
+
+/// "MAC303.md".
+[[nodiscard]] std::string page_name(const Rule& rule);
+/// "loops and jumps".
+[[nodiscard]] std::string_view family_of(const Rule& rule);
+/// "very-high".
+[[nodiscard]] std::string_view name_of(Precision precision);
+/// The summary as a sentence.
+[[nodiscard]] std::string summary_sentence(const Rule& rule);
+
+} // namespace maclint::cli

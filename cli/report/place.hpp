@@ -1,0 +1,23 @@
+//! Where files are for those who read a report elsewhere: URIs below the root of the sources.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace maclint::cli {
+
+/// A path as a URI. Below the root it is relative, otherwise absolute with the scheme "file".
+struct FileUri {
+    std::string uri; ///< percent-encoded
+    bool below_root;
+};
+
+/// The folder that relative URIs start from: the repository that holds the current folder, else that folder.
+[[nodiscard]] std::string source_root();
+
+[[nodiscard]] FileUri uri_of(const std::string& path, const std::string& root);
+
+/// Everything but unreserved characters (RFC 3986, section 2.3) and '/' is encoded.
+[[nodiscard]] std::string percent_encoded(std::string_view path);
+
+} // namespace maclint::cli

@@ -1,0 +1,51 @@
+//! What a run found, ready to be written in any format.
+#pragma once
+
+#include "cli/filter/judge.hpp"
+#include "cli/notice.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace maclint::cli {
+
+/// Begin and end of the run, UTC, as SARIF writes them: "2025-01-31T12:00:00Z".
+struct RunTimes {
+    std::string begin, end;
+};
+
+struct Report {
+    std::vector<JudgedFinding> findings;   ///< in the order of reports, suppressed ones included
+    std::vector<Notice> notices;           ///< in the order of paths
+    std::vector<const ProgramFile*> files; ///< that were linted because the user asked for them, by path
+    std::size_t not_shown = 0;             ///< findings left out of `findings` because of --max-findings
+    int exit_status = 0;
+    std::optional<RunTimes> times; ///< none with --no-timestamps
+};
+
+/// How many findings of each severity count, suppressed ones apart.
+struct Tally {
+    std::size_t errors = 0, warnings = 0, notes = 0, suppressed = 0, files = 0;
+};
+[[nodiscard]] Tally tally(const Report& report);
+
+enum class Colour : std::uint8_t { plain, coloured };
+enum class Summary : std::uint8_t { left_out, at_the_end };
+
+struct TextStyle {
+    Colour colour = Colour::plain;
+    Summary summary = Summary::at_the_end;
+};
+
+[[nodiscard]] std::string write_text(const Report& report, const TextStyle& style);
+[[nodiscard]] std::string write_concise(const Report& report, const TextStyle& style);
+[[nodiscard]] std::string write_json(const Report& report);
+[[nodiscard]] std::string write_sarif(const Report& report);
+
+/// "3 errors, 2 warnings in 2 files (41 checked)".
+[[nodiscard]] std::string summary_line(const Report& report);
+
+} // namespace maclint::cli

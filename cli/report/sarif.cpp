@@ -1,0 +1,400 @@
+//! The report as SARIF 2.1.0 (OASIS standard of 27 March 2020); section numbers below are its.
+#include "analyzer/program/model.hpp"
+#include "cli/report/fingerprint.hpp"
+#include "cli/report/page.hpp"
+#include "cli/report/place.hpp"
+#include "cli/report/report.hpp"
+#include "cli/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+namespace maclint::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view schema = "https://json.schemastore.org/sarif-2.1.0.json";
+constexpr std::string_view root_id = "%SRCROOT%";
+constexpr Offset longest_snippet = 4096; ///< bytes; a report is no copy of the programs
+constexpr std::string_view help_base = MACLINT_HELP_BASE_URL;
+
+struct NoticeRow {
+    NoticeKind kind;
+    std::string_view id;
+    std::string_view description;
+};
+
+constexpr std::array<NoticeRow, 4> notice_rows{{
+    {NoticeKind::unreadable, "NOTE001", "A file could not be read or written."},
+    {NoticeKind::configuration, "NOTE002", "A configuration file is wrong."},
+    {NoticeKind::foreign, "NOTE003", "A file is in a language that maclint does not lint."},
+    {NoticeKind::left_out, "NOTE004", "Something was not looked at."},
+}};
+
+/// "jump-into-loop" as SARIF viewers want names: "JumpIntoLoop".
+std::string pascal(std::string_view name) {
+    std::string out;
+    bool capital = true;
+    for (const char c : name) {
+        if (c == '-') {
+            capital = true;
+        } else {
+            out += capital ? in_upper_case(std::string_view(&c, 1)) : std::string(1, c);
+            capital = false;
+        }
+    }
+    return out;
+}
+
+/// Braces mean placeholders in message texts (3.11.5).
+std::string without_placeholders(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        out += c;
+        if (c == '{' || c == '}') out += c;
+    }
+    return out;
+}
+
+/// Text of ours as a sentence with a capital and a full stop.
+std::string sentence(std::string_view text) {
+    std::string out(text);
+    if (!out.empty()) out.front() = in_upper_case(out.substr(0, 1)).front();
+    const bool ends = out.ends_with('.') || out.ends_with('?') || out.ends_with('!');
+    return ends ? out : out + ".";
+}
+
+Json text_message(std::string_view text) { return {{"text", without_placeholders(text)}}; }
+
+std::string_view level_of(Severity severity) { return name_of(severity); }
+
+std::string_view problem_severity(Severity severity) {
+    return severity == Severity::note ? "recommendation" : name_of(severity);
+}
+
+class SarifWriter {
+  public:
+    explicit SarifWriter(const Report& report)
+        : report_(report) {
+        collect_artifacts();
+        collect_line_hashes();
+    }
+
+    Json write() {
+        Json results = Json::array();
+        for (const JudgedFinding& judged : report_.findings) results.push_back(result_of(judged));
+        Json run = {
+            {"tool", {{"driver", driver()}}},
+            {"invocations", Json::array({invocation()})},
+            {"originalUriBaseIds",
+             {{root_id,
+               {{"description", text_message("The repository, or the folder in which maclint ran.")}}}}},
+            {"artifacts", artifacts()},
+            {"results", std::move(results)},
+            {"columnKind", "utf16CodeUnits"}};
+        if (Json all = taxonomies(); !all.empty()) run["taxonomies"] = std::move(all);
+        return {{"$schema", schema}, {"version", "2.1.0"}, {"runs", Json::array({std::move(run)})}};
+    }
+
+  private:
+    // ---- files
+
+    void add_artifact(const ProgramFile& file) {
+        if (artifact_index_.try_emplace(&file, artifact_files_.size()).second)
+            artifact_files_.push_back(&file);
+    }
+
+    /// Files that were linted, then those that findings lead to.
+    void collect_artifacts() {
+        for (const ProgramFile* file : report_.files) add_artifact(*file);
+        for (const JudgedFinding& judged : report_.findings) {
+            add_artifact(*judged.finding.file);
+            for (const Remark& remark : judged.finding.related) add_artifact(*remark.file);
+            for (const Remark& remark : judged.finding.path) add_artifact(*remark.file);
+        }
+    }
+
+    void collect_line_hashes() {
+        std::map<const ProgramFile*, std::set<std::uint32_t>> wanted;
+        for (const JudgedFinding& judged : report_.findings)
+            wanted[judged.finding.file].insert(
+                judged.finding.file->source->position(judged.finding.span.begin).line);
+        for (const auto& [file, lines] : wanted) line_hashes_[file] = line_hashes(*file->source, lines);
+    }
+
+    [[nodiscard]] Json artifacts() const {
+        Json list = Json::array();
+        for (std::size_t i = 0; i < artifact_files_.size(); ++i) {
+            const Source& source = *artifact_files_[i]->source;
+            Json artifact = {{"location", location_of_path(source.path())},
+                             {"length", source.size()},
+                             {"encoding", source.encoding() == Encoding::utf8 ? "UTF-8" : "windows-1252"}};
+            artifact["location"]["index"] = i;
+            if (i < report_.files.size()) artifact["roles"] = {"analysisTarget"};
+            list.push_back(std::move(artifact));
+        }
+        return list;
+    }
+
+    [[nodiscard]] Json location_of_path(const std::string& path) const {
+        const FileUri uri = uri_of(path, root_);
+        Json location = {{"uri", uri.uri}};
+        if (uri.below_root) location["uriBaseId"] = root_id;
+        return location;
+    }
+
+    [[nodiscard]] Json artifact_location(const ProgramFile& file) const {
+        Json location = location_of_path(file.source->path());
+        location["index"] = artifact_index_.at(&file);
+        return location;
+    }
+
+    // ---- places
+
+    static Json region_of(const Source& source, Span span) {
+        const Position begin = source.position(span.begin);
+        const Position end = source.position(span.end);
+        return {{"startLine", begin.line},
+                {"startColumn", begin.column},
+                {"endLine", end.line},
+                {"endColumn", end.column}};
+    }
+
+    static Json region_with_snippet(const Source& source, Span span) {
+        Json region = region_of(source, span);
+        if (span.length() <= longest_snippet)
+            region["snippet"] = {{"text", source.to_utf8(source.bytes(span))}};
+        return region;
+    }
+
+    /// The lines around a span: one more on each side, when they are of a sensible length.
+    static std::optional<Json> context_of(const Source& source, Span span) {
+        const std::uint32_t first = source.position(span.begin).line;
+        const std::uint32_t last = source.position(span.end).line;
+        const std::uint32_t from = std::max(first, 2U) - 1;
+        const std::uint32_t to = std::min(last + 1, source.line_count());
+        if (from == first && to == last) return std::nullopt;
+        const Span lines{source.line_span(from).begin, source.line_span(to).end};
+        if (lines.length() > longest_snippet || !lines.covers(span)) return std::nullopt;
+        return Json{{"startLine", from},
+                    {"endLine", to},
+                    {"snippet", {{"text", source.to_utf8(source.bytes(lines))}}}};
+    }
+
+    [[nodiscard]] Json physical(const ProgramFile& file, Span span) const {
+        Json place = {{"artifactLocation", artifact_location(file)},
+                      {"region", region_with_snippet(*file.source, span)}};
+        if (auto context = context_of(*file.source, span)) place["contextRegion"] = *std::move(context);
+        return place;
+    }
+
+    /// A place without a context, for all but the finding's own.
+    [[nodiscard]] Json short_physical(const ProgramFile& file, Span span) const {
+        return {{"artifactLocation", artifact_location(file)},
+                {"region", region_with_snippet(*file.source, span)}};
+    }
+
+    // ---- results
+
+    Json result_of(const JudgedFinding& judged) {
+        const Finding& finding = judged.finding;
+        Json message = {{"text", without_placeholders(finding.message())}, {"id", finding.message_id}};
+        if (!finding.arguments.empty()) message["arguments"] = finding.arguments;
+        Json result = {
+            {"ruleId", finding.rule->code},
+            {"ruleIndex", RuleStates::index_of(*finding.rule)},
+            {"level", level_of(finding.severity)},
+            {"message", std::move(message)},
+            {"locations", Json::array({{{"physicalLocation", physical(*finding.file, finding.span)}}})},
+            {"partialFingerprints", fingerprints_of(finding)}};
+        if (!finding.related.empty()) result["relatedLocations"] = related_of(finding);
+        if (!finding.path.empty()) result["codeFlows"] = code_flows_of(finding);
+        if (!finding.fix.empty()) result["fixes"] = fixes_of(finding);
+        result["suppressions"] = suppressions_of(judged);
+        return result;
+    }
+
+    Json fingerprints_of(const Finding& finding) {
+        const std::uint32_t line = finding.file->source->position(finding.span.begin).line;
+        Json prints = Json::object();
+        const auto& hashes = line_hashes_.at(finding.file);
+        if (const auto hash = hashes.find(line); hash != hashes.end())
+            prints["primaryLocationLineHash"] = hash->second;
+        prints["maclint/v1"] = fingerprints_.of(finding);
+        return prints;
+    }
+
+    [[nodiscard]] Json related_of(const Finding& finding) const {
+        Json list = Json::array();
+        for (const Remark& remark : finding.related)
+            list.push_back({{"id", list.size() + 1},
+                            {"physicalLocation", short_physical(*remark.file, remark.span)},
+                            {"message", text_message(sentence(remark.text))}});
+        return list;
+    }
+
+    [[nodiscard]] Json code_flows_of(const Finding& finding) const {
+        Json steps = Json::array();
+        for (const Remark& remark : finding.path)
+            steps.push_back({{"location",
+                              {{"physicalLocation", short_physical(*remark.file, remark.span)},
+                               {"message", text_message(sentence(remark.text))}}},
+                             {"executionOrder", steps.size() + 1}});
+        return Json::array({{{"threadFlows", Json::array({{{"locations", std::move(steps)}}})}}});
+    }
+
+    [[nodiscard]] Json fixes_of(const Finding& finding) const {
+        Json replacements = Json::array();
+        for (const Edit& edit : finding.fix)
+            replacements.push_back({{"deletedRegion", region_of(*finding.file->source, edit.span)},
+                                    {"insertedContent", {{"text", edit.text}}}});
+        return Json::array(
+            {{{"description", text_message("Fix '" + std::string(finding.rule->name) + "'.")},
+              {"artifactChanges", Json::array({{{"artifactLocation", artifact_location(*finding.file)},
+                                                {"replacements", std::move(replacements)}}})}}});
+    }
+
+    /// An empty list says that the finding was looked at and is not suppressed (3.27.23).
+    [[nodiscard]] Json suppressions_of(const JudgedFinding& judged) const {
+        if (!judged.suppressed) return Json::array();
+        Json suppression = {{"kind", "inSource"}, {"status", "accepted"}};
+        if (!judged.suppressed->reason.empty()) suppression["justification"] = judged.suppressed->reason;
+        suppression["location"] = {
+            {"physicalLocation", short_physical(*judged.finding.file, judged.suppressed->comment)}};
+        return Json::array({std::move(suppression)});
+    }
+
+    // ---- the tool
+
+    [[nodiscard]] Json driver() const {
+        Json rules = Json::array();
+        for (const Rule* rule : all_rules()) rules.push_back(rule_of(*rule));
+        Json notices = Json::array();
+        for (const NoticeRow& row : notice_rows)
+            notices.push_back({{"id", row.id}, {"shortDescription", text_message(row.description)}});
+        Json driver = {{"name", "maclint"},
+                       {"fullName", "maclint, a static analyser for NC programs"},
+                       {"version", MACLINT_VERSION},
+                       {"semanticVersion", MACLINT_VERSION},
+                       {"language", "en"},
+                       {"rules", std::move(rules)},
+                       {"notifications", std::move(notices)}};
+        if (!help_base.empty()) driver["informationUri"] = help_base;
+        Json supported = Json::array();
+        for (const auto& [control, alarms] : alarms_by_control())
+            supported.push_back({{"name", taxonomy_name(control)}});
+        if (!supported.empty()) driver["supportedTaxonomies"] = std::move(supported);
+        return driver;
+    }
+
+    [[nodiscard]] static Json rule_of(const Rule& rule) {
+        Json messages = Json::object();
+        for (const Message& message : rule.messages)
+            messages[std::string(message.id)] = {{"text", message.text}};
+        Json configuration = {{"level", level_of(rule.severity)}};
+        if (!rule.on_by_default) configuration["enabled"] = false;
+        Json out = {{"id", rule.code},
+                    {"name", pascal(rule.name)},
+                    {"shortDescription", text_message(summary_sentence(rule))},
+                    {"fullDescription", text_message(summary_sentence(rule) + " " + sentence(rule.why))},
+                    {"messageStrings", std::move(messages)},
+                    {"defaultConfiguration", std::move(configuration)},
+                    {"help", {{"text", plain_page(rule)}, {"markdown", markdown_page(rule)}}},
+                    {"properties",
+                     {{"precision", name_of(rule.precision)},
+                      {"problem.severity", problem_severity(rule.severity)},
+                      {"tags", {"nc-program", family_of(rule)}}}}};
+        if (!help_base.empty()) out["helpUri"] = std::string(help_base) + "/" + page_name(rule);
+        if (!rule.alarms.empty()) out["relationships"] = relationships_of(rule);
+        return out;
+    }
+
+    [[nodiscard]] static Json relationships_of(const Rule& rule) {
+        Json list = Json::array();
+        for (const Alarm& alarm : rule.alarms)
+            list.push_back(
+                {{"target",
+                  {{"id", alarm.number}, {"toolComponent", {{"name", taxonomy_name(alarm.control)}}}}},
+                 {"kinds", {"relevant"}}});
+        return list;
+    }
+
+    // ---- alarms as taxonomies
+
+    using Alarms = std::map<std::string_view, std::string_view>; ///< number to text
+    [[nodiscard]] static std::map<std::string_view, Alarms> alarms_by_control() {
+        std::map<std::string_view, Alarms> all;
+        for (const Rule* rule : all_rules())
+            for (const Alarm& alarm : rule->alarms) all[alarm.control].emplace(alarm.number, alarm.text);
+        return all;
+    }
+
+    [[nodiscard]] static std::string taxonomy_name(std::string_view control) {
+        return std::string(control) + " alarms";
+    }
+
+    [[nodiscard]] static Json taxonomies() {
+        Json list = Json::array();
+        for (const auto& [control, alarms] : alarms_by_control()) {
+            Json taxa = Json::array();
+            for (const auto& [number, text] : alarms)
+                taxa.push_back({{"id", number}, {"shortDescription", text_message(sentence(text))}});
+            list.push_back({{"name", taxonomy_name(control)},
+                            {"version", MACLINT_VERSION},
+                            {"shortDescription",
+                             text_message("Alarms that the control " + std::string(control) + " raises.")},
+                            {"taxa", std::move(taxa)}});
+        }
+        return list;
+    }
+
+    // ---- the run
+
+    [[nodiscard]] Json invocation() const {
+        Json invocation = {{"executionSuccessful", report_.exit_status != 2},
+                           {"exitCode", report_.exit_status}};
+        if (report_.times) {
+            invocation["startTimeUtc"] = report_.times->begin;
+            invocation["endTimeUtc"] = report_.times->end;
+        }
+        Json execution = Json::array();
+        Json configuration = Json::array();
+        for (const Notice& notice : report_.notices)
+            (notice.kind == NoticeKind::configuration ? configuration : execution)
+                .push_back(notification_of(notice));
+        if (!execution.empty()) invocation["toolExecutionNotifications"] = std::move(execution);
+        if (!configuration.empty()) invocation["toolConfigurationNotifications"] = std::move(configuration);
+        return invocation;
+    }
+
+    [[nodiscard]] Json notification_of(const Notice& notice) const {
+        const auto* const row = std::ranges::find(notice_rows, notice.kind, &NoticeRow::kind);
+        Json out = {{"descriptor", {{"id", row->id}, {"index", row - notice_rows.begin()}}},
+                    {"level", notice.is_error() ? "error" : "note"},
+                    {"message", text_message(sentence(notice.message))}};
+        if (!notice.path.empty())
+            out["locations"] =
+                Json::array({{{"physicalLocation", {{"artifactLocation", location_of_path(notice.path)}}}}});
+        return out;
+    }
+
+    const Report& report_;
+    std::string root_ = source_root();
+    std::vector<const ProgramFile*> artifact_files_;
+    std::map<const ProgramFile*, std::size_t> artifact_index_;
+    std::map<const ProgramFile*, std::map<std::uint32_t, std::string>> line_hashes_;
+    Fingerprints fingerprints_;
+};
+
+} // namespace
+
+std::string write_sarif(const Report& report) {
+    return SarifWriter(report).write().dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,43 @@
+//! Counts findings and says so in one line.
+#include "cli/report/report.hpp"
+#include "cli/words.hpp"
+
+#include <unordered_set>
+
+namespace maclint::cli {
+
+Tally tally(const Report& report) {
+    Tally tally;
+    std::unordered_set<const ProgramFile*> files;
+    for (const JudgedFinding& judged : report.findings) {
+        if (judged.suppressed) {
+            ++tally.suppressed;
+            continue;
+        }
+        files.insert(judged.finding.file);
+        switch (judged.finding.severity) {
+        case Severity::error: ++tally.errors; break;
+        case Severity::warning: ++tally.warnings; break;
+        case Severity::note: ++tally.notes; break;
+        }
+    }
+    tally.files = files.size();
+    return tally;
+}
+
+std::string summary_line(const Report& report) {
+    const Tally counts = tally(report);
+    std::vector<std::string> parts;
+    if (counts.errors > 0) parts.push_back(counted(counts.errors, "error"));
+    if (counts.warnings > 0) parts.push_back(counted(counts.warnings, "warning"));
+    if (counts.notes > 0) parts.push_back(counted(counts.notes, "note"));
+    std::string line;
+    for (const std::string& part : parts) line += (line.empty() ? "" : ", ") + part;
+    line = parts.empty() ? "no findings" : line + " in " + counted(counts.files, "file");
+    line += " (" + std::to_string(report.files.size()) + " checked";
+    if (counts.suppressed > 0) line += ", " + std::to_string(counts.suppressed) + " allowed by comments";
+    if (report.not_shown > 0) line += ", " + std::to_string(report.not_shown) + " more not shown";
+    return line + ")";
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,32 @@
+//! Standard output and standard error.
+#pragma once
+
+#include "cli/command_line.hpp"
+#include "cli/notice.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace maclint::cli {
+
+inline constexpr int exit_clean = 0;
+inline constexpr int exit_findings = 1;
+inline constexpr int exit_error = 2;
+
+/// "maclint: error: " and the message, made fit for a terminal, on standard error.
+void print_error(std::string_view message);
+/// The notice as an error or a note on standard error.
+void print_notice(const Notice& notice);
+
+/// Writes to standard output; the exit status says whether that worked.
+[[nodiscard]] int print_text(std::string_view text);
+
+/// Writes a file, or standard output for "-". What went wrong, or nothing.
+[[nodiscard]] std::optional<Notice> write_to(const std::string& path, std::string_view text);
+
+/// Colours for standard output.
+[[nodiscard]] Colour colour_for_output(ColourChoice choice);
+[[nodiscard]] bool error_is_terminal();
+
+} // namespace maclint::cli

@@ -1,0 +1,34 @@
+%
+O0214 (TRAY OF 2 X 3 PARTS, 4 SPOTS A PART, 2 DEPTHS)
+(T5 CENTRE DRILL)
+(PLANTED: FOUR LOOPS INSIDE EACH OTHER, THE CONTROL HAS THREE LEVELS)
+G17 G21 G40 G49 G80 G90
+T5 M6
+G54 G90 G0 X0 Y0 S3000 M3
+G43 H5 Z20. M8
+#101 = 0
+WHILE [#101 LT 3] DO 1
+  #102 = 0
+  WHILE [#102 LT 2] DO 2
+    #103 = 0
+    WHILE [#103 LT 4] DO 3
+      #104 = 1
+      WHILE [#104 LE 2] DO 4 (EXPECT MAC315)
+        G0 X[#102 * 70. + 15. * COS[#103 * 90]] Y[#101 * 50. + 15. * SIN[#103 * 90]]
+        Z1.
+        G1 Z-#104 F150.
+        G0 Z5.
+        #104 = #104 + 1
+      END 4
+      #103 = #103 + 1
+    END 3
+    #102 = #102 + 1
+  END 2
+  #101 = #101 + 1
+END 1
+M9
+M5
+G91 G28 Z0.
+G90 G49
+M30
+%

@@ -1,0 +1,92 @@
+//! MAC413: a modal macro call that stays on.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule g66_not_cancelled{
+    .code = "MAC413",
+    .name = "g66-not-cancelled",
+    .aliases = "",
+    .summary = "A modal macro call is still active at the end of the program or at a tool change",
+    .why = "Every later move calls the macro: the next positioning block drills, probes or mills"
+           " where nobody expects it.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"end", "'{0}' is still active when the program is left: every later move calls the macro. "
+                         "Cancel it with G67."},
+                 {"tool", "'{0}' is still active at the tool change in line {1}: its moves call the macro. "
+                          "Cancel it with G67 before."}},
+    .bad = {{"fanuc", "O9413(ROW)\n"
+                      "G66P9010Z-20.R5.\n"
+                      "G0 X10.\n"
+                      "X20.\n"
+                      "M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9413(ROW)\n"
+                       "G66P9010Z-20.R5.\n"
+                       "G0 X10.\n"
+                       "X20.\n"
+                       "G67\n"
+                       "M30\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:466", "CNCWIKI-CALL"},
+    .check = &check,
+};
+
+namespace {
+
+constexpr double active = 66;
+
+/// Calls of this program that are still active in the state.
+std::vector<dataflow::OriginId> active_calls(const ProgramAnalysis& analysis, const dataflow::State& state) {
+    std::vector<dataflow::OriginId> calls;
+    for (std::size_t i = 0; i < analysis.control().groups.size(); ++i) {
+        if (analysis.control().groups[i].concern != Concern::modal_call) continue;
+        for (const dataflow::ModalPart& part : analysis.data().modal(state, static_cast<GroupId>(i)).parts)
+            if (part.origin != 0 && analysis.data().pool().number_of(part.symbol) == active)
+                calls.push_back(part.origin);
+    }
+    return calls;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    std::vector<dataflow::OriginId> said;
+    const auto report = [&](dataflow::OriginId call, flow::NodeId node, std::string_view message, Span left) {
+        if (std::ranges::find(said, call) != said.end()) return;
+        said.push_back(call);
+        const Span span = remark_at(analysis, call, "").span;
+        Finding& finding =
+            reporter.report(analysis.file(), span, message,
+                            {quoted(analysis.program(), span), line_number(analysis.file(), left.begin)});
+        finding.path.push_back({&analysis.file(), span, "the modal call begins here"});
+        for (Remark& step : way_between(analysis, node_of(analysis, call), node))
+            finding.path.push_back(std::move(step));
+        finding.path.push_back({&analysis.file(), left, "it is still active here"});
+    };
+    for (const dataflow::PointState& change : analysis.facts().tool_changes)
+        for (const dataflow::OriginId call : active_calls(analysis, change.state))
+            report(call, change.node, "tool", analysis.program().effects[change.effect].span);
+    for (const dataflow::ExitState& exit : analysis.facts().exits) {
+        if (exit.exit.kind == flow::ExitKind::alarm) continue;
+        const Span left = exit.exit.effect ? analysis.program().effects[*exit.exit.effect].span
+                                           : analysis.graph().nodes[exit.exit.node].part;
+        for (const dataflow::OriginId call : active_calls(analysis, exit.state))
+            report(call, exit.exit.node, "end", left);
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,80 @@
+//! MAC412: a program that calls itself.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <string>
+#include <vector>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule recursive_call{
+    .code = "MAC412",
+    .name = "recursive-call",
+    .aliases = "DIN502",
+    .summary = "A program calls itself, directly or through others",
+    .why = "Every round takes one call level, and the control has few: it stops with a nesting "
+           "alarm after some rounds.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"plain",
+                  "'{0}' calls {1} again, from which it was called: {2}. The control runs out of call "
+                  "levels; use a loop."}},
+    .bad = {{"fanuc", "O0001(MAIN)\n"
+                      "G65P9412\n"
+                      "M30\n"
+                      "O9412(STEP)\n"
+                      "G65P9413\n"
+                      "M99\n"
+                      "O9413(BACK)\n"
+                      "G65P9412\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O0001(MAIN)\n"
+                       "G65P9412\n"
+                       "M30\n"
+                       "O9412(STEP)\n"
+                       "G65P9413\n"
+                       "M99\n"
+                       "O9413(BACK)\n"
+                       "M99\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "077", "SUB PROGRAM NESTING ERROR"},
+               {"FANUC 16i/18i/21i", "122", "FOUR FOLD MACRO MODAL-CALL"}},
+    .sources = {"T: follows from the nesting limits"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    for (const CallSite& site : analysis.calls()) {
+        if (!site.closes_cycle) continue;
+        const Span span = analysis.program().effects[site.effect].span;
+        const ProgramAnalysis& callee = analysis.workspace().programs()[*site.target];
+        const std::vector<Caller> cycle = callee.way_to(analysis.index());
+        std::string words = callee.program().name;
+        for (const Caller& step : cycle) {
+            const CallSite* next = analysis.workspace().programs()[step.program].call_at(step.effect);
+            words += " > " + analysis.workspace().programs()[*next->target].program().name;
+        }
+        Finding& finding = reporter.report(
+            analysis.file(), span, "plain",
+            {quoted(analysis.program(), span), callee.program().name, words + " > " + callee.program().name});
+        for (const Caller& step : cycle) {
+            const ProgramAnalysis& calling = analysis.workspace().programs()[step.program];
+            finding.path.push_back(
+                remark_at_effect(calling, step.effect, "calls the next program of the circle"));
+        }
+        finding.path.push_back({&analysis.file(), span, "calls " + callee.program().name + " again"});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

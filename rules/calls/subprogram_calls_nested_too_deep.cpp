@@ -1,0 +1,89 @@
+//! MAC411: one subprogram level too many.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/calls/call_depth.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule subprogram_calls_nested_too_deep{
+    .code = "MAC411",
+    .name = "subprogram-calls-nested-too-deep",
+    .aliases = "DIN501",
+    .summary = "Subprogram calls are nested deeper than the control allows",
+    .why = "The call beyond the control's limit raises an alarm in the middle of the job.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"named",
+                  "'{0}' is subprogram level {1}, and {2} has {3}: {4}. Call it from a higher level."},
+                 {"assumed",
+                  "'{0}' is subprogram level {1}, and a 16i has {3} (no control is named, so this limit"
+                  " is assumed): {4}. Call it from a higher level, or name the control."}},
+    .bad = {{"fanuc", "O0001(MAIN)\n"
+                      "M98P9001\n"
+                      "M30\n"
+                      "O9001\n"
+                      "M98P9002\n"
+                      "M99\n"
+                      "O9002\n"
+                      "M98P9003\n"
+                      "M99\n"
+                      "O9003\n"
+                      "M98P9004\n"
+                      "M99\n"
+                      "O9004\n"
+                      "M98P9005\n"
+                      "M99\n"
+                      "O9005\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O0001(MAIN)\n"
+                       "M98P9001\n"
+                       "M30\n"
+                       "O9001\n"
+                       "M98P9002\n"
+                       "M99\n"
+                       "O9002\n"
+                       "M98P9003\n"
+                       "M99\n"
+                       "O9003\n"
+                       "M98P9004\n"
+                       "M99\n"
+                       "O9004\n"
+                       "M99\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "077", "SUB PROGRAM NESTING ERROR"},
+               {"FANUC 30i/0i-D", "077", "TOO MANY SUB,MACRO NESTING"}},
+    .sources = {"CNCWIKI-SUB", "RW-9"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const ControlModel& control = analysis.control();
+    for (const CallSite& site :
+         calls_beyond(analysis, Counted::subprogram, control.limits.subprogram_calls)) {
+        const Span span = analysis.program().effects[site.effect].span;
+        const ProgramAnalysis& callee = analysis.workspace().programs()[*site.target];
+        Finding& finding = reporter.report(
+            analysis.file(), span, control.assumed ? "assumed" : "named",
+            {quoted(analysis.program(), span), std::to_string(control.limits.subprogram_calls + 1),
+             control.description, std::to_string(control.limits.subprogram_calls),
+             chain_words(analysis, callee, Counted::subprogram)});
+        add_chain(finding, analysis, Counted::subprogram);
+        finding.path.push_back(
+            {&analysis.file(), span, "calls " + callee.program().name + ", one level too deep"});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,44 @@
+//! Fills the arguments of a finding into its message.
+#include "rules/finding.hpp"
+
+#include "rules/rule.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <tuple>
+
+namespace maclint {
+
+std::string fill(std::string_view text, const std::vector<std::string>& arguments) {
+    std::string filled;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool placeholder = text[i] == '{' && i + 2 < text.size() && text[i + 2] == '}' &&
+                                 text[i + 1] >= '0' && text[i + 1] <= '9';
+        if (!placeholder) {
+            filled += text[i];
+            continue;
+        }
+        const auto index = static_cast<std::size_t>(text[i + 1] - '0');
+        assert(index < arguments.size());
+        if (index < arguments.size()) filled += arguments[index];
+        i += 2;
+    }
+    return filled;
+}
+
+std::string Finding::message() const {
+    const auto found = std::ranges::find(rule->messages, message_id, &Message::id);
+    assert(found != rule->messages.end());
+    return found == rule->messages.end() ? std::string(rule->summary) : fill(found->text, arguments);
+}
+
+// Position before everything else: the order does not depend on who found what first.
+bool comes_before(const Finding& a, const Finding& b) {
+    const auto key = [](const Finding& f) {
+        return std::tie(f.file->source->path(), f.span.begin, f.rule->code, f.span.end);
+    };
+    if (key(a) != key(b)) return key(a) < key(b);
+    return a.arguments < b.arguments;
+}
+
+} // namespace maclint

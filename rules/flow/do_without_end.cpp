@@ -1,0 +1,54 @@
+//! MAC312: a loop that is never closed.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/structure_faults.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule do_without_end{
+    .code = "MAC312",
+    .name = "do-without-end",
+    .aliases = "",
+    .summary = "DO without its END",
+    .why = "The control searches the END to the end of the program, finds none and stops with an"
+           " alarm.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"plain", "'{0}' has no END, and the control stops here. Add the END behind the loop's last "
+                           "block."}},
+    .bad = {{"fanuc", "O9312(ROW)\n"
+                      "#100=0\n"
+                      "WHILE[#100LT5]DO1\n"
+                      "#100=#100+1\n"
+                      "M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9312(ROW)\n"
+                       "#100=0\n"
+                       "WHILE[#100LT5]DO1\n"
+                       "#100=#100+1\n"
+                       "END1\n"
+                       "M30\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"}},
+    .sources = {"SEED-001:395", "GH-ALM"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    for (const flow::StructureFault& fault : structure_faults(analysis, flow::Imbalance::never_closed)) {
+        const Span span = analysis.program().effects[fault.effect].span;
+        reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

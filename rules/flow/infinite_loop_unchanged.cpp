@@ -1,0 +1,139 @@
+//! MAC319: nothing that decides whether a loop ends changes in it.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule infinite_loop_unchanged{
+    .code = "MAC319",
+    .name = "infinite-loop-unchanged",
+    .aliases = "DIN406",
+    .summary = "Nothing that decides whether a loop ends changes in its body: once entered, it never ends",
+    .why = "The control repeats the same moves until somebody presses reset, or stands still without an "
+           "alarm when "
+           "nothing in the loop moves",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"unchanged",
+                  "The loop of '{0}' never ends once it runs: nothing in it changes {1}. Change the "
+                  "variable in the loop, or leave it with a GOTO."},
+                 {"no-way-out",
+                  "The loop of '{0}' never ends: there is no way out of it. Count in a variable, or "
+                  "leave the loop with IF and GOTO."}},
+    .bad = {{"fanuc", "O9319(ROWS)\n"
+                      "#33=0\n"
+                      "WHILE[#33LT5]DO1\n"
+                      "G91 G1 X10.\n"
+                      "G90\n"
+                      "END1\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9319(ROWS)\n"
+                       "#33=0\n"
+                       "WHILE[#33LT5]DO1\n"
+                       "G91 G1 X10.\n"
+                       "G90\n"
+                       "#33=#33+1\n"
+                       "END1\n"
+                       "M99\n"}},
+    .alarms = {},
+    .sources = {"CNCWIKI-LOGIC"},
+    .check = &check,
+};
+
+namespace {
+
+/// What decides over the loop's ways out, when nothing of it can change in the loop.
+struct Deciders {
+    std::vector<Place> places;
+    bool fixed = true;
+};
+
+/// A loop that neither moves nor computes waits for somebody else: an operator, a robot, another path.
+bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    for (const flow::NodeId node : loop.body) {
+        const flow::Node& n = analysis.graph().nodes[node];
+        if (n.is_run && std::get<Run>(analysis.program().items[n.item]).moves) return false;
+        for (const Effect& effect : analysis.program().effects_in(n.effects))
+            if (std::holds_alternative<Motion>(effect.what) || std::holds_alternative<Assign>(effect.what))
+                return false;
+    }
+    return true;
+}
+
+bool can_change(const ProgramAnalysis& analysis, const dataflow::Loop& loop, Place place) {
+    const bool own = analysis.control().spaces[place.space].scope == Scope::frame;
+    return (!own && (loop.has_unknown_effects || waits(analysis, loop))) ||
+           dataflow::disturbed_in(loop, analysis.facts(), place) ||
+           !dataflow::stores_in(loop, analysis.facts(), place).empty();
+}
+
+Deciders deciders_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    Deciders deciders;
+    for (const flow::EdgeId id : loop.ways_out) {
+        const auto& condition = analysis.graph().edges[id].condition;
+        if (!condition) return {{}, false};
+        const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), *condition);
+        if (!set.closed) return {{}, false};
+        for (const Place place : set.places) {
+            if (can_change(analysis, loop, place)) return {{}, false};
+            if (std::ranges::find(deciders.places, place) == deciders.places.end())
+                deciders.places.push_back(place);
+        }
+    }
+    return deciders;
+}
+
+std::string list(const Program& program, const std::vector<Place>& places) {
+    std::string text;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (i != 0) text += i + 1 == places.size() ? " or " : ", ";
+        text += program.spell(places[i]);
+    }
+    return text;
+}
+
+/// WHILE … DO, DO, or the jump that closes the loop.
+Span place_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    const auto& effects = analysis.program().effects;
+    if (loop.structure) return effects[analysis.structures().all[*loop.structure].open].span;
+    const flow::Edge& back = analysis.graph().edges[loop.back];
+    return back.jump ? effects[*back.jump].span : analysis.graph().nodes[loop.latch].part;
+}
+
+bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    return loop.structure &&
+           analysis.structures().all[*loop.structure].construct == Construct::endless_loop;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    for (const dataflow::Loop& loop : analysis.loops()) {
+        if (loop.can_stop) continue;
+        // A jump back without a condition and a way out repeats a program on purpose, as M99 does.
+        if (!loop.structure && loop.ways_out.empty()) continue;
+        if (has_no_condition(analysis, loop)) continue; // MAC318 owns DO without WHILE
+        const Deciders deciders = deciders_of(analysis, loop);
+        if (!deciders.fixed) continue;
+        const Span span = place_of(analysis, loop);
+        const std::string text = quoted(analysis.program(), span);
+        Finding& finding = deciders.places.empty()
+                               ? reporter.report(analysis.file(), span, "no-way-out", {text})
+                               : reporter.report(analysis.file(), span, "unchanged",
+                                                 {text, list(analysis.program(), deciders.places)});
+        trace_round(finding, analysis, loop, "and nothing has changed");
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,77 @@
+//! MAC301: a jump to nowhere.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule jump_target_missing{
+    .code = "MAC301",
+    .name = "jump-target-missing",
+    .aliases = "",
+    .summary = "A jump names a sequence number that the program does not have",
+    .why = "The control searches the program to its end and stops with an alarm, with the tool "
+           "where it happens to be.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"constant",
+                  "'{0}' jumps to N{1}, which this program does not have. Add the sequence number, or "
+                  "correct the jump."},
+                 {"computed",
+                  "'{0}' jumps to N{1} here, which this program does not have. Check the value before "
+                  "the jump."}},
+    .bad = {{"fanuc", "O9301(CHECK)\n"
+                      "IF[#100EQ1]GOTO70\n"
+                      "#100=1\n"
+                      "N7 M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9301(CHECK)\n"
+                       "IF[#100EQ1]GOTO70\n"
+                       "#100=1\n"
+                       "N70 M30\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "128", "ILLEGAL MACRO SEQUENCE NUMBER"},
+               {"FANUC 30i/0i-D", "078", "SEQUENCE NUMBER NOT FOUND"},
+               {"NCT", "3070", "NOT EXISTING BLOCK NO. P"}},
+    .sources = {"NCT-188", "GH-ALM"},
+    .check = &check,
+};
+
+namespace {
+
+std::string number_word(double number) { return std::to_string(static_cast<long long>(number)); }
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    const auto missing = [&](flow::NodeId node, EffectId jump, std::string_view message, std::string number) {
+        const Span span = program.effects[jump].span;
+        Finding& finding =
+            reporter.report(analysis.file(), span, message, {quoted(program, span), std::move(number)});
+        trace(finding, analysis, node, "there is no such sequence number");
+    };
+    for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
+        if (!jump.number || jump.target || !analysis.data().reached(jump.node)) continue;
+        const auto& target = std::get<Jump>(program.effects[jump.jump].what).target;
+        missing(jump.node, jump.jump, "constant", quoted(program, program.expressions[target].span));
+    }
+    for (const dataflow::ComputedJump& jump : analysis.facts().computed_jumps) {
+        const auto number = jump.target.constant();
+        constexpr double most = 1e15;
+        if (!number || std::abs(*number) > most) continue;
+        if (analysis.graph().find_label(std::llround(*number), 0) == nullptr)
+            missing(jump.node, jump.effect, "computed", number_word(std::round(*number)));
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

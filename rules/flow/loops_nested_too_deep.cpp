@@ -1,0 +1,82 @@
+//! MAC315: one loop level too many.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/structure_faults.hpp"
+
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule loops_nested_too_deep{
+    .code = "MAC315",
+    .name = "loops-nested-too-deep",
+    .aliases = "",
+    .summary = "Loops are nested deeper than the control allows",
+    .why = "The control has only so many loop levels, whatever their numbers: it stops with an "
+           "alarm, or the inner END closes the outer loop.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"plain", "'{0}' opens loop level {1}, and the control has {2}. Move the inner loop into a "
+                           "macro of its own."}},
+    .bad = {{"fanuc", "O9315(BLOCK)\n"
+                      "#100=0\n"
+                      "#101=0\n"
+                      "#102=0\n"
+                      "#103=0\n"
+                      "WHILE[#100LT5]DO1\n"
+                      "#100=#100+1\n"
+                      "WHILE[#101LT5]DO2\n"
+                      "#101=#101+1\n"
+                      "WHILE[#102LT5]DO3\n"
+                      "#102=#102+1\n"
+                      "WHILE[#103LT5]DO1\n"
+                      "#103=#103+1\n"
+                      "END1\n"
+                      "END3\n"
+                      "END2\n"
+                      "END1\n"
+                      "M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9315(BLOCK)\n"
+                       "#100=0\n"
+                       "#101=0\n"
+                       "#102=0\n"
+                       "#103=0\n"
+                       "WHILE[#100LT5]DO1\n"
+                       "#100=#100+1\n"
+                       "WHILE[#101LT5]DO2\n"
+                       "#101=#101+1\n"
+                       "WHILE[#102LT5]DO3\n"
+                       "#102=#102+1\n"
+                       "END3\n"
+                       "END2\n"
+                       "END1\n"
+                       "M30\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"},
+               {"FANUC 16i/18i/21i", "126", "ILLEGAL LOOP NUMBER"}},
+    .sources = {"SEED-001:395", "SEED-001:407"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    for (const flow::StructureFault& fault : structure_faults(analysis, flow::Imbalance::nested_too_deep)) {
+        const Span span = analysis.program().effects[fault.effect].span;
+        reporter.report(analysis.file(), span, "plain",
+                        {quoted(analysis.program(), span),
+                         std::to_string(analysis.control().limits.loop_levels + 1),
+                         std::to_string(analysis.control().limits.loop_levels)});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

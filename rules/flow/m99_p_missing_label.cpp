@@ -1,0 +1,82 @@
+//! MAC333: a return to a block that the caller lacks.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule m99_p_missing_label{
+    .code = "MAC333",
+    .name = "m99-p-missing-label",
+    .aliases = "",
+    .summary = "A program returns to a sequence number that its caller does not have",
+    .why = "The control returns to the caller, searches the sequence number there and stops with"
+           " an alarm.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"plain",
+                  "'{0}' returns to N{1}, which the caller {2} does not have. Add the sequence number "
+                  "there, or return without P."}},
+    .bad = {{"fanuc", "O0001(MAIN)\n"
+                      "M98P9333\n"
+                      "N50 M30\n"
+                      "O9333(CHECK)\n"
+                      "IF[#100EQ1]GOTO1\n"
+                      "M99P500\n"
+                      "N1 M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O0001(MAIN)\n"
+                       "M98P9333\n"
+                       "N50 M30\n"
+                       "O9333(CHECK)\n"
+                       "IF[#100EQ1]GOTO1\n"
+                       "M99P50\n"
+                       "N1 M99\n"}},
+    .alarms = {{"FANUC 30i/0i-D", "078", "SEQUENCE NUMBER NOT FOUND"},
+               {"FANUC 16i/18i/21i", "128", "ILLEGAL MACRO SEQUENCE NUMBER"}},
+    .sources = {"INTELITEK-M99", "GH-ALM"},
+    .check = &check,
+};
+
+namespace {
+
+/// The first caller in whose program the number is missing.
+const Caller* caller_without(const ProgramAnalysis& analysis, std::int64_t number) {
+    for (const Caller& caller : analysis.callers()) {
+        const ProgramAnalysis& program = analysis.workspace().programs()[caller.program];
+        if (program.is_recursive()) continue; // its labels were not asked for
+        if (program.graph().find_label(number, 0) == nullptr) return &caller;
+    }
+    return nullptr;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    if (analysis.is_recursive()) return;
+    const Program& program = analysis.program();
+    for (const dataflow::ExitState& exit : analysis.facts().exits) {
+        if (exit.exit.kind != flow::ExitKind::returns || !exit.exit.effect) continue;
+        const Effect& effect = program.effects[*exit.exit.effect];
+        const auto& label = std::get<Return>(effect.what).resume_label;
+        const auto number = label ? flow::constant_target(program, *label) : std::nullopt;
+        const Caller* caller = number ? caller_without(analysis, *number) : nullptr;
+        if (caller == nullptr) continue;
+        const ProgramAnalysis& calling = analysis.workspace().programs()[caller->program];
+        Finding& finding =
+            reporter.report(analysis.file(), effect.span, "plain",
+                            {quoted(program, effect.span), quoted(program, program.expressions[*label].span),
+                             calling.program().name});
+        finding.path.push_back(remark_at_effect(calling, caller->effect, "calls " + program.name));
+        trace(finding, analysis, exit.exit.node, "returns to a sequence number that the caller lacks");
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

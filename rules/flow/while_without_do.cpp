@@ -1,0 +1,49 @@
+//! MAC311: WHILE without its DO.
+#include "rules/irregular.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule while_without_do{
+    .code = "MAC311",
+    .name = "while-without-do",
+    .aliases = "",
+    .summary = "WHILE has a condition but no DO",
+    .why = "The control stops with a format alarm; the END further down belongs to nothing.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"plain", "'{0}' lacks its DO, and the control stops here. Add DO1 at its end."}},
+    .bad = {{"fanuc", "O9311(ROW)\n"
+                      "#100=0\n"
+                      "WHILE[#100LT5]\n"
+                      "#100=#100+1\n"
+                      "END1\n"
+                      "M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9311(ROW)\n"
+                       "#100=0\n"
+                       "WHILE[#100LT5]DO1\n"
+                       "#100=#100+1\n"
+                       "END1\n"
+                       "M30\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "125", "FORMAT ERROR IN MACRO"},
+               {"FANUC 30i/0i-D", "1138", "WHILE STATEMENT FORMAT ERROR"}},
+    .sources = {"SEED-001:395"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::loop_without_do, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

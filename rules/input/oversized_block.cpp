@@ -1,0 +1,55 @@
+//! MAC004: a block that is too long to be read.
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+
+/// A block of some 5 KiB: a comment in it would not count, words do.
+const std::string& long_block() {
+    static const std::string text = [] {
+        std::string block = "O0004(LONG BLOCK)\nG1 ";
+        for (int i = 0; i < 1000; ++i) block += "X1.5 ";
+        return block + "\nM30\n";
+    }();
+    return text;
+}
+} // namespace
+
+extern const Rule oversized_block{
+    .code = "MAC004",
+    .name = "oversized-block",
+    .aliases = "",
+    .summary = "A block is longer than maclint reads (4 KiB); it is skipped",
+    .why = "No control takes a block of this length: what stands there is usually line noise from a serial "
+           "transfer or a file whose line ends were lost. What the block does is unknown to all other rules.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"oversized",
+                  "This block is longer than 4 KiB, so maclint skips it. Check the file for lost "
+                  "line ends, or divide the block."}},
+    .bad = {{"fanuc", long_block()}},
+    .also = {},
+    .good = {{"fanuc", "O0004(SHORT BLOCKS)\n"
+                       "G0 X1.5\n"
+                       "G0 X3.\n"
+                       "M30\n"}},
+    .alarms = {},
+    .sources = {"maclint's own limit: parsing line noise costs the square of its length"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    for (const Irregularity& irregularity : file.irregularities)
+        if (irregularity.kind == Irregular::oversized_block)
+            reporter.report(file, irregularity.span, "oversized", {});
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,37 @@
+//! MAC002: a suppression comment or the configuration names no rule that exists. The command raises it.
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+extern const Rule unknown_rule_in_suppression{
+    .code = "MAC002",
+    .name = "unknown-rule-in-suppression",
+    .aliases = "",
+    .summary = "A suppression or the configuration names a rule that does not exist",
+    .why = "A mistyped code allows nothing: the finding it was meant for comes back, or, in the "
+           "configuration, a "
+           "rule that the shop relies on is never switched on.",
+    .severity = Severity::warning,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"unknown", "There is no rule '{0}'. See 'maclint rules' for the list."},
+                 {"similar", "There is no rule '{0}'. Did you mean '{1}'?"},
+                 {"no-rule", "This comment names no rule. Write '{0}'."},
+                 {"no-verb",
+                  "'{0}' is nothing that maclint understands here. Write ALLOW, ALLOW-FILE, OFF or ON "
+                  "before the rule's code."}},
+    .bad = {{"fanuc", "O0002(MISTYPED CODE)\n"
+                      "G0 X10. (MACLINT ALLOW MAC004X - HOUSE RULE)\n"
+                      "M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O0002(NO ALLOWANCE)\n"
+                       "G0 X10.\n"
+                       "M30\n"}},
+    .alarms = {},
+    .sources = {"maclint's own: suppression comments, docs/use.md"},
+    .check = RaisedByCommand{},
+};
+
+} // namespace maclint::rules

@@ -1,0 +1,12 @@
+//! Findings for what is wrong with a text before any flow is looked at.
+#pragma once
+
+#include "rules/rule.hpp"
+
+namespace maclint {
+
+/// One finding for every irregularity of the kind: the message "cure" where a cure is known and the rule has
+/// it, otherwise "plain"; their arguments are the offending text and the cure.
+void report_irregular(const ProgramFile& file, Irregular kind, Reporter& reporter);
+
+} // namespace maclint

@@ -1,0 +1,84 @@
+//! MAC502: what acts on every later move is still switched on when the program is left.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/leftover.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule compensation_or_transform_left_active{
+    .code = "MAC502",
+    .name = "compensation-or-transform-left-active",
+    .aliases = "",
+    .summary = "A program ends with cutter compensation, a canned cycle, rotation, polar "
+               "coordinates, scaling, mirror image or a local offset active that it switched on "
+               "itself",
+    .why = "Every later move is shifted, turned, mirrored or drilled: the caller, or the next "
+           "program when reset does not cancel it, cuts somewhere else than it was told to.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"every-way",
+                  "'{0}' is still active when the program is left: every later move is subject to "
+                  "it. Cancel it with {1} first."},
+                 {"some-ways",
+                  "'{0}' is still active on some of the ways on which the program is left: every "
+                  "later move is subject to it. Cancel it with {1} on those, too."}},
+    .bad = {{"fanuc", "O9502(SLOT AT AN ANGLE)\n"
+                      "G68 X0 Y0 R30.\n"
+                      "G1 X20. F200.\n"
+                      "M99\n"}},
+    .also = {"MAC503"},
+    .good = {{"fanuc", "O9502(SLOT AT AN ANGLE)\n"
+                       "#33=#4109\n"
+                       "G68 X0 Y0 R30.\n"
+                       "G1 X20. F200.\n"
+                       "G69 F#33\n"
+                       "M99\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "044", "G27-G30 NOT ALLOWED IN FIXED CYC"}},
+    .sources = {"SEED-001:206,714", "SEED-002:396-528"},
+    .check = &check,
+};
+
+namespace {
+
+/// A canned cycle ends with the program that is over; a rotation or compensation need not.
+bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
+              const dataflow::ModalPart& part) {
+    if (group.concern == Concern::cycle && exit.exit.kind != flow::ExitKind::returns) return false;
+    const auto code = own_code(analysis, part);
+    return code && code != group.cancel && std::ranges::find(group.customary, *code) == group.customary.end();
+}
+
+std::string cure(const ControlModel& control, const Leftover& leftover) {
+    const auto& cancel = control.groups[leftover.group].cancel;
+    // The shift of G52 is cancelled by a shift of nothing: its code stands for that.
+    if (!cancel || *cancel == 0) return "G52 X0 Y0 Z0";
+    return control.spell(leftover.group, *cancel);
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    for (const Concern concern : {Concern::operation, Concern::cycle}) {
+        const auto leftovers = find_leftovers(
+            analysis, concern, [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+                return is_fault(analysis, group, exit, part);
+            });
+        for (const Leftover& leftover : leftovers) {
+            const std::string code =
+                analysis.control().spell(leftover.group, *own_code(analysis, leftover.part));
+            report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+                            {code, cure(analysis.control(), leftover)});
+        }
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,83 @@
+//! MAC503: a macro leaves another feed or speed than it found.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/leftover.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule feed_or_speed_not_restored{
+    .code = "MAC503",
+    .name = "feed-or-speed-not-restored",
+    .aliases = "",
+    .summary = "A macro changes F or S and does not put the caller's value back",
+    .why = "The caller's next block without F or S moves or turns at the macro's value: a plunge "
+           "feed for a finishing cut, or a rapid one into the material",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"every-way",
+                  "'{0}' is still in force when the macro returns: the caller's {1} is lost. Save "
+                  "{2} at the start and put it back before M99."},
+                 {"some-ways", "'{0}' is still in force on some of the ways on which the macro returns: the "
+                               "caller's {1} is lost there. Put it back on those, too."}},
+    .bad = {{"fanuc", "O9503(PLUNGE, Z DEPTH F FEED)\n"
+                      "G1 Z#26 F#9\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9503(PLUNGE, Z DEPTH F FEED)\n"
+                       "#33=#4109\n"
+                       "G1 Z#26 F#9\n"
+                       "F#33\n"
+                       "M99\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:206"},
+    .check = &check,
+};
+
+namespace {
+
+/// A value of this macro's own: not the caller's, not what may be a saved copy, not MAC505's wrong variable.
+/// A speed that the caller passes is the speed it wants.
+bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
+              const dataflow::ModalPart& part) {
+    if (exit.exit.kind != flow::ExitKind::returns) return false;
+    const dataflow::Symbol& symbol = analysis.data().pool().symbols[part.symbol];
+    using Kind = dataflow::Symbol::Kind;
+    if (symbol.kind == Kind::entry) return group.letter == 'F';
+    return symbol.kind == Kind::constant || symbol.kind == Kind::result;
+}
+
+/// #4109 for F.
+std::string variable_of(const ControlModel& control, GroupId group) {
+    for (const VariableFamily& family : control.families)
+        for (const VariableRange& range : family.ranges)
+            if (range.meaning == Meaning::modal && range.group == group)
+                return std::string(family.name) + std::to_string(range.first);
+    return "it";
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    if (!analysis.is_macro()) return;
+    const auto leftovers = find_leftovers(
+        analysis, Concern::value, [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+            return is_fault(analysis, group, exit, part);
+        });
+    for (const Leftover& leftover : leftovers) {
+        const ModalGroup& group = analysis.control().groups[leftover.group];
+        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+                        {quoted(analysis.program(), place_of(analysis, leftover)), std::string(group.name),
+                         variable_of(analysis.control(), leftover.group)});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,109 @@
+//! Reads the states in which a program is left.
+#include "rules/modal/leftover.hpp"
+
+#include "rules/path.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+namespace {
+
+bool is_from_call(const ProgramAnalysis& analysis, const dataflow::ModalPart& part) {
+    const dataflow::Origin& origin = analysis.data().origin(part.origin);
+    return origin.kind == dataflow::Origin::Kind::effect &&
+           std::holds_alternative<Call>(analysis.program().effects[origin.id].what);
+}
+
+Span span_of(const ProgramAnalysis& analysis, const dataflow::ModalPart& part) {
+    return remark_at(analysis, part.origin, {}).span;
+}
+
+std::optional<Leftover> leftover_of(const ProgramAnalysis& analysis, GroupId group, const IsFault& is_fault) {
+    std::optional<Leftover> last;
+    bool elsewhere_right = false;
+    for (const dataflow::ExitState& exit : analysis.facts().exits) {
+        if (exit.exit.kind == flow::ExitKind::alarm) continue;
+        const dataflow::ModalValue& value = analysis.data().modal(exit.state, group);
+        if (value.unknown) return std::nullopt;
+        for (const dataflow::ModalPart& part : value.parts) {
+            const bool fault = part.origin != 0 && !is_from_call(analysis, part) &&
+                               is_fault(analysis.control().groups[group], group, exit, part);
+            // A way on which nothing sets the group, as when a word is ignored, puts nothing back.
+            elsewhere_right |= part.origin != 0 && !fault;
+            if (fault && (!last || span_of(analysis, last->part).begin < span_of(analysis, part).begin))
+                last = Leftover{group, part, &exit, true};
+        }
+    }
+    if (last) last->on_every_way = !elsewhere_right;
+    return last;
+}
+
+std::string words_for(flow::ExitKind kind) {
+    switch (kind) {
+    case flow::ExitKind::returns: return "the program returns here";
+    case flow::ExitKind::ends: return "the program ends here";
+    default: return "the program runs off its last block here";
+    }
+}
+
+/// A jump that nobody can say whether it is taken: to blocks that run as a subprogram of this program. A
+/// return then need not leave it.
+bool may_return_within(const Program& program) {
+    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
+        const auto* guarded = std::get_if<Guarded>(&effect.what);
+        return guarded != nullptr &&
+               std::holds_alternative<Unreadable>(program.expressions[guarded->condition].node);
+    });
+}
+
+} // namespace
+
+std::vector<Leftover> find_leftovers(const ProgramAnalysis& analysis, Concern concern,
+                                     const IsFault& is_fault) {
+    std::vector<Leftover> leftovers;
+    if (may_return_within(analysis.program())) return leftovers;
+    const auto& groups = analysis.control().groups;
+    for (std::size_t group = 0; group < groups.size(); ++group) {
+        if (groups[group].concern != concern) continue;
+        if (const auto leftover = leftover_of(analysis, static_cast<GroupId>(group), is_fault))
+            leftovers.push_back(*leftover);
+    }
+    return leftovers;
+}
+
+std::optional<double> own_code(const ProgramAnalysis& analysis, const dataflow::ModalPart& part) {
+    const dataflow::Origin& origin = analysis.data().origin(part.origin);
+    if (origin.kind == dataflow::Origin::Kind::effect) {
+        const Program& program = analysis.program();
+        const Effect& effect = program.effects[origin.id];
+        const auto* set = std::get_if<SetModal>(&effect.what);
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        if (set == nullptr && assign == nullptr) return std::nullopt;
+        const ExpressionId value = set != nullptr ? set->value : assign->value;
+        if (!std::holds_alternative<Literal>(program.expressions[value].node)) return std::nullopt;
+    }
+    return analysis.data().pool().number_of(part.symbol);
+}
+
+Span place_of(const ProgramAnalysis& analysis, const Leftover& leftover) {
+    return span_of(analysis, leftover.part);
+}
+
+Finding& report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
+                         std::string_view message_id, std::vector<std::string> arguments) {
+    const Span span = place_of(analysis, leftover);
+    Finding& finding = reporter.report(analysis.file(), span, message_id, std::move(arguments));
+    const flow::NodeId set = node_of(analysis, leftover.part.origin);
+    const flow::Exit& exit = leftover.exit->exit;
+    trace(finding, analysis, set,
+          "the " + std::string(analysis.control().groups[leftover.group].name) + " is set here");
+    if (set != exit.node)
+        for (Remark& step : way_between(analysis, set, exit.node)) finding.related.push_back(std::move(step));
+    const Span end =
+        exit.effect ? analysis.program().effects[*exit.effect].span : analysis.graph().nodes[exit.node].part;
+    finding.related.push_back({&analysis.file(), end, words_for(exit.kind)});
+    return finding;
+}
+
+} // namespace maclint::rules

@@ -1,0 +1,42 @@
+//! Modal groups that a program leaves other than it found them.
+#pragma once
+
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/finding.hpp"
+#include "rules/rule.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace maclint::rules {
+
+/// A word of the program whose effect on a modal group is still in force when the program is left.
+struct Leftover {
+    GroupId group;
+    dataflow::ModalPart part;        ///< the last in the text that sets the group so
+    const dataflow::ExitState* exit; ///< where it is still in force
+    bool on_every_way;               ///< false: on other ways the program puts the group right
+};
+
+/// Whether this way of a group at an exit is one that the rule speaks of.
+using IsFault =
+    std::function<bool(const ModalGroup&, GroupId, const dataflow::ExitState&, const dataflow::ModalPart&)>;
+
+/// One leftover for each group of this concern. A group of which somebody else may have changed something
+/// unknown is left out, and so is what a called program left: that program is told.
+[[nodiscard]] std::vector<Leftover> find_leftovers(const ProgramAnalysis& analysis, Concern concern,
+                                                   const IsFault& is_fault);
+
+/// The code of the part, when a literal word of this program set it: `G91`, not `G#3`.
+[[nodiscard]] std::optional<double> own_code(const ProgramAnalysis& analysis,
+                                             const dataflow::ModalPart& part);
+
+/// The bytes that set the part.
+[[nodiscard]] Span place_of(const ProgramAnalysis& analysis, const Leftover& leftover);
+
+/// Reports the leftover where it was set, with the way there and the way to the exit.
+Finding& report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
+                         std::string_view message_id, std::vector<std::string> arguments);
+
+} // namespace maclint::rules

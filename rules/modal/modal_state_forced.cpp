@@ -1,0 +1,75 @@
+//! MAC518: a called program ends in the customary code without asking for the caller's.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/leftover.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule modal_state_forced{
+    .code = "MAC518",
+    .name = "modal-state-forced",
+    .aliases = "",
+    .summary = "A called program ends with a group set to its customary code (G90, G17, G94 ...) "
+               "without having saved what the caller had",
+    .why = "A caller in another mode comes back to the customary one, and its next words mean "
+           "something else.",
+    .severity = Severity::note,
+    .precision = Precision::medium,
+    .on_by_default = false,
+    .off_reason = "ending in G90 is a custom that most shops rely on",
+    .data_flow = true,
+    .messages = {{"forced", "'{0}' is in force when the program returns, whatever the caller's {1} was. "
+                            "Save it at the start and put it back before M99."}},
+    .bad = {{"fanuc", "O9518(UP)\n"
+                      "G90 G0 Z10.\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9518(UP)\n"
+                       "#33=#4003\n"
+                       "G90 G0 Z10.\n"
+                       "G#33\n"
+                       "M99\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:206,582"},
+    .check = &check,
+};
+
+namespace {
+
+bool saves(const ProgramAnalysis& analysis, GroupId group) {
+    return std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
+        const auto* load = std::get_if<LoadModal>(&analysis.program().expressions[store.expression].node);
+        return load != nullptr && load->group == group;
+    });
+}
+
+bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
+              const dataflow::ModalPart& part) {
+    if (exit.exit.kind != flow::ExitKind::returns || group.customary.size() != 1) return false;
+    const auto code = own_code(analysis, part);
+    return code && *code == group.customary.front();
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    if (analysis.is_main()) return;
+    const auto leftovers = find_leftovers(
+        analysis, Concern::state, [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+            return is_fault(analysis, group, exit, part);
+        });
+    for (const Leftover& leftover : leftovers) {
+        if (!leftover.on_every_way || saves(analysis, leftover.group)) continue;
+        report_leftover(analysis, reporter, leftover, "forced",
+                        {analysis.control().spell(leftover.group, *own_code(analysis, leftover.part)),
+                         std::string(analysis.control().groups[leftover.group].name)});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,72 @@
+//! MAC501: a called program leaves a modal group at a code that callers do not expect.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/leftover.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule modal_state_not_restored{
+    .code = "MAC501",
+    .name = "modal-state-not-restored",
+    .aliases = "",
+    .summary = "A called program leaves a modal group at a code that is not the customary one, on "
+               "every way out or on some",
+    .why = "The caller goes on in another mode than the one it was written in: with G91 its next "
+           "absolute position is an incremental move, with G18 its next arc lies in another "
+           "plane.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"every-way", "'{0}' is still in force when the program returns: the caller's {1} is lost. "
+                               "Save it at the start and put it back before every M99."},
+                 {"some-ways",
+                  "'{0}' is still in force on some of the ways on which the program returns: the "
+                  "caller's {1} is lost there. Put it back on those, too."}},
+    .bad = {{"fanuc", "O9501(ONE STEP UP)\n"
+                      "G91 G0 Z10.\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9501(ONE STEP UP)\n"
+                       "#33=#4003\n"
+                       "G91 G0 Z10.\n"
+                       "G#33\n"
+                       "M99\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:206,582", "CNCWIKI-SUB", "SEED-001:1344-1354"},
+    .check = &check,
+};
+
+namespace {
+
+/// A literal code of this program that is no custom.
+bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
+              const dataflow::ModalPart& part) {
+    if (exit.exit.kind != flow::ExitKind::returns) return false;
+    const auto code = own_code(analysis, part);
+    return code && std::ranges::find(group.customary, *code) == group.customary.end();
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    if (analysis.is_main()) return;
+    const auto leftovers = find_leftovers(
+        analysis, Concern::state, [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+            return is_fault(analysis, group, exit, part);
+        });
+    for (const Leftover& leftover : leftovers) {
+        const std::string code = analysis.control().spell(leftover.group, *own_code(analysis, leftover.part));
+        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+                        {code, std::string(analysis.control().groups[leftover.group].name)});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,60 @@
+//! MAC504: a called program leaves another motion mode than it found.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/leftover.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule motion_mode_not_restored{
+    .code = "MAC504",
+    .name = "motion-mode-not-restored",
+    .aliases = "",
+    .summary = "A called program leaves the motion mode (G00 to G03, G33) other than it found it",
+    .why = "A caller that relies on its own G00 or G01 moves in the macro's mode instead",
+    .severity = Severity::note,
+    .precision = Precision::medium,
+    .on_by_default = false,
+    .off_reason = "most programs give the motion code again after a call",
+    .data_flow = true,
+    .messages = {{"every-way",
+                  "'{0}' is still in force when the program returns: the caller's motion mode is "
+                  "lost. Save it at the start and put it back before M99."},
+                 {"some-ways",
+                  "'{0}' is still in force on some of the ways on which the program returns: the "
+                  "caller's motion mode is lost there. Put it back on those, too."}},
+    .bad = {{"fanuc", "O9504(UP)\n"
+                      "G0 Z10.\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9504(UP)\n"
+                       "#33=#4001\n"
+                       "G0 Z10.\n"
+                       "G#33\n"
+                       "M99\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:206"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    if (analysis.is_main()) return;
+    const auto leftovers = find_leftovers(
+        analysis, Concern::motion, [&](const ModalGroup&, GroupId, const auto& exit, const auto& part) {
+            return exit.exit.kind == flow::ExitKind::returns && own_code(analysis, part).has_value();
+        });
+    for (const Leftover& leftover : leftovers)
+        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+                        {analysis.control().spell(leftover.group, *own_code(analysis, leftover.part))});
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,94 @@
+//! MAC505: a word puts back a value that was saved from another kind of word.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/saved_state.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule restore_from_wrong_variable{
+    .code = "MAC505",
+    .name = "restore-from-wrong-variable",
+    .aliases = "",
+    .summary = "A word is given a copy of a system variable of another meaning: F from #4019, G "
+               "from #4109",
+    .why = "The caller's feed, speed or mode is replaced by an unrelated number: F19. instead of "
+           "F800., or a G code that the control does not know.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"value", "'{0}' puts back '{1}', which is not the {2}. Save {3} instead."},
+                 {"code", "'{0}' puts back '{1}', which is no G code. Save the variable of the group that "
+                          "is meant instead."}},
+    .bad = {{"fanuc", "O9505(PLUNGE, Z DEPTH F FEED)\n"
+                      "#33=#4019\n"
+                      "G1 Z#26 F#9\n"
+                      "F#33\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9505(PLUNGE, Z DEPTH F FEED)\n"
+                       "#33=#4109\n"
+                       "G1 Z#26 F#9\n"
+                       "F#33\n"
+                       "M99\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "115", "ILLEGAL VARIABLE NUMBER"}},
+    .sources = {"SEED-001:633,770,1360"},
+    .check = &check,
+};
+
+namespace {
+
+/// Modal values that have no group of their own, D and H for instance: nothing else can be written or changes
+/// neither.
+bool is_other_modal(const VariableRange& range) {
+    return range.meaning == Meaning::machine && range.on_write == OnWrite::forbidden &&
+           !range.changes_by_itself;
+}
+
+bool is_wrong(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write, const CopySource& source) {
+    if (source.range != nullptr) return is_other_modal(*source.range);
+    if (!source.group) return false;
+    if (write.stated) return write.group != source.group;
+    return analysis.control().groups[*source.group].letter != 'G';
+}
+
+/// #4109 for F.
+std::string variable_of(const ControlModel& control, GroupId group) {
+    for (const VariableFamily& family : control.families)
+        for (const VariableRange& range : family.ranges)
+            if (range.meaning == Meaning::modal && range.group == group)
+                return std::string(family.name) + std::to_string(range.first);
+    return "the right variable";
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes) {
+        const auto source = copy_source(analysis, write.expression, write.value);
+        if (!source || !is_wrong(analysis, write, *source)) continue;
+        const Span span = program.effects[write.effect].span;
+        const std::string text = quoted(program, span);
+        const Span read = program.expressions[source->expression].span;
+        Finding& finding =
+            write.stated ? reporter.report(analysis.file(), span, "value",
+                                           {text, quoted(program, read),
+                                            std::string(analysis.control().groups[*write.group].name),
+                                            variable_of(analysis.control(), *write.group)})
+                         : reporter.report(analysis.file(), span, "code", {text, quoted(program, read)});
+        const dataflow::Store* store = store_of(analysis, write.value);
+        trace(finding, analysis, store != nullptr ? store->node : write.node,
+              {&analysis.file(), read, "the value comes from here"}, write.node, "and is put back here");
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

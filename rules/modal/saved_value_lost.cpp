@@ -1,0 +1,106 @@
+//! MAC506: the variable that holds the saved state is overwritten before it is put back.
+#include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/saved_state.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule saved_value_lost{
+    .code = "MAC506",
+    .name = "saved-value-lost",
+    .aliases = "",
+    .summary = "The variable that holds a saved modal value is overwritten before the value is "
+               "put back",
+    .why = "The word that should restore the caller's mode gives the control some other number: "
+           "another G code, or one that it does not know.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"overwritten", "'{0}' overwrites the {1} that {2} keeps for '{3}'. Use another variable."}},
+    .bad = {{"fanuc", "O9506(UP, K STEP)\n"
+                      "#33=#4003\n"
+                      "G91 G0 Z#6\n"
+                      "#33=#5003+#6\n"
+                      "G#33\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9506(UP, K STEP)\n"
+                       "#33=#4003\n"
+                       "G91 G0 Z#6\n"
+                       "#32=#5003+#6\n"
+                       "#100=#32\n"
+                       "G#33\n"
+                       "M99\n"}},
+    .alarms = {},
+    .sources = {"T"},
+    .check = &check,
+};
+
+namespace {
+
+/// The modal value that the variable held just before the assignment, when it was a saved one.
+std::optional<CopySource> saved_before(const ProgramAnalysis& analysis, const dataflow::Store& store) {
+    const dataflow::Value old = analysis.data().value(analysis.data().before(store.node), store.place);
+    const dataflow::Store* save = store_of(analysis, old);
+    if (save == nullptr) return std::nullopt;
+    const auto source = copy_source(analysis, save->expression, save->value);
+    return source && source->group ? source : std::nullopt;
+}
+
+/// Whether the word would have put the saved value back.
+bool would_restore(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write, GroupId saved) {
+    return write.stated ? write.group == saved : analysis.control().groups[saved].letter == 'G';
+}
+
+/// A new feed may be computed from the saved one; a new G code may not.
+bool is_computed_from(const ProgramAnalysis& analysis, const dataflow::Store& store) {
+    const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), store.expression);
+    return std::ranges::find(set.places, store.place) != set.places.end();
+}
+
+/// The saved value has served already: some word put it back.
+bool is_put_back(const ProgramAnalysis& analysis, Place place, ExpressionId saved) {
+    return std::ranges::any_of(analysis.facts().modal_writes, [&](const dataflow::ModalWrite& write) {
+        if (dataflow::plain_place(analysis.program(), write.expression) != place) return false;
+        const auto source = copy_source(analysis, write.expression, write.value);
+        return source && source->expression == saved;
+    });
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes) {
+        const auto place = dataflow::plain_place(program, write.expression);
+        const dataflow::Store* store = store_of(analysis, write.value);
+        if (!place || store == nullptr || !(store->place == *place)) continue;
+        if (copy_source(analysis, store->expression, store->value)) continue; // saved anew
+        const auto saved = saved_before(analysis, *store);
+        if (!saved || !would_restore(analysis, write, *saved->group)) continue;
+        if (write.stated && is_computed_from(analysis, *store)) continue;
+        if (is_put_back(analysis, *place, saved->expression)) continue;
+        const Span span = program.effects[store->effect].span;
+        const Span word = program.effects[write.effect].span;
+        Finding& finding = reporter.report(analysis.file(), span, "overwritten",
+                                           {quoted(program, span),
+                                            std::string(analysis.control().groups[*saved->group].name),
+                                            program.spell(*place), quoted(program, word)});
+        trace(finding, analysis, 0,
+              {&analysis.file(), program.expressions[saved->expression].span, "it is saved here"},
+              store->node, "and overwritten here");
+        finding.related.push_back({&analysis.file(), word, "this word should put the saved value back"});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

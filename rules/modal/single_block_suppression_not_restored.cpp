@@ -1,0 +1,63 @@
+//! MAC515: single block, feed hold or override are still switched off when the program is left.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/leftover.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule single_block_suppression_not_restored{
+    .code = "MAC515",
+    .name = "single-block-suppression-not-restored",
+    .aliases = "",
+    .summary = "#3003 or #3004 is set and not put back to 0 on every way out: single block, feed "
+               "hold and override stay disabled",
+    .why = "The operator presses feed hold or switches to single block, and the machine goes on "
+           "moving.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"every-way", "'{0}' is still in force when the program is left: the {1} stays on. Set it "
+                               "back to 0 before every way out."},
+                 {"some-ways",
+                  "'{0}' is still in force on some of the ways on which the program is left: the "
+                  "{1} stays on. Set it back to 0 on those, too."}},
+    .bad = {{"fanuc", "O9515(UP WITHOUT A STOP)\n"
+                      "#3003=1\n"
+                      "G0 Z10.\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9515(UP WITHOUT A STOP)\n"
+                       "#3003=1\n"
+                       "G0 Z10.\n"
+                       "#3003=0\n"
+                       "M99\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:210-240"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const auto leftovers = find_leftovers(
+        analysis, Concern::suppression, [&](const ModalGroup& group, GroupId, const auto&, const auto& part) {
+            const auto code = own_code(analysis, part);
+            return code && std::ranges::find(group.customary, *code) == group.customary.end();
+        });
+    for (const Leftover& leftover : leftovers)
+        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+                        {quoted(analysis.program(), place_of(analysis, leftover)),
+                         std::string(analysis.control().groups[leftover.group].name)});
+}
+
+} // namespace
+} // namespace maclint::rules

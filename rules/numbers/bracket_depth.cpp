@@ -1,0 +1,45 @@
+//! MAC701: more bracket levels than the control has.
+#include "rules/irregular.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule bracket_depth{
+    .code = "MAC701",
+    .name = "bracket-depth",
+    .aliases = "DIN325",
+    .summary = "Brackets are nested deeper than the control allows, those of functions included",
+    .why = "The control stops with an alarm when it reaches the block.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"plain",
+                  "'{0}' opens one bracket level too many for the control, which stops here. Compute a "
+                  "part of the expression in a block before."}},
+    .bad = {{"fanuc", "O9701(DEEP)\n"
+                      "#100=SIN[[[[[[#101]]]]]]\n"
+                      "M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9701(DEEP)\n"
+                       "#100=SIN[[[[#101]]]]\n"
+                       "M30\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "118", "PARENTHESIS NESTING ERROR"},
+               {"FANUC 30i/0i-D", "118", "TOO MANY BRACKET NESTING"}},
+    .sources = {"MAN-16C287", "NCT-188"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::bracket_depth, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

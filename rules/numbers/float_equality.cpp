@@ -1,0 +1,165 @@
+//! MAC710: EQ or NE between numbers that rounding has touched.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/numbers/inexact_counter.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule float_equality{
+    .code = "MAC710",
+    .name = "float-equality",
+    .aliases = "DIN327",
+    .summary = "A result that has been rounded is compared with EQ or NE: 0.002*1000 need not be "
+               "2",
+    .why = "The comparison fails although both numbers look the same on the display: the last "
+           "pass is left out, or the loop goes on.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"equal", "'{0}' may fail for numbers that are equal on paper: '{1}' is rounded. Compare "
+                           "the distance instead: IF[ABS[...]LT0.001]."},
+                 {"not-equal",
+                  "'{0}' may hold for numbers that are equal on paper: '{1}' is rounded. Compare "
+                  "the distance instead: IF[ABS[...]GE0.001]."},
+                 {"sum-equal",
+                  "'{0}' may fail when the steps added to {1} have decimals: ten steps of 0.1 are not 1. "
+                  "Compare the distance instead: IF[ABS[...]LT0.001]."},
+                 {"sum-not-equal",
+                  "'{0}' may hold for ever when the steps added to {1} have decimals: ten steps of "
+                  "0.1 are not 1. Compare the distance instead: IF[ABS[...]GE0.001]."}},
+    .bad = {{"fanuc", "O9710(HALF A TURN, A ANGLE)\n"
+                      "#33=#1/3\n"
+                      "IF[#33EQ60]GOTO9\n"
+                      "G90 G0 X#33\n"
+                      "N9 M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9710(HALF A TURN, A ANGLE)\n"
+                       "#33=#1/3\n"
+                       "IF[ABS[#33-60]LT0.001]GOTO9\n"
+                       "G90 G0 X#33\n"
+                       "N9 M99\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:306-314", "HAAS-LA", "MITSU-326"},
+    .check = &check,
+};
+
+namespace {
+
+using dataflow::Value;
+
+/// The symbol of the operand when the value is FIX, FUP or ROUND of something.
+std::optional<dataflow::SymbolId> rounded_operand(const ProgramAnalysis& analysis, const Value& value) {
+    const dataflow::Symbol& symbol = analysis.data().pool().symbols[value.symbol];
+    if (symbol.kind != dataflow::Symbol::Kind::result) return std::nullopt;
+    const auto operation = static_cast<Operation>(symbol.a);
+    const bool rounds =
+        operation == Operation::truncate || operation == Operation::round || operation == Operation::round_up;
+    return rounds ? std::optional(symbol.b) : std::nullopt;
+}
+
+/// Whether a number is whole: x EQ FIX[x].
+bool asks_for_whole(const ProgramAnalysis& analysis, const Value& left, const Value& right) {
+    return rounded_operand(analysis, left) == right.symbol || rounded_operand(analysis, right) == left.symbol;
+}
+
+/// Products and quotients are 0 exactly when an operand is.
+bool is_safe_against_zero(const ProgramAnalysis& analysis, const Value& value, const Value& zero) {
+    if (zero.constant() != 0.0) return false;
+    const dataflow::Symbol& symbol = analysis.data().pool().symbols[value.symbol];
+    if (symbol.kind != dataflow::Symbol::Kind::result) return false;
+    const auto operation = static_cast<Operation>(symbol.a);
+    return operation == Operation::multiply || operation == Operation::divide;
+}
+
+/// Some assignment copies the very value that is compared with: IF[#14GT#2]THEN#14=#2 … IF[#14EQ#2].
+bool is_copied_into(const ProgramAnalysis& analysis, ExpressionId expression, const Value& other) {
+    const auto* load = std::get_if<Load>(&analysis.program().expressions[expression].node);
+    return load != nullptr && std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
+               return store.place == load->place && store.value.symbol == other.symbol;
+           });
+}
+
+/// The assignment that adds a step of unknown exactness to the variable in a loop: ten steps of 0.1 are
+/// not 1.
+const dataflow::Store* accumulating_store(const ProgramAnalysis& analysis, ExpressionId expression) {
+    const auto* load = std::get_if<Load>(&analysis.program().expressions[expression].node);
+    if (load == nullptr) return nullptr;
+    for (const dataflow::Store& store : analysis.facts().stores) {
+        if (!(store.place == load->place) || !store.step) continue;
+        const Value& amount = store.step->amount;
+        if (amount.integer || (amount.constant() && !dataflow::is_inexact(amount))) continue;
+        if (std::ranges::any_of(analysis.loops(),
+                                [&](const dataflow::Loop& loop) { return loop.holds(store.node); }))
+            return &store;
+    }
+    return nullptr;
+}
+
+bool is_harmless(const ProgramAnalysis& analysis, const dataflow::Comparison& c) {
+    return c.left.symbol == c.right.symbol || asks_for_whole(analysis, c.left, c.right) ||
+           is_safe_against_zero(analysis, c.left, c.right) ||
+           is_safe_against_zero(analysis, c.right, c.left) ||
+           is_copied_into(analysis, c.left_expression, c.right) ||
+           is_copied_into(analysis, c.right_expression, c.left);
+}
+
+/// What makes a side of the comparison inexact.
+struct Inexact {
+    ExpressionId side;
+    dataflow::OriginId rounding; ///< where it was rounded; 0: summed up by `sum`
+    const dataflow::Store* sum;
+};
+
+std::optional<Inexact> inexact_side(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison) {
+    if (comparison.left.exactness == dataflow::Exactness::rounded)
+        return Inexact{comparison.left_expression, comparison.left.rounding, nullptr};
+    if (comparison.right.exactness == dataflow::Exactness::rounded)
+        return Inexact{comparison.right_expression, comparison.right.rounding, nullptr};
+    for (const ExpressionId side : {comparison.left_expression, comparison.right_expression})
+        if (const dataflow::Store* sum = accumulating_store(analysis, side)) return Inexact{side, 0, sum};
+    return std::nullopt;
+}
+
+void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Comparison& comparison,
+            const Inexact& inexact) {
+    const Program& program = analysis.program();
+    const Span span = program.expressions[comparison.expression].span;
+    const std::string side = quoted(program, program.expressions[inexact.side].span);
+    const bool equal = comparison.operation == Operation::equal;
+    if (inexact.sum == nullptr) {
+        Finding& finding = reporter.report(analysis.file(), span, equal ? "equal" : "not-equal",
+                                           {quoted(program, span), side});
+        trace(finding, analysis, inexact.rounding, "the result is rounded here", comparison.node,
+              "and compared here");
+        return;
+    }
+    Finding& finding = reporter.report(analysis.file(), span, equal ? "sum-equal" : "sum-not-equal",
+                                       {quoted(program, span), side});
+    trace(finding, analysis, inexact.sum->node,
+          remark_at_effect(analysis, inexact.sum->effect, "a step is added in every pass"), comparison.node,
+          "and the sum is compared here");
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const std::vector<InexactCounter> counters = find_inexact_counters(analysis);
+    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+        if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
+            continue;
+        if (is_harmless(analysis, comparison) || decides(counters, comparison)) continue;
+        if (const auto inexact = inexact_side(analysis, comparison))
+            report(analysis, reporter, comparison, *inexact);
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

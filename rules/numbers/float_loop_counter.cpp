@@ -1,0 +1,71 @@
+//! MAC711: a loop counts in steps that binary arithmetic cannot hold.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/numbers/inexact_counter.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule float_loop_counter{
+    .code = "MAC711",
+    .name = "float-loop-counter",
+    .aliases = "",
+    .summary = "A loop advances by a step that binary arithmetic cannot hold: the last pass is "
+               "missing or comes twice",
+    .why = "Ten steps of 0.1 are not 1. Whether the last pass runs depends on the control, and on "
+           "the numbers of the day.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"step", "'{0}' adds a rounding error in every pass, and '{1}' decides on the last one: "
+                          "that pass may be missing or come once too often. Count whole passes, or add "
+                          "half a step to the bound."}},
+    .bad = {{"fanuc", "O9711(ROWS)\n"
+                      "#33=0\n"
+                      "WHILE[#33LE1]DO1\n"
+                      "G90 G0 X#33\n"
+                      "#33=#33+0.1\n"
+                      "END1\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9711(ROWS)\n"
+                       "#33=0\n"
+                       "WHILE[#33LE10]DO1\n"
+                       "G90 G0 X[#33/10]\n"
+                       "#33=#33+1\n"
+                       "END1\n"
+                       "M99\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:306-314"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const InexactCounter& counter : find_inexact_counters(analysis)) {
+        const dataflow::Store& step = *counter.step;
+        const Span span = program.effects[step.effect].span;
+        const dataflow::Comparison& test = *counter.tests.front();
+        const Span decides = program.expressions[test.expression].span;
+        Finding& finding =
+            reporter.report(analysis.file(), span, "step", {quoted(program, span), quoted(program, decides)});
+        if (step.step->amount.rounding != 0)
+            trace(finding, analysis, step.step->amount.rounding, "the step is rounded here", step.node,
+                  "and added in every pass");
+        else
+            trace(finding, analysis, step.node, "the step is added in every pass");
+        finding.related.push_back({&analysis.file(), decides, "this decides whether there is another pass"});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,105 @@
+//! The explicit list of all rules, in the order of their codes. A new rule is one line here.
+#include "rules/rule.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+// One row a rule, in the order of their codes.
+// clang-format off
+#define MACLINT_RULES(RULE) \
+    RULE(unused_suppression)                    /* MAC001 */ \
+    RULE(unknown_rule_in_suppression)           /* MAC002 */ \
+    RULE(unreadable_file)                       /* MAC003 */ \
+    RULE(oversized_block)                       /* MAC004 */ \
+    RULE(unterminated_comment)                  /* MAC102 */ \
+    RULE(parenthesis_as_bracket)                /* MAC116 */ \
+    RULE(bracket_mismatch)                      /* MAC117 */ \
+    RULE(unknown_keyword)                       /* MAC118 */ \
+    RULE(symbolic_comparison)                   /* MAC119 */ \
+    RULE(unreadable_block)                      /* MAC121 */ \
+    RULE(assignment_to_null_variable)           /* MAC201 */ \
+    RULE(uninitialised_local)                   /* MAC209 */ \
+    RULE(zero_test_misses_vacant)               /* MAC220 */ \
+    RULE(vacant_in_relational_comparison)       /* MAC221 */ \
+    RULE(vacancy_lost_in_arithmetic)            /* MAC222 */ \
+    RULE(vacancy_test_never_true)               /* MAC228 */ \
+    RULE(jump_target_missing)                   /* MAC301 */ \
+    RULE(jump_into_loop)                        /* MAC303 */ \
+    RULE(while_without_do)                      /* MAC311 */ \
+    RULE(do_without_end)                        /* MAC312 */ \
+    RULE(end_without_do)                        /* MAC313 */ \
+    RULE(loop_number_out_of_range)              /* MAC314 */ \
+    RULE(loops_nested_too_deep)                 /* MAC315 */ \
+    RULE(crossed_loops)                         /* MAC316 */ \
+    RULE(loop_number_reuse_nested)              /* MAC317 */ \
+    RULE(do_without_while)                      /* MAC318 */ \
+    RULE(infinite_loop_unchanged)               /* MAC319 */ \
+    RULE(infinite_loop_step)                    /* MAC320 */ \
+    RULE(m99_p_missing_label)                   /* MAC333 */ \
+    RULE(endless_jump_loop)                     /* MAC336 */ \
+    RULE(call_without_program_number)           /* MAC401 */ \
+    RULE(program_not_found)                     /* MAC402 */ \
+    RULE(macro_calls_nested_too_deep)           /* MAC410 */ \
+    RULE(subprogram_calls_nested_too_deep)      /* MAC411 */ \
+    RULE(recursive_call)                        /* MAC412 */ \
+    RULE(g66_not_cancelled)                     /* MAC413 */ \
+    RULE(duplicate_sequence_number)             /* MAC462 */ \
+    RULE(modal_state_not_restored)              /* MAC501 */ \
+    RULE(compensation_or_transform_left_active) /* MAC502 */ \
+    RULE(feed_or_speed_not_restored)            /* MAC503 */ \
+    RULE(motion_mode_not_restored)              /* MAC504 */ \
+    RULE(restore_from_wrong_variable)           /* MAC505 */ \
+    RULE(saved_value_lost)                      /* MAC506 */ \
+    RULE(single_block_suppression_not_restored) /* MAC515 */ \
+    RULE(saved_after_change)                    /* MAC517 */ \
+    RULE(modal_state_forced)                    /* MAC518 */ \
+    RULE(bracket_depth)                         /* MAC701 */ \
+    RULE(float_equality)                        /* MAC710 */ \
+    RULE(float_loop_counter)                    /* MAC711 */ \
+    RULE(constant_condition)                    /* MAC718 */
+// clang-format on
+
+namespace maclint {
+namespace rules {
+
+#define MACLINT_DECLARE(name) extern const Rule name;
+MACLINT_RULES(MACLINT_DECLARE)
+#undef MACLINT_DECLARE
+
+} // namespace rules
+
+namespace {
+
+#define MACLINT_ADDRESS(name) &rules::name,
+constexpr auto list = std::to_array<const Rule*>({MACLINT_RULES(MACLINT_ADDRESS)});
+#undef MACLINT_ADDRESS
+
+bool equal_without_case(std::string_view a, std::string_view b) {
+    return std::ranges::equal(
+        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+bool is_alias(std::string_view aliases, std::string_view code) {
+    for (std::size_t begin = 0; begin < aliases.size();) {
+        const std::size_t end = std::min(aliases.find(' ', begin), aliases.size());
+        if (equal_without_case(aliases.substr(begin, end - begin), code)) return true;
+        begin = end + 1;
+    }
+    return false;
+}
+
+} // namespace
+
+std::span<const Rule* const> all_rules() { return list; }
+
+const Rule* find_rule(std::string_view code_or_name) {
+    const auto found = std::ranges::find_if(list, [&](const Rule* rule) {
+        return equal_without_case(rule->code, code_or_name) || equal_without_case(rule->name, code_or_name) ||
+               is_alias(rule->aliases, code_or_name);
+    });
+    return found == list.end() ? nullptr : *found;
+}
+
+} // namespace maclint

@@ -1,0 +1,46 @@
+//! MAC117: brackets that do not pair.
+#include "rules/irregular.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule bracket_mismatch{
+    .code = "MAC117",
+    .name = "bracket-mismatch",
+    .aliases = "DIN324",
+    .summary = "The brackets of an expression do not pair",
+    .why = "The control refuses the block, and where it guesses another grouping than the author"
+           " the result is another number.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"plain", "The brackets of this block do not pair at '{0}': {1}. The control stops here."}},
+    .bad = {{"fanuc", "O9117(DEPTH)\n"
+                      "#100=[#101+2*[#102-1]\n"
+                      "M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9117(DEPTH)\n"
+                       "#100=[#101+2]*[#102-1]\n"
+                       "M30\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
+               {"FANUC 30i/0i-D", "1131", "MISSING OPEN BRACKET"},
+               {"FANUC 30i/0i-D", "1132", "MISSING CLOSE BRACKET"},
+               {"NCT", "3064", "BAD MACRO STATEMENT"}},
+    .sources = {"GH-ALM", "NCT-188"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::bracket_mismatch, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

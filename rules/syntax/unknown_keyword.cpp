@@ -1,0 +1,49 @@
+//! MAC118: a word that the control does not know.
+#include "rules/irregular.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule unknown_keyword{
+    .code = "MAC118",
+    .name = "unknown-keyword",
+    .aliases = "DIN003",
+    .summary = "A word that is no keyword of the language",
+    .why = "The control stops with an alarm when it reaches the block, which may be hours into "
+           "the job.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"cure", "'{0}' is no word of the control, which stops here. Write '{1}'."},
+                 {"plain",
+                  "'{0}' is no word of the control, which stops here. Use the words of the language's "
+                  "manual."}},
+    .bad = {{"fanuc", "O9118(DEPTH)\n"
+                      "IF[#100LTE5]GOTO10\n"
+                      "#100=5\n"
+                      "N10 M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9118(DEPTH)\n"
+                       "IF[#100LE5]GOTO10\n"
+                       "#100=5\n"
+                       "N10 M30\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
+               {"FANUC 16i/18i/21i", "199", "MACRO WORD UNDEFINED"}},
+    .sources = {"IMD-114", "ISORP"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::unknown_keyword, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

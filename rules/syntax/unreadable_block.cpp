@@ -1,0 +1,45 @@
+//! MAC121: a block that makes no sense to the control.
+#include "rules/irregular.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule unreadable_block{
+    .code = "MAC121",
+    .name = "unreadable-block",
+    .aliases = "",
+    .summary = "A block that cannot be read",
+    .why = "The control stops with a format alarm in this block. maclint does not guess what was"
+           " meant: other rules take it that the block may do anything it names.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"cure", "'{0}' cannot be read here: {1} is expected. The control stops in this block."},
+                 {"plain", "'{0}' cannot be read. The control stops in this block."}},
+    .bad = {{"fanuc", "O9121(POINT)\n"
+                      "G1 X5. 10. F100\n"
+                      "M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9121(POINT)\n"
+                       "G1 X5. Y10. F100\n"
+                       "M30\n"}},
+    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
+               {"FANUC 16i/18i/21i", "004", "ADDRESS NOT FOUND"}},
+    .sources = {"CSDN-PS", "GH-ALM"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::unreadable, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,46 @@
+//! MAC102: a comment that nobody closes.
+#include "rules/irregular.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule unterminated_comment{
+    .code = "MAC102",
+    .name = "unterminated-comment",
+    .aliases = "DIN012",
+    .summary = "A comment is opened and not closed: the rest of the block is swallowed",
+    .why = "Whatever stands behind the open bracket is text for the control: a word or a whole "
+           "statement that the author counts on is never executed. Some controls swallow the "
+           "following blocks, too.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"plain",
+                  "'{0}' opens a comment that is never closed, so the rest of the block does nothing. "
+                  "Close it with '{1}'."}},
+    .bad = {{"fanuc", "O9102(PART)\n"
+                      "#100=5.(DIAMETER\n"
+                      "M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9102(PART)\n"
+                       "#100=5.(DIAMETER)\n"
+                       "M30\n"}},
+    .alarms = {},
+    .sources = {"T: the reaction of the control is not documented"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::unterminated_comment, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,51 @@
+//! Paths of findings, made of the ways through the flow graph.
+#include "rules/trace.hpp"
+
+#include "rules/path.hpp"
+
+#include <utility>
+
+namespace maclint::rules {
+namespace {
+
+void add_way(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to) {
+    if (from == to) return;
+    for (Remark& step : way_between(analysis, from, to)) finding.path.push_back(std::move(step));
+}
+
+} // namespace
+
+flow::NodeId node_of(const ProgramAnalysis& analysis, dataflow::OriginId origin) {
+    const dataflow::Origin& where = analysis.data().origin(origin);
+    using Kind = dataflow::Origin::Kind;
+    return where.kind == Kind::none || where.kind == Kind::entry ? 0 : where.node;
+}
+
+void trace(Finding& finding, const ProgramAnalysis& analysis, dataflow::OriginId origin, std::string begins,
+           flow::NodeId node, std::string ends) {
+    trace(finding, analysis, node_of(analysis, origin), remark_at(analysis, origin, std::move(begins)), node,
+          std::move(ends));
+}
+
+void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, Remark begins,
+           flow::NodeId node, std::string ends) {
+    finding.path.push_back(std::move(begins));
+    add_way(finding, analysis, from, node);
+    finding.path.push_back({finding.file, finding.span, std::move(ends)});
+}
+
+void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId node, std::string ends) {
+    add_way(finding, analysis, 0, node);
+    finding.path.push_back({finding.file, finding.span, std::move(ends)});
+}
+
+void trace_round(Finding& finding, const ProgramAnalysis& analysis, const dataflow::Loop& loop,
+                 std::string ends) {
+    add_way(finding, analysis, 0, loop.head);
+    add_way(finding, analysis, loop.head, loop.latch);
+    const flow::Node& latch = analysis.graph().nodes[loop.latch];
+    finding.path.push_back({finding.file, latch.part, "the loop goes back to its head here"});
+    finding.path.push_back({finding.file, finding.span, std::move(ends)});
+}
+
+} // namespace maclint::rules

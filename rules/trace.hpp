@@ -1,0 +1,31 @@
+//! The path of a finding that data flow made: from where a value came, over the jumps and branches, to its
+//! place.
+#pragma once
+
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/finding.hpp"
+
+#include <string>
+
+namespace maclint::rules {
+
+/// The node in which something came about; the program's first for what was so at its start.
+[[nodiscard]] flow::NodeId node_of(const ProgramAnalysis& analysis, dataflow::OriginId origin);
+
+/// Gives the finding, which stands in `node`, the path from `origin`. `begins` and `ends` say what happens
+/// there.
+void trace(Finding& finding, const ProgramAnalysis& analysis, dataflow::OriginId origin, std::string begins,
+           flow::NodeId node, std::string ends);
+
+/// The same from a place in the node `from`.
+void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, Remark begins,
+           flow::NodeId node, std::string ends);
+
+/// The same from the program's start, where nothing happens.
+void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId node, std::string ends);
+
+/// One round of a loop: from the finding's place in `node` back to it.
+void trace_round(Finding& finding, const ProgramAnalysis& analysis, const dataflow::Loop& loop,
+                 std::string ends);
+
+} // namespace maclint::rules

@@ -1,0 +1,118 @@
+//! MAC209: a local variable is read although nothing can have set it.
+#include "analyzer/dataflow/ways.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule uninitialised_local{
+    .code = "MAC209",
+    .name = "uninitialised-local",
+    .aliases = "DIN301",
+    .summary = "A local variable is read before anything has set it, and no argument can have done so",
+    .why = "Such a variable is vacant: a word that uses it is ignored (the axis stays where it is, the feed "
+           "does "
+           "not change), and arithmetic takes it for 0. The control raises no alarm",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages =
+        {{"main", "'{0}' is vacant here: this program has not set it, and a program that nobody calls gets "
+                  "no arguments. Set it first, or correct the number."},
+         {"called", "'{0}' is vacant here: this program has not set it, and no argument of a call reaches "
+                    "it. Set it first, or correct the number."},
+         {"not-passed", "'{0}' is vacant here: this program has not set it, and no caller passes it. Set it "
+                        "first, or pass the argument."},
+         {"some-ways", "'{0}' is vacant here when the way that sets it is not taken. Set it on every way, "
+                       "or test it with EQ #0 first."}},
+    .bad = {{"fanuc", "O0209(FACE)\n"
+                      "#100=10.\n"
+                      "G90 G54 G0 X0 Y0\n"
+                      "G43 Z#100 H1\n"
+                      "G1 Z#10 F200.\n"
+                      "G0 Z#100\n"
+                      "M30\n"}},
+    .also = {},
+    .good = {{"fanuc", "O0209(FACE)\n"
+                       "#100=10.\n"
+                       "#10=-2.\n"
+                       "G90 G54 G0 X0 Y0\n"
+                       "G43 Z#100 H1\n"
+                       "G1 Z#10 F200.\n"
+                       "G0 Z#100\n"
+                       "M30\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:187"},
+    .check = &check,
+};
+
+namespace {
+
+/// Why the value is vacant is that the variable is as it was when the program began.
+bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (read.value.vacancy != dataflow::Vacancy::vacant && read.value.vacancy != dataflow::Vacancy::maybe)
+        return false;
+    const dataflow::Origin& doubt = analysis.data().origin(read.value.doubt);
+    return doubt.kind == dataflow::Origin::Kind::entry &&
+           static_cast<std::int32_t>(doubt.id) == read.place.number && doubt.node == read.place.space &&
+           analysis.data().value_at_entry(read.place).vacancy == dataflow::Vacancy::vacant;
+}
+
+/// How the program can get here without setting the variable; nothing when it cannot. A comparison may be the
+/// very test that takes care of vacancy.
+std::optional<std::vector<flow::EdgeId>> way_to(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (read.value.vacancy == dataflow::Vacancy::maybe && read.use == dataflow::Use::comparison)
+        return std::nullopt;
+    return dataflow::way_without_assignment(analysis.program(), analysis.graph(), analysis.data(), read.place,
+                                            read.node);
+}
+
+/// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
+bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    return std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
+        return store.effect == read.effect && store.place == read.place && store.step;
+    });
+}
+
+std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (read.value.vacancy == dataflow::Vacancy::maybe) return "some-ways";
+    if (analysis.is_main()) return "main";
+    const auto& formals = analysis.control().formals;
+    return std::ranges::find(formals, read.place) == formals.end() ? "called" : "not-passed";
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    // Without arguments a called program may be one that shares its caller's locals.
+    if (!analysis.is_main() && !analysis.is_macro()) return;
+    const Program& program = analysis.program();
+    std::vector<Place> known;
+    for (const dataflow::Read& read : analysis.facts().reads) {
+        if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read) ||
+            counts(analysis, read))
+            continue;
+        if (std::ranges::find(known, read.place) != known.end()) continue;
+        const auto way = way_to(analysis, read);
+        if (!way && read.value.vacancy != dataflow::Vacancy::vacant) continue;
+        known.push_back(read.place);
+        const Span span = program.expressions[read.expression].span;
+        const std::string name = program.spell(read.place);
+        Finding& finding = reporter.report(analysis.file(), span, message_for(analysis, read), {name});
+        finding.path.push_back(
+            remark_at(analysis, read.value.doubt, name + " is vacant when the program begins"));
+        for (Remark& step : way ? steps_along(analysis, *way) : way_between(analysis, 0, read.node))
+            finding.path.push_back(std::move(step));
+        finding.path.push_back({&analysis.file(), span, name + " is read"});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,66 @@
+//! MAC222: the result of arithmetic is tested for vacancy, which it never is.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule vacancy_lost_in_arithmetic{
+    .code = "MAC222",
+    .name = "vacancy-lost-in-arithmetic",
+    .aliases = "",
+    .summary = "The result of arithmetic is compared with #0: it is a number, never vacant",
+    .why =
+        "Arithmetic takes a vacant variable for 0. The test for a missing argument therefore never finds it "
+        "missing, and the macro runs with 0",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"never-vacant",
+                  "'{0}' never holds: '{1}' is the result of arithmetic, which takes vacant for 0. "
+                  "Test the variable itself with EQ #0."},
+                 {"always-set",
+                  "'{0}' always holds: '{1}' is the result of arithmetic, which takes vacant for 0. "
+                  "Test the variable itself with NE #0."}},
+    .bad = {{"fanuc", "O9222(FACE, K DEPTH)\n"
+                      "IF[[#6*1]EQ#0]GOTO9\n"
+                      "G90 G1 Z-#6\n"
+                      "M99\n"
+                      "N9 #3000=1(K MISSING)\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9222(FACE, K DEPTH)\n"
+                       "IF[#6EQ#0]GOTO9\n"
+                       "G90 G1 Z-#6\n"
+                       "M99\n"
+                       "N9 #3000=1(K MISSING)\n"}},
+    .alarms = {},
+    .sources = {"MITSU-326", "NCT-173"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+        const bool vacant = comparison.operation == Operation::is_vacant;
+        if (!vacant && comparison.operation != Operation::is_set) continue;
+        const Expression& operand = program.expressions[comparison.left_expression];
+        const auto* apply = std::get_if<Apply>(&operand.node);
+        if (apply == nullptr || apply->operation == Operation::unknown) continue;
+        const Span span = program.expressions[comparison.expression].span;
+        Finding& finding = reporter.report(analysis.file(), span, vacant ? "never-vacant" : "always-set",
+                                           {quoted(program, span), quoted(program, operand.span)});
+        trace(finding, analysis, comparison.node, "the result of arithmetic is tested for vacancy");
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

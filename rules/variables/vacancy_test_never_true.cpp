@@ -1,0 +1,85 @@
+//! MAC228: a variable that every way to the test has set is tested for vacancy.
+#include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/ways.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule vacancy_test_never_true{
+    .code = "MAC228",
+    .name = "vacancy-test-never-true",
+    .aliases = "",
+    .summary = "A variable that is set on every way to the test is compared with #0: it is never vacant",
+    .why = "A test for 0 was probably meant. As it stands, the blocks that the test guards never run, or "
+           "always",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"never-vacant",
+                  "'{0}' never holds: {1} has been set on every way that leads here. Write 'EQ 0' if "
+                  "the value 0 is meant."},
+                 {"always-set",
+                  "'{0}' always holds: {1} has been set on every way that leads here. Write 'NE 0' if "
+                  "the value 0 is meant."}},
+    .bad = {{"fanuc", "O9228(CLEARANCE FROM R AND Z)\n"
+                      "#33=#18-#26\n"
+                      "IF[#33EQ#0]GOTO9\n"
+                      "G90 G1 Z#33\n"
+                      "M99\n"
+                      "N9 #3000=1(R IS Z)\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9228(CLEARANCE FROM R AND Z)\n"
+                       "#33=#18-#26\n"
+                       "IF[#33EQ0]GOTO9\n"
+                       "G90 G1 Z#33\n"
+                       "M99\n"
+                       "N9 #3000=1(R IS Z)\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:415", "MITSU-326"},
+    .check = &check,
+};
+
+namespace {
+
+const dataflow::Store* last_store_before(const ProgramAnalysis& analysis, Place place, flow::NodeId node) {
+    const dataflow::Store* last = nullptr;
+    for (const dataflow::Store& store : analysis.facts().stores)
+        if (store.place == place && store.node < node) last = &store;
+    return last;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+        const bool vacant = comparison.operation == Operation::is_vacant;
+        if (!vacant && comparison.operation != Operation::is_set) continue;
+        if (comparison.left.vacancy != dataflow::Vacancy::set) continue;
+        const auto place = dataflow::plain_place(program, comparison.left_expression);
+        if (!place ||
+            !dataflow::assigned_on_every_way(analysis.graph(), analysis.data(), *place, comparison.node))
+            continue;
+        const Span span = program.expressions[comparison.expression].span;
+        const std::string name = program.spell(*place);
+        Finding& finding = reporter.report(analysis.file(), span, vacant ? "never-vacant" : "always-set",
+                                           {quoted(program, span), name});
+        const std::string ends = name + " is tested for vacancy";
+        if (const dataflow::Store* store = last_store_before(analysis, *place, comparison.node))
+            trace(finding, analysis, store->node,
+                  {&analysis.file(), program.effects[store->effect].span, name + " is set"}, comparison.node,
+                  ends);
+        else
+            trace(finding, analysis, comparison.node, ends);
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,94 @@
+//! MAC221: a missing argument passes a range check, because GT, GE, LT and LE take vacant for 0.
+#include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule vacant_in_relational_comparison{
+    .code = "MAC221",
+    .name = "vacant-in-relational-comparison",
+    .aliases = "",
+    .summary = "GT, GE, LT and LE take a vacant variable for 0: a missing argument passes the check",
+    .why = "A range check that 0 passes is passed by a missing argument, too. What follows then works with "
+           "0, or "
+           "leaves out the words that hold the variable",
+    .severity = Severity::note,
+    .precision = Precision::medium,
+    .on_by_default = false,
+    .off_reason = "arguments that may be left out, with 0 as their default, are a custom of many macros",
+    .data_flow = true,
+    .messages = {{"passes",
+                  "'{0}' takes a missing {1} for 0, and {1} is used afterwards. Test it with EQ #0 first."}},
+    .bad = {{"fanuc", "O9221(PECK, K CLEARANCE)\n"
+                      "IF[#6LT0]GOTO9\n"
+                      "G90 G1 Z[10.-#6]\n"
+                      "M99\n"
+                      "N9 #3000=1(K NEGATIVE)\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9221(PECK, K CLEARANCE)\n"
+                       "IF[#6EQ#0]GOTO9\n"
+                       "IF[#6LT0]GOTO9\n"
+                       "G90 G1 Z[10.-#6]\n"
+                       "M99\n"
+                       "N9 #3000=1(K MISSING OR NEGATIVE)\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:415"},
+    .check = &check,
+};
+
+namespace {
+
+bool is_relational(Operation operation) {
+    return operation == Operation::less || operation == Operation::less_equal ||
+           operation == Operation::greater || operation == Operation::greater_equal;
+}
+
+/// A later read of the variable that still may find it vacant.
+const dataflow::Read* later_use(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison,
+                                Place place) {
+    const auto& reads = analysis.facts().reads;
+    const auto found = std::ranges::find_if(reads, [&](const dataflow::Read& read) {
+        const bool used = read.use == dataflow::Use::word || read.use == dataflow::Use::arithmetic ||
+                          read.use == dataflow::Use::argument || read.use == dataflow::Use::index;
+        return used && read.place == place && read.node > comparison.node &&
+               read.value.vacancy == dataflow::Vacancy::maybe;
+    });
+    return found == reads.end() ? nullptr : &*found;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    std::vector<Place> known;
+    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+        if (!is_relational(comparison.operation)) continue;
+        const bool left = comparison.right.constant().has_value();
+        if (!left && !comparison.left.constant()) continue;
+        const dataflow::Value& value = left ? comparison.left : comparison.right;
+        const auto place =
+            dataflow::plain_place(program, left ? comparison.left_expression : comparison.right_expression);
+        if (!place || value.vacancy != dataflow::Vacancy::maybe || value.doubt == 0) continue;
+        if (std::ranges::find(known, *place) != known.end()) continue;
+        const dataflow::Read* use = later_use(analysis, comparison, *place);
+        if (use == nullptr) continue;
+        known.push_back(*place);
+        const Span span = program.expressions[comparison.expression].span;
+        const std::string name = program.spell(*place);
+        Finding& finding = reporter.report(analysis.file(), span, "passes", {quoted(program, span), name});
+        trace(finding, analysis, value.doubt, name + " may be vacant from here on", comparison.node,
+              "a vacant " + name + " counts as 0");
+        finding.related.push_back({&analysis.file(), program.expressions[use->expression].span,
+                                   name + " is used here and may still be vacant"});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

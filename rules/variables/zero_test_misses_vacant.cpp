@@ -1,0 +1,103 @@
+//! MAC220: a test for 0 does not catch a missing argument.
+#include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule zero_test_misses_vacant{
+    .code = "MAC220",
+    .name = "zero-test-misses-vacant",
+    .aliases = "",
+    .summary = "EQ 0 or NE 0 on a value that can be vacant: vacant is not equal to 0 there",
+    .why =
+        "When the argument is missing, the test takes it for a number other than 0: the check is passed, and "
+        "arithmetic behind it works with 0 all the same",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"equal", "'{0}' does not hold when {1} is vacant. Test for both: add a test with EQ #0."},
+                 {"not-equal", "'{0}' also holds when {1} is vacant. Test for both: add a test with NE #0."}},
+    .bad = {{"fanuc", "O9220(PECK, K DEPTH OF ONE PECK)\n"
+                      "IF[#6EQ0]GOTO9\n"
+                      "#33=#5003-#6\n"
+                      "G90 G1 Z#33\n"
+                      "M99\n"
+                      "N9 #3000=1(K MISSING)\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9220(PECK, K DEPTH OF ONE PECK)\n"
+                       "IF[#6EQ#0]GOTO9\n"
+                       "IF[#6EQ0]GOTO9\n"
+                       "#33=#5003-#6\n"
+                       "G90 G1 Z#33\n"
+                       "M99\n"
+                       "N9 #3000=1(K MISSING)\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:415", "NCT-174", "CSDN-VAR", "MITSU-326"},
+    .check = &check,
+};
+
+namespace {
+
+bool is_zero(const dataflow::Value& value) {
+    return value.vacancy == dataflow::Vacancy::set && value.constant() == 0.0;
+}
+
+/// The author treats both cases: another test of the same variable for vacancy is in the same condition, or
+/// in the IF right before or behind.
+bool tests_both(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison, Place place) {
+    const Program& program = analysis.program();
+    constexpr std::uint32_t near = 3; // effects between two IF blocks: the guard and what it guards
+    return std::ranges::any_of(analysis.facts().comparisons, [&](const dataflow::Comparison& other) {
+        if (other.operation != Operation::is_vacant && other.operation != Operation::is_set) return false;
+        if (dataflow::plain_place(program, other.left_expression) != place) return false;
+        const auto apart =
+            other.node > comparison.node ? other.node - comparison.node : comparison.node - other.node;
+        return apart <= near;
+    });
+}
+
+/// IF[#3EQ0]GOTO1, IF[#3EQ1]GOTO2 …: a choice among numbers, whose default a missing argument takes as well.
+bool is_choice(const ProgramAnalysis& analysis, Place place) {
+    const Program& program = analysis.program();
+    return std::ranges::any_of(analysis.facts().comparisons, [&](const dataflow::Comparison& other) {
+        const auto constant = other.right.constant();
+        return other.operation == Operation::equal && constant && *constant != 0 &&
+               dataflow::plain_place(program, other.left_expression) == place;
+    });
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+        if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
+            continue;
+        const bool zero_left = is_zero(comparison.left);
+        if (!zero_left && !is_zero(comparison.right)) continue;
+        const dataflow::Value& value = zero_left ? comparison.right : comparison.left;
+        if (value.vacancy != dataflow::Vacancy::maybe || value.doubt == 0) continue;
+        const auto place = dataflow::plain_place(program, zero_left ? comparison.right_expression
+                                                                    : comparison.left_expression);
+        if (!place || tests_both(analysis, comparison, *place) || is_choice(analysis, *place)) continue;
+        const Span span = program.expressions[comparison.expression].span;
+        const std::string name = program.spell(*place);
+        Finding& finding = reporter.report(analysis.file(), span,
+                                           comparison.operation == Operation::equal ? "equal" : "not-equal",
+                                           {quoted(program, span), name});
+        trace(finding, analysis, value.doubt, name + " may be vacant from here on", comparison.node,
+              name + " is compared with 0");
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,30 @@
+//! Reads small programs for tests, and describes what became of them.
+#pragma once
+
+#include "analyzer/dialect/dialect.hpp"
+#include "analyzer/program/dump.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace maclint::testing {
+
+/// A file of that name and text, read for a control.
+inline ProgramFile read_as(std::string_view control, std::string path, std::string_view text) {
+    auto source = std::make_shared<const Source>(Source::from_bytes(std::move(path), std::string(text)));
+    return find_dialect("fanuc")->read(std::move(source), *find_control(control));
+}
+
+inline ProgramFile read(std::string_view text) { return read_as("fanuc", "O1.nc", text); }
+
+/// The blocks of the only program and the irregularities, one a line.
+inline std::string lower(std::string_view text) {
+    const ProgramFile file = read(text);
+    std::string out = describe(file);
+    if (file.programs.size() == 1) out.erase(0, out.find('\n') + 1);
+    while (!out.empty() && out.back() == '\n') out.pop_back();
+    return out;
+}
+
+} // namespace maclint::testing

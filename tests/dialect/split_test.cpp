@@ -1,0 +1,89 @@
+//! Where blocks begin and end, what a tape mark does, and what heads a program.
+#include "analyzer/dialect/fanuc/split.hpp"
+#include "tests/dialect/reading.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::fanuc {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// The blocks of a text without tape marks, empty ones left out.
+std::vector<std::string> blocks_of(std::string_view text) {
+    std::vector<std::string> blocks;
+    RawBlock block;
+    for (Offset at = 0; at < text.size();) {
+        cut_block(text, at, block);
+        if (!block.span.empty()) blocks.emplace_back(text.substr(block.span.begin, block.span.length()));
+        at = block.next > at ? block.next : at + 1;
+    }
+    return blocks;
+}
+
+/// Every program's blocks, one a line: runs are decoded.
+std::string programs_of(std::string_view text) { return describe(maclint::testing::read(text)); }
+
+TEST(FanucSplitter, EveryEndOfBlockEndsABlock) {
+    EXPECT_THAT(blocks_of("G0\nG1\r\nG2\rG3;G4\n\r\rG5"), ElementsAre("G0", "G1", "G2", "G3", "G4", "G5"));
+    EXPECT_THAT(blocks_of("G0;\nG1;;\n\n"), ElementsAre("G0", "G1"));
+}
+
+TEST(FanucSplitter, CommentsHoldSemicolonsAndEndWithTheirLine) {
+    EXPECT_THAT(blocks_of("G0(A;B)X1;G1"), ElementsAre("G0(A;B)X1", "G1"));
+    EXPECT_THAT(blocks_of("G0(A;B\nG1"), ElementsAre("G0(A;B", "G1"));
+}
+
+TEST(FanucSplitter, BlanksAndTapeLeaderAroundABlockAreNotPartOfIt) {
+    EXPECT_THAT(blocks_of(std::string_view("\0\0 \tG0 X1 \t\nG1", 15)), ElementsAre("G0 X1", "G1"));
+}
+
+TEST(FanucSplitter, CommentsAreToldWithTheirBlock) {
+    RawBlock block;
+    cut_block("(A)G0(B", 0, block);
+    EXPECT_THAT(block.comments, ElementsAre(Span{0, 3}, Span{5, 7}));
+}
+
+TEST(FanucTape, LeaderBeforeTheFirstMarkAndTextBehindTheLastAreNotRead) {
+    EXPECT_EQ(programs_of("JOB 17 OF MONDAY\n%\nO1\n#1=1\n%\n#2=2\n"), "O1:\n\n#1 := 1\n");
+    EXPECT_EQ(programs_of("%TITLE OF THE TAPE\nO1\n#1=1\n%"), "O1:\n\n#1 := 1\n");
+    EXPECT_EQ(programs_of("#1=1\n#2=2\n"), "O1:\n#1 := 1\n#2 := 2\n");
+    EXPECT_EQ(programs_of("O5\n#1=1\n%\n#2=2"), "O5:\n\n#1 := 1\n");
+}
+
+TEST(FanucTape, ProgramsBehindAMarkAreReadWhenAnotherMarkFollows) {
+    EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\nO2\n#2=2\n%\n"), "O1:\n\n#1 := 1\nO2:\n\n#2 := 2\n");
+    EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\nTEXT\n%\nO2\n#2=2\n%\n"), "O1:\n\n#1 := 1\nO2:\n\n#2 := 2\n");
+}
+
+TEST(FanucTape, PercentInACommentIsNoMark) {
+    EXPECT_EQ(programs_of("O1(80% OVERRIDE)\n#1=1 (100%)\n#2=2"), "O1:\n\n#1 := 1\n#2 := 2\n");
+}
+
+TEST(FanucTape, ByteOrderMarkIsPassedOver) {
+    EXPECT_EQ(programs_of("\xEF\xBB\xBF%\nO1\n#1=1\n%"), "O1:\n\n#1 := 1\n");
+    EXPECT_EQ(programs_of("\xEF\xBB\xBFO1\n#1=1\n"), "O1:\n\n#1 := 1\n");
+}
+
+TEST(FanucProgramHead, IsANumberOrANameAtTheHeadOfABlock) {
+    const auto head = [](std::string_view text) {
+        const auto found = find_program_head(text, {0, static_cast<Offset>(text.size())});
+        return found ? found->name : std::string();
+    };
+    EXPECT_EQ(head("O9010(DRILL)"), "O9010");
+    EXPECT_EQ(head("o 12"), "O12");
+    EXPECT_EQ(head(":1234"), "O1234");
+    EXPECT_EQ(head("O<PART 1>"), "<PART 1>");
+    EXPECT_EQ(head("<PART>"), "<PART>");
+    EXPECT_EQ(head("N10 O12"), "");
+    EXPECT_EQ(head("O#1"), "");
+    EXPECT_EQ(head("<PART"), "");
+}
+
+} // namespace
+} // namespace maclint::fanuc

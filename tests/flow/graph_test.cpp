@@ -1,0 +1,89 @@
+//! Jumps go where the control's search stops, and every way through a program is in the graph.
+#include "tests/support/analysed.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// 1-based lines of the labels that the jumps of a program reach, in text order; 0 for a jump to nowhere.
+std::vector<std::uint32_t> targets_in(const std::string& text) {
+    const auto workspace = test::analyse_fanuc(text);
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    std::vector<std::uint32_t> lines;
+    for (const flow::ResolvedJump& jump : analysis.graph().jumps)
+        lines.push_back(jump.target ? test::line_of(analysis, jump.target->block.begin) : 0);
+    return lines;
+}
+
+/// 1-based lines with a node that no way reaches.
+std::vector<std::uint32_t> unreached_in(const std::string& text) {
+    const auto workspace = test::analyse_fanuc(text);
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    std::vector<std::uint32_t> lines;
+    for (flow::NodeId node = 0; node < analysis.graph().nodes.size(); ++node)
+        if (!analysis.data().reached(node))
+            lines.push_back(test::line_of(analysis, analysis.graph().nodes[node].part.begin));
+    return lines;
+}
+
+TEST(Graph, AJumpIsSearchedToTheEndAndThenFromTheTop) {
+    // Two N10: from line 3 the one behind is found first, from line 5 only the one at the top is left.
+    EXPECT_THAT(targets_in("O1\nN10 G0X1.\nGOTO10\nN10 G0X2.\nGOTO10\nM30\n"), ElementsAre(4, 2));
+}
+
+TEST(Graph, AJumpToANumberThatIsNotThereHasNoTarget) {
+    EXPECT_THAT(targets_in("O1\nGOTO70\nN7 M30\n"), ElementsAre(0));
+}
+
+TEST(Graph, AJumpReachesABlockInsideAPlainRun) {
+    EXPECT_THAT(targets_in("O1\nIF[#1EQ#0]GOTO30\nN10 G0X1.\nN20 X2.\nN30 X3.\nN40 X4.\nM30\n"),
+                ElementsAre(5));
+}
+
+TEST(Graph, AJumpWithinAnotherProgramOfTheTapeIsNotFound) {
+    EXPECT_THAT(targets_in("O1\nGOTO10\nM30\nO2\nN10 M99\n"), ElementsAre(0));
+}
+
+TEST(Graph, WhatFollowsAJumpIsNotReached) {
+    EXPECT_THAT(unreached_in("O1\nGOTO10\n#1=5\nN10 M30\n"), ElementsAre(3));
+}
+
+TEST(Graph, ABlockThatMayBeSkippedIsPassedBothWays) {
+    EXPECT_THAT(unreached_in("O1\n/GOTO10\n#1=5\nN10 M30\n"), IsEmpty());
+}
+
+TEST(Graph, BothWaysOfAConditionAreOpen) {
+    EXPECT_THAT(unreached_in("O1\nIF[#100EQ1]GOTO10\n#1=5\nN10 M30\n"), IsEmpty());
+}
+
+TEST(Graph, AComputedJumpReachesOnlyWhatItsValueAllows) {
+    EXPECT_THAT(unreached_in("O1\n#1=20\nGOTO#1\nN10 #2=1\nGOTO30\nN20 #2=2\nN30 M30\n"), ElementsAre(4, 5));
+    EXPECT_THAT(unreached_in("O1\nGOTO#100\nN10 #2=1\nN20 #2=2\nM30\n"), IsEmpty());
+}
+
+TEST(Graph, AnAlarmIsNoWayOn) {
+    EXPECT_THAT(unreached_in("O1\n#3000=1(STOP)\n#1=5\nM30\n"), ElementsAre(3, 4));
+}
+
+TEST(Graph, AStopForTheOperatorIsAWayOn) {
+    EXPECT_THAT(unreached_in("O1\n#3006=1(LOOK)\n#1=5\nM30\n"), IsEmpty());
+}
+
+TEST(Graph, ACalledProgramMayReturnToAnotherBlock) {
+    const auto workspace = test::analyse_fanuc("O1\nM98P2\nGOTO40\nN30 #1=5\nN40 M30\nO2\nM99P30\n");
+    const ProgramAnalysis& main = workspace->programs().front();
+    for (flow::NodeId node = 0; node < main.graph().nodes.size(); ++node)
+        EXPECT_TRUE(main.data().reached(node));
+}
+
+TEST(Graph, AHugeTargetIsATargetThatIsNotThere) {
+    EXPECT_THAT(targets_in("O1\nGOTO99999999999999999999999\nN9 M30\n"), ElementsAre(0));
+}
+
+} // namespace
+} // namespace maclint

@@ -1,0 +1,135 @@
+//! Dependencies point one way (grammar, analyzer, rules, cli), and what is right of the program model knows
+//! no dialect.
+#include "tests/structure/project_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::structure {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr std::array<std::string_view, 4> layers = {"grammar", "analyzer", "rules", "cli"};
+
+constexpr std::array<std::string_view, 5> dialect_blind = {
+    "analyzer/program/", "analyzer/flow/", "analyzer/dataflow/", "analyzer/workspace/", "rules/"};
+
+constexpr std::array<std::string_view, 5> dialects = {"fanuc", "nct", "haas", "dinplus", "sinumerik"};
+
+/// Position of a path's first folder in the layers; their number when it is none of them.
+std::size_t layer_of(std::string_view path) {
+    const auto folder = path.substr(0, path.find('/'));
+    return static_cast<std::size_t>(std::find(layers.begin(), layers.end(), folder) - layers.begin());
+}
+
+bool is_dialect_blind(std::string_view path) {
+    return std::any_of(dialect_blind.begin(), dialect_blind.end(),
+                       [path](std::string_view folder) { return path.starts_with(folder); });
+}
+
+/// `analyzer/dialect/<name>/...`; what lies in analyzer/dialect itself is for all.
+bool is_inside_a_dialect(std::string_view include) {
+    constexpr std::string_view folder = "analyzer/dialect/";
+    return include.starts_with(folder) && include.substr(folder.size()).find('/') != std::string_view::npos;
+}
+
+bool is_word_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+/// Does the code name the dialect, in any case? `nct` counts only as a whole word: it is a part of
+/// "function".
+bool names_dialect(std::string_view code, std::string_view dialect) {
+    const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+    for (auto at = code.begin();; ++at) {
+        at = std::search(at, code.end(), dialect.begin(), dialect.end(), same);
+        if (at == code.end()) return false;
+        if (dialect != "nct") return true;
+        const auto end = at + static_cast<std::ptrdiff_t>(dialect.size());
+        const bool begins = at == code.begin() || !is_word_character(*std::prev(at));
+        if (begins && (end == code.end() || !is_word_character(*end))) return true;
+    }
+}
+
+std::vector<std::string> backward_includes(const std::vector<ProjectFile>& files) {
+    std::vector<std::string> found;
+    for (const ProjectFile& file : files) {
+        if (layer_of(file.path) == layers.size()) continue;
+        for (const std::string& include : quoted_includes(file.text)) {
+            const std::size_t layer = layer_of(include);
+            if (layer != layers.size() && layer > layer_of(file.path))
+                found.push_back(file.path + " includes " + include);
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> dialect_includes(const std::vector<ProjectFile>& files) {
+    std::vector<std::string> found;
+    for (const ProjectFile& file : files) {
+        if (!is_dialect_blind(file.path)) continue;
+        for (const std::string& include : quoted_includes(file.text)) {
+            if (is_inside_a_dialect(include)) found.push_back(file.path + " includes " + include);
+        }
+    }
+    return found;
+}
+
+/// Rules are left out: their descriptors explain controls by name and hold example programs.
+std::vector<std::string> dialect_names(const std::vector<ProjectFile>& files) {
+    std::vector<std::string> found;
+    for (const ProjectFile& file : files) {
+        if (!is_dialect_blind(file.path) || file.path.starts_with("rules/")) continue;
+        const std::string code = without_comments(file.text);
+        for (const std::string_view dialect : dialects) {
+            if (names_dialect(code, dialect)) found.push_back(file.path + " names " + std::string(dialect));
+        }
+    }
+    return found;
+}
+
+TEST(Dependencies, PointFromTheCommandLineToTheGrammarAndNeverBack) {
+    EXPECT_THAT(backward_includes(sources()), IsEmpty());
+}
+
+TEST(Dependencies, OfFlowDataFlowWorkspaceAndRulesReachNoDialect) {
+    EXPECT_THAT(dialect_includes(sources()), IsEmpty());
+}
+
+TEST(Dependencies, OfTheProgramModelNameNoDialectInCode) { EXPECT_THAT(dialect_names(sources()), IsEmpty()); }
+
+TEST(DependencyCheck, FindsABackwardInclude) {
+    const std::vector<ProjectFile> files = {{"analyzer/flow/graph.cpp", "#include \"rules/rule.hpp\"\n"},
+                                            {"rules/registry.cpp", "#include \"analyzer/flow/graph.hpp\"\n"}};
+    EXPECT_THAT(backward_includes(files), ElementsAre("analyzer/flow/graph.cpp includes rules/rule.hpp"));
+}
+
+TEST(DependencyCheck, FindsARuleThatReachesIntoADialect) {
+    const std::vector<ProjectFile> files = {
+        {"rules/flow/a.cpp",
+         "#include \"analyzer/dialect/fanuc/codes.hpp\"\n#include \"analyzer/dialect/limits.hpp\"\n"},
+        {"cli/a.cpp", "#include \"analyzer/dialect/fanuc/codes.hpp\"\n"}};
+    EXPECT_THAT(dialect_includes(files),
+                ElementsAre("rules/flow/a.cpp includes analyzer/dialect/fanuc/codes.hpp"));
+}
+
+TEST(DependencyCheck, FindsADialectNamedInCodeButNotInAComment) {
+    const std::vector<ProjectFile> files = {
+        {"analyzer/flow/a.cpp", "// Fanuc looks from here to the end.\n/* haas */ int function;\n"},
+        {"analyzer/flow/b.cpp", "if (limits == FanucLimits) return; // not HAAS"},
+        {"analyzer/flow/d.cpp", "function(Dialect::nct);"},
+        {"analyzer/flow/c.cpp", "auto control = \"// Haas\";"}};
+    EXPECT_THAT(dialect_names(files),
+                ElementsAre("analyzer/flow/b.cpp names fanuc", "analyzer/flow/d.cpp names nct",
+                            "analyzer/flow/c.cpp names haas"));
+}
+
+} // namespace
+} // namespace maclint::structure

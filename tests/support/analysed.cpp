@@ -1,0 +1,39 @@
+//! Reads and analyses texts for tests.
+#include "tests/support/analysed.hpp"
+
+#include "analyzer/dialect/dialect.hpp"
+
+namespace maclint::test {
+namespace {
+
+WorkspaceFile read_as(std::string_view dialect_name, std::string path, std::string text) {
+    const Dialect& dialect = *find_dialect(dialect_name);
+    auto source = std::make_shared<const Source>(Source::from_bytes(std::move(path), std::move(text)));
+    return {std::make_shared<const ProgramFile>(
+                dialect.read(std::move(source), *find_control(dialect.default_control))),
+            true};
+}
+
+} // namespace
+
+std::unique_ptr<Workspace> analyse_text(std::string_view dialect, std::string text) {
+    return Workspace::analyse({read_as(dialect, "test.nc", std::move(text))}, {.complete = false, .jobs = 1});
+}
+
+std::unique_ptr<Workspace> analyse_files(const std::vector<NamedText>& files, WorkspaceOptions options) {
+    std::vector<WorkspaceFile> read;
+    for (const auto& [path, text] : files) read.push_back(read_as("fanuc", path, text));
+    return Workspace::analyse(std::move(read), options);
+}
+
+std::unique_ptr<Workspace> analyse_fanuc(std::string text) { return analyse_text("fanuc", std::move(text)); }
+
+std::uint32_t line_of(const ProgramAnalysis& analysis, Offset offset) {
+    return analysis.file().source->position(offset).line;
+}
+
+std::uint32_t line_of_effect(const ProgramAnalysis& analysis, EffectId effect) {
+    return line_of(analysis, analysis.program().effects[effect].span.begin);
+}
+
+} // namespace maclint::test

@@ -1,0 +1,31 @@
+//! Programs for tests: written as text in the test, read and analysed the way the command does it.
+#pragma once
+
+#include "analyzer/workspace/program_analysis.hpp"
+#include "analyzer/workspace/workspace.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace maclint::test {
+
+/// A file of a test workspace: path and text.
+using NamedText = std::pair<std::string, std::string>;
+
+/// One program text of the dialect as a workspace of its own.
+[[nodiscard]] std::unique_ptr<Workspace> analyse_text(std::string_view dialect, std::string text);
+/// Several Fanuc files; `complete` declares that no other program is on the control.
+[[nodiscard]] std::unique_ptr<Workspace> analyse_files(const std::vector<NamedText>& files,
+                                                       WorkspaceOptions options);
+/// The only program of a Fanuc text.
+[[nodiscard]] std::unique_ptr<Workspace> analyse_fanuc(std::string text);
+
+/// 1-based line of a byte of the program's file.
+[[nodiscard]] std::uint32_t line_of(const ProgramAnalysis& analysis, Offset offset);
+/// 1-based line of an effect.
+[[nodiscard]] std::uint32_t line_of_effect(const ProgramAnalysis& analysis, EffectId effect);
+
+} // namespace maclint::test

@@ -1,0 +1,63 @@
+//! Calls find the nearest program, and depth is counted along the longest chain.
+#include "tests/support/analysed.hpp"
+
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+constexpr WorkspaceOptions open_workspace{.complete = false, .jobs = 2};
+
+const ProgramAnalysis& program(const Workspace& workspace, std::string_view name, std::string_view path) {
+    for (const ProgramAnalysis& analysis : workspace.programs())
+        if (analysis.program().name == name && analysis.file().source->path() == path) return analysis;
+    throw std::runtime_error("no such program");
+}
+
+TEST(Calls, TheProgramOfTheSameFolderWins) {
+    const auto workspace = test::analyse_files({{"a/main.nc", "O1\nG65P9000\nM30\n"},
+                                                {"a/macro.nc", "O9000\nM99\n"},
+                                                {"b/macro.nc", "O9000\nM99\n"}},
+                                               open_workspace);
+    EXPECT_EQ(program(*workspace, "O9000", "a/macro.nc").callers().size(), 1U);
+    EXPECT_TRUE(program(*workspace, "O9000", "b/macro.nc").callers().empty());
+}
+
+TEST(Calls, TwoProgramsEquallyNearMeanUnknown) {
+    const auto workspace = test::analyse_files(
+        {{"main.nc", "O1\nG65P9000\nM30\n"}, {"a/macro.nc", "O9000\nM99\n"}, {"b/macro.nc", "O9000\nM99\n"}},
+        open_workspace);
+    const ProgramAnalysis& main = program(*workspace, "O1", "main.nc");
+    ASSERT_EQ(main.calls().size(), 1U);
+    EXPECT_FALSE(main.calls().front().target);
+    EXPECT_EQ(main.calls().front().candidates, 2U);
+}
+
+TEST(Calls, DepthIsCountedAlongTheLongestChain) {
+    const auto workspace = test::analyse_fanuc(
+        "O1\nG65P2\nG65P4\nM30\nO2\nG65P3\nM99\nO3\nG65P4\nM99\nO4\nM98P5\nM99\nO5\nM99\n");
+    EXPECT_EQ(program(*workspace, "O4", "test.nc").depth().macro, 3);
+    EXPECT_EQ(program(*workspace, "O5", "test.nc").depth().subprogram, 1);
+    EXPECT_EQ(program(*workspace, "O4", "test.nc").chain_to(Counted::macro).size(), 3U);
+}
+
+TEST(Calls, ProgramsThatCallEachOtherAreRecursive) {
+    const auto workspace = test::analyse_fanuc("O1\nM98P2\nM30\nO2\nM98P3\nM99\nO3\nM98P2\nM99\n");
+    EXPECT_FALSE(program(*workspace, "O1", "test.nc").is_recursive());
+    EXPECT_TRUE(program(*workspace, "O2", "test.nc").is_recursive());
+    EXPECT_TRUE(program(*workspace, "O3", "test.nc").is_recursive());
+}
+
+TEST(Calls, ACompleteWorkspaceTellsWhichArgumentsAreMissing) {
+    const std::string main = "O1\nG65P9000A1.B2.\nG65P9000A3.\nM30\n";
+    const auto workspace = test::analyse_files({{"main.nc", main}, {"macro.nc", "O9000\nG0X#1Y#2Z#3\nM99\n"}},
+                                               {.complete = true, .jobs = 1});
+    const ProgramAnalysis& macro = program(*workspace, "O9000", "macro.nc");
+    ASSERT_EQ(macro.facts().reads.size(), 3U);
+    EXPECT_EQ(macro.facts().reads[0].value.vacancy, dataflow::Vacancy::unknown);
+    EXPECT_EQ(macro.facts().reads[1].value.vacancy, dataflow::Vacancy::maybe);
+    EXPECT_EQ(macro.facts().reads[2].value.vacancy, dataflow::Vacancy::vacant);
+}
+
+} // namespace
+} // namespace maclint
