@@ -1,5 +1,5 @@
-//! The cases of grammar/fanuc/test/corpus through our own printer: the committed parser does what the grammar
-//! says.
+//! The cases of the grammars' own test corpora through our own printer: the committed parsers do what the
+//! grammars say.
 #include "analyzer/dialect/fanuc/kinds.hpp"
 #include "analyzer/syntax/tree.hpp"
 
@@ -10,6 +10,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+extern "C" const TSLanguage* tree_sitter_dinplus(void);
 
 namespace maclint {
 namespace {
@@ -60,21 +62,28 @@ std::vector<Case> cases_in(const std::filesystem::path& path) {
     return cases;
 }
 
-TEST(FanucGrammar, AllCasesOfItsCorpusParseAsWritten) {
+void expect_all_cases(syntax::Grammar grammar, const std::filesystem::path& corpus) {
     std::size_t count = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(MACLINT_SOURCE_DIR "/grammar/fanuc/test/corpus")) {
+    for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
         for (const Case& one : cases_in(entry.path())) {
             syntax::Tree tree;
-            syntax::parse(fanuc::grammar, one.text, tree);
+            syntax::parse(grammar, one.text, tree);
             ++count;
             EXPECT_EQ(tree.has_error, one.error) << entry.path().filename() << ": " << one.name;
             if (one.error) continue;
-            EXPECT_EQ(without_blanks(syntax::s_expression(fanuc::grammar, tree)), without_blanks(one.tree))
+            EXPECT_EQ(without_blanks(syntax::s_expression(grammar, tree)), without_blanks(one.tree))
                 << entry.path().filename() << ": " << one.name;
         }
     }
     EXPECT_GT(count, 20U);
+}
+
+TEST(FanucGrammar, AllCasesOfItsCorpusParseAsWritten) {
+    expect_all_cases(fanuc::grammar, MACLINT_SOURCE_DIR "/grammar/fanuc/test/corpus");
+}
+
+TEST(DinPlusGrammar, AllCasesOfItsCorpusParseAsWritten) {
+    expect_all_cases(tree_sitter_dinplus, MACLINT_SOURCE_DIR "/grammar/dinplus/test/corpus");
 }
 
 TEST(FanucGrammar, EveryKindAndFieldThatLoweringNamesExists) {
