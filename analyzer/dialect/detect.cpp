@@ -196,6 +196,7 @@ bool has_nct_form(std::string_view line) {
 /// What the lines of a text count up to.
 struct Lines {
     std::size_t filled = 0, blocks = 0, klartext = 0, din_plus = 0, siemens = 0, o_words = 0, nct = 0;
+    std::size_t remarks = 0, remark_line = 0; ///< `//`, as wire-erosion controls write them
     std::size_t klartext_line = 0, din_plus_line = 0, siemens_line = 0, o_word_line = 0, nct_line = 0;
     std::string first; ///< first line with text
 };
@@ -220,6 +221,7 @@ Lines count_lines(std::string_view text) {
         if (++lines.filled == 1) lines.first = capitals;
         lines.blocks += is_block(capitals) ? 1 : 0;
         note(is_klartext(capitals) ? 1 : 0, number, lines.klartext, lines.klartext_line);
+        note(capitals.starts_with("//") ? 1 : 0, number, lines.remarks, lines.remark_line);
         note(is_din_plus(capitals) ? 1 : 0, number, lines.din_plus, lines.din_plus_line);
         note(static_cast<std::size_t>(siemens_signs(capitals)), number, lines.siemens, lines.siemens_line);
         note(is_o_word(capitals) || capitals.find("#<") != std::string::npos ? 1 : 0, number, lines.o_words,
@@ -267,6 +269,9 @@ Detection detect_dialect(const Source& source) {
         return {nullptr, in_line("HEIDENHAIN DIN PLUS (a section word", lines.din_plus_line), false};
     if (lines.o_words != 0)
         return {nullptr, in_line("LinuxCNC (an o-word or a named parameter", lines.o_word_line), false};
+    if (lines.remarks >= 3)
+        return {nullptr, in_line("a wire-erosion control or the like (remarks with //", lines.remark_line),
+                false};
     if (extension == "mpf" || extension == "spf" || extension == "arc")
         return {nullptr, "SINUMERIK (extension ." + extension + ")", false};
     if (lines.siemens >= 4) return {nullptr, in_line("SINUMERIK (its words", lines.siemens_line), false};

@@ -92,7 +92,8 @@ struct VariableRange {
     bool changes_by_itself; ///< inputs, timers, positions: a loop that waits for it can end
     std::string_view what;  ///< "modal G code of group 03"
     std::string_view source;
-    bool is_bit = false; ///< 0 or 1, nothing else
+    bool is_bit = false;  ///< 0 or 1, nothing else
+    bool is_code = false; ///< a modal code, of which group is not known
 };
 
 /// All variable numbers that one kind of index can reach (`#[…]` on Fanuc-like controls).

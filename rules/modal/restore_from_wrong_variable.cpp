@@ -55,7 +55,9 @@ bool is_other_modal(const VariableRange& range) {
 }
 
 bool is_wrong(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write, const CopySource& source) {
-    if (source.range != nullptr) return is_other_modal(*source.range);
+    // A G word may well put back a code whose group is not known.
+    if (source.range != nullptr)
+        return is_other_modal(*source.range) && (write.stated || !source.range->is_code);
     if (!source.group) return false;
     if (write.stated) return write.group != source.group;
     return analysis.control().groups[*source.group].letter != 'G';

@@ -28,7 +28,7 @@ void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::s
         const bool known = group != twelve || group_twelve;
         const GroupId row = group == twelve ? group_twelve.value_or(0) : group;
         ranges.push_back({number, number, known ? modal : machine, spaces::machine, row, forbidden, false,
-                          what, "SEED-001:1340-1357"});
+                          what, "SEED-001:1340-1357", false, !known});
     }
 }
 
