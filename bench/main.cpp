@@ -32,7 +32,7 @@ void measure(benchmark::State& state, const std::vector<std::string>& files,
     state.SetBytesProcessed(static_cast<std::int64_t>(bytes) * state.iterations());
 }
 
-void register_speed(const std::string& name, std::vector<std::string> files) {
+void register_speed(const std::string& name, const std::vector<std::string>& files) {
     const auto work = [files] { benchmark::DoNotOptimize(lint(files)); };
     benchmark::RegisterBenchmark((name + "/maclint").c_str(), [files, work](benchmark::State& state) {
         measure(state, files, work);

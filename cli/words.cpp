@@ -52,7 +52,9 @@ std::optional<std::string> closest(std::string_view word, std::span<const std::s
     if (word.empty() || word.size() > longest_word) return std::nullopt;
     const std::string given = in_lower_case(word);
     const std::string* best = nullptr;
-    std::size_t least = std::max<std::size_t>(1, given.size() / 3) + 1;
+    // Codes differ in single digits: two wrong ones make another code, not a mistyped one.
+    const bool has_digit = given.find_first_of("0123456789") != std::string::npos;
+    std::size_t least = (has_digit ? 1 : std::max<std::size_t>(1, given.size() / 3)) + 1;
     for (const std::string& candidate : candidates) {
         const std::size_t apart = distance(given, in_lower_case(candidate));
         if (apart >= least || apart >= candidate.size()) continue;

@@ -12,7 +12,8 @@ namespace maclint::cli {
 [[nodiscard]] std::string in_lower_case(std::string_view text);
 [[nodiscard]] std::string in_upper_case(std::string_view text);
 
-/// The candidate that a mistyped word most likely means, in any case: a third of its letters may be wrong.
+/// The candidate that a mistyped word most likely means, in any case: a third of its letters may be wrong,
+/// one when it holds digits.
 [[nodiscard]] std::optional<std::string> closest(std::string_view word,
                                                  std::span<const std::string> candidates);
 

@@ -35,13 +35,13 @@ std::string changed_rules(const RuleStates& rules) {
         std::string& list = by_reason[state.reason];
         const std::string code(rule->code);
         if (state.on != standard.of(*rule).on)
-            list += (list.empty() ? "" : ", ") + code + (state.on ? " on" : " off");
+            list.append(list.empty() ? "" : ", ").append(code).append(state.on ? " on" : " off");
         if (state.severity != rule->severity)
-            list += (list.empty() ? "" : ", ") + code + " " + std::string(name_of(state.severity));
+            list.append(list.empty() ? "" : ", ").append(code).append(" ").append(name_of(state.severity));
     }
     std::string out;
     for (const auto& [reason, list] : by_reason)
-        if (!list.empty()) out += line("", list + " (" + reason + ")");
+        if (!list.empty()) out += line("", std::string(list).append(" (").append(reason).append(")"));
     return out;
 }
 

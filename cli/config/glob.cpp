@@ -2,6 +2,7 @@
 //! it.
 #include "cli/config/glob.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -106,9 +107,9 @@ bool matches(std::string_view pattern, std::string_view path) {
     const auto names = names_of(path);
     if (wanted.empty()) return false;
     if (anchored) return matches_head(wanted, names);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (wanted.front() == "**" || matches_name(wanted.front(), names[i])) return true;
-    return false;
+    return std::ranges::any_of(names, [&](const auto& name) {
+        return wanted.front() == "**" || matches_name(wanted.front(), name);
+    });
 }
 
 } // namespace maclint::cli

@@ -15,11 +15,13 @@ constexpr std::size_t deepest = 64;
 
 class CountingIterator {
   public:
+    // NOLINTBEGIN(readability-identifier-naming): the standard library asks for these names
     using iterator_category = std::input_iterator_tag;
     using value_type = char;
     using difference_type = std::ptrdiff_t;
     using pointer = const char*;
     using reference = const char&;
+    // NOLINTEND(readability-identifier-naming)
 
     CountingIterator(const char* at, Offset& count)
         : at_(at)

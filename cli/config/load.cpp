@@ -172,7 +172,7 @@ class Loader {
                     file.glob = value;
                 } else if (member.key == "control") {
                     file.control = value;
-                    controls_named_.push_back({value, member.node.span});
+                    controls_named_.emplace_back(value, member.node.span);
                 } else if (member.key == "dialect") {
                     file.dialect = value;
                     if (find_dialect(value) == nullptr && value != "auto")

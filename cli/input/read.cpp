@@ -1,6 +1,7 @@
 //! Settings are found one file after the other, reading and lowering go in parallel.
 #include "cli/input/read.hpp"
 
+#include "analyzer/source/content.hpp"
 #include "analyzer/workspace/parallel.hpp"
 
 #include <utility>
@@ -22,6 +23,12 @@ std::variant<Source, InputError> open(const InputFile& input, const FileSettings
 const ControlModel& control_of(const ReadFile& file) {
     if (file.settings.control != nullptr) return *file.settings.control;
     return *find_control(file.dialect->default_control);
+}
+
+/// Whoever names the dialect knows better what a text is, but no dialect reads an image.
+bool is_no_text(const Source& source) {
+    const Content content = classify(source.bytes());
+    return content == Content::binary || content == Content::utf16;
 }
 
 Notice foreign(const ReadFile& file, const std::string& reason) {
@@ -61,13 +68,14 @@ ReadFile read_source(InputFile input, FileSettings settings, Source bytes) {
     const bool told = file.settings.dialect != nullptr;
     file.dialect = told ? file.settings.dialect : detection.dialect;
     file.dialect_reason = told ? file.settings.dialect_reason : detection.reason;
-    if (detection.not_nc_text && file.input.named) {
+    const bool not_nc = told ? is_no_text(*source) : detection.not_nc_text;
+    if (not_nc && file.input.named) {
         if (file.dialect == nullptr) file.dialect = &dialects().front();
         file.not_nc = detection.reason;
         file.file = empty_file(std::move(source), control_of(file));
         return file;
     }
-    if (file.dialect == nullptr || detection.not_nc_text) {
+    if (file.dialect == nullptr || not_nc) {
         file.dialect = nullptr;
         file.notice = foreign(file, detection.reason);
         return file;

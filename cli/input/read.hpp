@@ -25,7 +25,7 @@ struct ReadFile {
 };
 
 /// Finds out what a source is and turns it into programs.
-[[nodiscard]] ReadFile read_source(InputFile input, FileSettings settings, Source source);
+[[nodiscard]] ReadFile read_source(InputFile input, FileSettings settings, Source bytes);
 
 /// In the order of `inputs`. Files whose configuration is wrong are left out; `settings` has the notices.
 [[nodiscard]] std::vector<ReadFile> read_files(std::vector<InputFile> inputs, Settings& settings,

@@ -132,6 +132,12 @@ TEST_F(Executable, TellsOfAFolderWithoutProgramsAndOfForeignFiles) {
     EXPECT_THAT(run({"--quiet", "part.h", "empty"}).err, IsEmpty());
 }
 
+TEST_F(Executable, TakesTheUsersWordForTheDialect) {
+    folder.write("main.c", "int main(void) {\n    return 0;\n}\n");
+    EXPECT_THAT(concise({"main.c"}), HasSubstr("MAC003"));
+    EXPECT_THAT(concise({"--dialect", "fanuc", "main.c"}), Not(HasSubstr("MAC003")));
+}
+
 TEST_F(Executable, ReportsANamedFileThatIsNoProgram) {
     folder.write("photo.nc", std::string_view("\x89PNG\r\n\x1A\n\0\0\0\x0DIHDR", 16));
     EXPECT_THAT(concise({"photo.nc"}), HasSubstr("photo.nc:1:1: error[MAC003]"));

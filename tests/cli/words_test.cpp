@@ -21,6 +21,7 @@ TEST(Closest, FindsAWordWithLettersWrongMissingOrSwapped) {
 TEST(Closest, FindsNothingWhenAllIsFar) {
     EXPECT_EQ(closest("spindle", rules), std::nullopt);
     EXPECT_EQ(closest("", rules), std::nullopt);
+    EXPECT_EQ(closest("MAC999", rules), std::nullopt); // two digits away
     EXPECT_EQ(closest(std::string(100'000, 'J'), rules), std::nullopt);
 }
 
