@@ -155,7 +155,7 @@ module.exports = grammar({
       keyword('POPEN'),
       keyword('PCLOS'),
       seq(choice(keyword('DPRNT'), keyword('BPRNT')), '[', repeat(choice($.output_text, $.output_variable)), ']')),
-    output_text: $ => token(prec(-1, /[^#\[\]()\r\n;]+/)),
+    output_text: $ => token(prec(-1, /[^#\[\]()\r\n;\x00]+/)),
     output_variable: $ => prec.right(seq(
       field('variable', $._place), optional(seq('[', field('format', $.number), ']')))),
 

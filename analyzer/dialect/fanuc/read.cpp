@@ -210,7 +210,8 @@ class Reader {
             return;
         }
         static const syntax::Tree nothing{.nodes = {}, .has_error = true};
-        const syntax::Tree& tree = is_plausible(text_, block) ? parse(with_end_of_block(block)) : nothing;
+        const syntax::Tree& tree =
+            is_plausible(text_, block) ? parse(text_.substr(block.begin, block.length())) : nothing;
         if (tree.has_error) {
             if (!swallowed) diagnose(text_, block, tree, file_.irregularities);
             add_unreadable(block);
@@ -224,16 +225,6 @@ class Reader {
         thread_local syntax::TreeMemory trees(grammar);
         shape_of(block, shape_);
         return trees.parse(block, shape_);
-    }
-
-    /// The lexer that tree-sitter generates must not meet the end of the text inside `DPRNT[`: it would not
-    /// return.
-    std::string_view with_end_of_block(Span block) {
-        const std::string_view text = text_.substr(block.begin, raw_.next - block.begin);
-        if (is_line_end(text.back()) || text.back() == ';') return text;
-        ended_ = text_.substr(block.begin, block.length());
-        ended_ += '\n';
-        return ended_;
     }
 
     /// Whether the block ends in a comment that nobody closed; what it swallowed explains any other error.
@@ -297,7 +288,6 @@ class Reader {
     RunTotals run_;
     RawBlock raw_;
     std::string shape_;
-    std::string ended_;       ///< a copy of the last block, with an end of block
     std::size_t waiting_ = 0; ///< first comment without a next block
     bool tape_open_ = true;
     bool program_open_ = false;

@@ -1275,6 +1275,23 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           ('h' <= lookahead && lookahead <= 'z')) ADVANCE(146);
       END_STATE();
     case 1:
+      if ((!eof && lookahead == 00)) SKIP(1);
+      if (lookahead == '#') ADVANCE(223);
+      if (lookahead == '(') ADVANCE(116);
+      if (lookahead == '[') ADVANCE(202);
+      if (lookahead == ']') ADVANCE(203);
+      if (lookahead == '\t' ||
+          lookahead == ' ' ||
+          lookahead == 0xfeff) ADVANCE(217);
+      if (lookahead != 0 &&
+          lookahead != '\t' &&
+          lookahead != '\n' &&
+          lookahead != '\r' &&
+          lookahead != '(' &&
+          lookahead != ')' &&
+          lookahead != ';') ADVANCE(218);
+      END_STATE();
+    case 2:
       ADVANCE_MAP(
         '#', 222,
         '(', 116,
@@ -1308,27 +1325,8 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if ((!eof && lookahead == 00) ||
           lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(1);
+          lookahead == 0xfeff) SKIP(2);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
-      END_STATE();
-    case 2:
-      ADVANCE_MAP(
-        '#', 223,
-        '(', 116,
-        '[', 202,
-        ']', 203,
-        0, 217,
-        '\t', 217,
-        ' ', 217,
-        0xfeff, 217,
-      );
-      if (lookahead != 0 &&
-          lookahead != '\t' &&
-          lookahead != '\n' &&
-          lookahead != '\r' &&
-          lookahead != '(' &&
-          lookahead != ')' &&
-          lookahead != ';') ADVANCE(218);
       END_STATE();
     case 3:
       if (lookahead == '&') ADVANCE(103);
@@ -3150,16 +3148,14 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 217:
       ACCEPT_TOKEN(sym_output_text);
-      ADVANCE_MAP(
-        '#', 223,
-        '(', 116,
-        '[', 202,
-        ']', 203,
-        0, 217,
-        '\t', 217,
-        ' ', 217,
-        0xfeff, 217,
-      );
+      if ((!eof && lookahead == 00)) SKIP(1);
+      if (lookahead == '#') ADVANCE(223);
+      if (lookahead == '(') ADVANCE(116);
+      if (lookahead == '[') ADVANCE(202);
+      if (lookahead == ']') ADVANCE(203);
+      if (lookahead == '\t' ||
+          lookahead == ' ' ||
+          lookahead == 0xfeff) ADVANCE(217);
       if (lookahead != 0 &&
           lookahead != '\t' &&
           lookahead != '\n' &&
@@ -3453,16 +3449,16 @@ static const TSLexMode ts_lex_modes[STATE_COUNT] = {
   [79] = {.lex_state = 108},
   [80] = {.lex_state = 106},
   [81] = {.lex_state = 106},
-  [82] = {.lex_state = 1},
-  [83] = {.lex_state = 1},
-  [84] = {.lex_state = 1},
-  [85] = {.lex_state = 1},
-  [86] = {.lex_state = 1},
-  [87] = {.lex_state = 1},
-  [88] = {.lex_state = 1},
-  [89] = {.lex_state = 1},
-  [90] = {.lex_state = 1},
-  [91] = {.lex_state = 1},
+  [82] = {.lex_state = 2},
+  [83] = {.lex_state = 2},
+  [84] = {.lex_state = 2},
+  [85] = {.lex_state = 2},
+  [86] = {.lex_state = 2},
+  [87] = {.lex_state = 2},
+  [88] = {.lex_state = 2},
+  [89] = {.lex_state = 2},
+  [90] = {.lex_state = 2},
+  [91] = {.lex_state = 2},
   [92] = {.lex_state = 106},
   [93] = {.lex_state = 106},
   [94] = {.lex_state = 106},
@@ -3520,13 +3516,13 @@ static const TSLexMode ts_lex_modes[STATE_COUNT] = {
   [146] = {.lex_state = 106},
   [147] = {.lex_state = 106},
   [148] = {.lex_state = 106},
-  [149] = {.lex_state = 2},
-  [150] = {.lex_state = 2},
+  [149] = {.lex_state = 1},
+  [150] = {.lex_state = 1},
   [151] = {.lex_state = 106},
   [152] = {.lex_state = 106},
   [153] = {.lex_state = 106},
   [154] = {.lex_state = 106},
-  [155] = {.lex_state = 2},
+  [155] = {.lex_state = 1},
   [156] = {.lex_state = 106},
   [157] = {.lex_state = 106},
   [158] = {.lex_state = 106},
@@ -3541,14 +3537,14 @@ static const TSLexMode ts_lex_modes[STATE_COUNT] = {
   [167] = {.lex_state = 108},
   [168] = {.lex_state = 108},
   [169] = {.lex_state = 108},
-  [170] = {.lex_state = 2},
-  [171] = {.lex_state = 2},
-  [172] = {.lex_state = 2},
-  [173] = {.lex_state = 2},
-  [174] = {.lex_state = 2},
-  [175] = {.lex_state = 2},
-  [176] = {.lex_state = 2},
-  [177] = {.lex_state = 2},
+  [170] = {.lex_state = 1},
+  [171] = {.lex_state = 1},
+  [172] = {.lex_state = 1},
+  [173] = {.lex_state = 1},
+  [174] = {.lex_state = 1},
+  [175] = {.lex_state = 1},
+  [176] = {.lex_state = 1},
+  [177] = {.lex_state = 1},
   [178] = {.lex_state = 0},
   [179] = {.lex_state = 0},
   [180] = {.lex_state = 3},
