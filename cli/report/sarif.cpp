@@ -21,7 +21,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view schema = "https://json.schemastore.org/sarif-2.1.0.json";
 constexpr std::string_view root_id = "%SRCROOT%";
 constexpr Offset longest_snippet = 4096; ///< bytes; a report is no copy of the programs
-constexpr std::string_view help_base{MACLINT_HELP_BASE_URL};
+/// Empty until an address is published.
+constexpr std::string_view help_base{MACLINT_HELP_BASE_URL, sizeof(MACLINT_HELP_BASE_URL) - 1};
 /// For builds without a published address: ".invalid" never leads anywhere (RFC 2606).
 constexpr std::string_view no_address = "https://maclint.invalid";
 

@@ -57,7 +57,8 @@ TEST(Sarif, GivesMessagesAsTextAndByIdWithArguments) {
 
 TEST(Sarif, DescribesRules) {
     HandMade made("O1.nc", "O1\n");
-    for (const json& rule : sarif_of(made)["tool"]["driver"]["rules"]) {
+    const json sarif = sarif_of(made);
+    for (const json& rule : sarif["tool"]["driver"]["rules"]) {
         EXPECT_FALSE(rule["fullDescription"]["text"].get<std::string>().empty()) << rule["id"];
         EXPECT_FALSE(rule["help"]["markdown"].get<std::string>().empty()) << rule["id"];
         EXPECT_TRUE(rule["properties"].contains("precision")) << rule["id"];

@@ -291,8 +291,7 @@ std::optional<Irregularity> Clues::remark() const {
     }
     if (words < 2 || words * 2 < code) return std::nullopt;
     const Span all{tokens_.front().span.begin, tokens_.back().span.end};
-    return make(Irregular::unreadable, all, text_.substr(all.begin, all.length()),
-                "( ) around a remark");
+    return make(Irregular::unreadable, all, text_.substr(all.begin, all.length()), "( ) around a remark");
 }
 
 /// The first node of the tree that stands for an error.
