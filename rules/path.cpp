@@ -9,6 +9,8 @@
 namespace maclint {
 namespace {
 
+/// A path is for a reader: many findings must not cost many searches of a whole long program.
+constexpr std::size_t most_searched = 4096;
 constexpr std::size_t most_steps = 12;
 constexpr std::size_t most_looked_at = 5000;
 constexpr std::size_t longest_quote = 40;
@@ -116,7 +118,7 @@ std::vector<Remark> steps_along(const ProgramAnalysis& analysis, std::span<const
 
 std::vector<Remark> way_between(const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to) {
     const auto passable = [&](flow::EdgeId edge) { return analysis.data().passable(edge); };
-    const auto way = analysis.graph().way(from, to, passable);
+    const auto way = analysis.graph().way(from, to, passable, most_searched);
     return way ? steps_along(analysis, *way) : std::vector<Remark>{};
 }
 

@@ -40,6 +40,9 @@ std::optional<flow::EdgeId> impossible_edge(const Program& program, const flow::
     return at ? std::optional(deciding[*at]) : std::nullopt;
 }
 
+/// A search of everything: what it does not find is not there.
+std::size_t whole(const flow::Graph& graph) { return graph.nodes.size() + 1; }
+
 } // namespace
 
 bool assigned_on_every_way(const flow::Graph& graph, const Analysis& analysis, Place place,
@@ -48,9 +51,10 @@ bool assigned_on_every_way(const flow::Graph& graph, const Analysis& analysis, P
     const auto assigns = [&](flow::NodeId n) { return std::ranges::binary_search(assigning, n); };
     if (assigning.empty() || node == 0) return false;
     if (assigns(0)) return true;
-    return !graph.way(0, node, [&](flow::EdgeId edge) {
+    const auto usable = [&](flow::EdgeId edge) {
         return analysis.passable(edge) && !assigns(graph.edges[edge].to);
-    });
+    };
+    return !graph.way(0, node, usable, whole(graph));
 }
 
 std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& program,
@@ -64,10 +68,11 @@ std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& p
     if (std::ranges::binary_search(assigning, flow::NodeId{0})) return std::nullopt;
     std::vector<flow::EdgeId> impossible;
     while (impossible.size() < most_attempts) {
-        auto way = graph.way(0, node, [&](flow::EdgeId edge) {
+        const auto usable = [&](flow::EdgeId edge) {
             return analysis.passable(edge) && !std::ranges::binary_search(assigning, graph.edges[edge].to) &&
                    std::ranges::find(impossible, edge) == impossible.end();
-        });
+        };
+        auto way = graph.way(0, node, usable, whole(graph));
         if (!way) return std::nullopt;
         const auto bad = impossible_edge(program, graph, *way);
         if (!bad) return way;

@@ -404,32 +404,23 @@ const Label* Graph::find_label(std::int64_t number, Offset from) const {
     return found != labels.end() && found->number == number ? &*found : nullptr;
 }
 
-std::optional<std::vector<EdgeId>> Graph::way(NodeId from, NodeId to,
-                                              const std::function<bool(EdgeId)>& usable) const {
-    constexpr EdgeId none = 0xFFFFFFFF;
-    std::vector<EdgeId> reached_by(nodes.size(), none);
+std::optional<std::vector<EdgeId>>
+Graph::way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const {
+    std::unordered_map<NodeId, EdgeId> reached_by;
     std::deque<NodeId> queue{from};
-    std::vector<bool> seen(nodes.size(), false);
-    bool arrived = false;
-    while (!queue.empty() && !arrived) {
+    while (!queue.empty() && !reached_by.contains(to) && reached_by.size() < most_nodes) {
         const NodeId node = queue.front();
         queue.pop_front();
-        for (const EdgeId id : out[node]) {
-            const NodeId next = edges[id].to;
-            if (seen[next] || !usable(id)) continue;
-            seen[next] = true;
-            reached_by[next] = id;
-            if (next == to) {
-                arrived = true;
-                break;
+        for (const EdgeId id : out[node])
+            if (!reached_by.contains(edges[id].to) && usable(id)) {
+                reached_by.emplace(edges[id].to, id);
+                queue.push_back(edges[id].to);
             }
-            queue.push_back(next);
-        }
     }
-    if (!arrived) return std::nullopt;
+    if (!reached_by.contains(to)) return std::nullopt;
     std::vector<EdgeId> way;
     for (NodeId node = to; way.empty() || node != from; node = edges[way.back()].from)
-        way.push_back(reached_by[node]);
+        way.push_back(reached_by.at(node));
     std::ranges::reverse(way);
     return way;
 }

@@ -82,10 +82,10 @@ struct Graph {
 
     /// The first label `number` from `from` on, else from the top: where the control's search stops.
     [[nodiscard]] const Label* find_label(std::int64_t number, Offset from) const;
-    /// Edges on a shortest way from `from` to `to`, or nothing when there is none. An edge that `usable`
-    /// refuses is not taken.
-    [[nodiscard]] std::optional<std::vector<EdgeId>> way(NodeId from, NodeId to,
-                                                         const std::function<bool(EdgeId)>& usable) const;
+    /// Edges on a shortest way from `from` to `to`, or nothing when there is none or the search has met
+    /// `most_nodes` nodes. An edge that `usable` refuses is not taken.
+    [[nodiscard]] std::optional<std::vector<EdgeId>>
+    way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const;
 };
 
 /// Sequence numbers to which a call may return in its caller instead of the next block.
