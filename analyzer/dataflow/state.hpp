@@ -22,7 +22,7 @@ enum class Entry : std::uint8_t {
 /// What the callers tell of a program's local variables.
 struct EntryKnowledge {
     Entry entry;
-    std::vector<Place> passed_somewhere; ///< arguments that some known caller passes, sorted
+    std::vector<Place> passed_somewhere; ///< arguments that some known caller passes, in no order
     /// All callers are known: whether each argument is passed by all, some or none of them. Absent: there may
     /// be other callers.
     std::optional<std::vector<std::pair<Place, Vacancy>>> arguments;
