@@ -135,12 +135,27 @@ struct Values {
 struct Motion {};      ///< axes move
 struct Synchronise {}; ///< look-ahead stops here
 struct Stop {
-    enum class Kind : std::uint8_t { alarm, pause, end } kind; ///< #3000; #3006, M00; M30
+    enum class Kind : std::uint8_t {
+        alarm,  ///< #3000
+        pause,  ///< #3006, M00
+        end,    ///< M30
+        restart ///< the program ends and begins again, all modal groups as they are; `number`: at that block
+    } kind;
     std::optional<ExpressionId> number;
 };
-struct ToolChange {};
+struct ToolChange {
+    enum class Kind : std::uint8_t {
+        change,
+        approach
+    } kind = Kind::change; ///< approach: a move to its place
+};
+/// Words that name a block of another section: the start or end of a contour.
+struct Reference {
+    ReferenceKindId kind;
+    ExpressionId block;
+};
 
-enum class Construct : std::uint8_t { while_loop, endless_loop, choice, selection };
+enum class Construct : std::uint8_t { while_loop, endless_loop, choice, selection, unit };
 [[nodiscard]] constexpr bool is_loop(Construct construct) {
     return construct == Construct::while_loop || construct == Construct::endless_loop;
 }
@@ -200,7 +215,7 @@ struct UnreadableBlock {
 
 struct Effect {
     std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call,
-                 EndModalCall, Return, Exchange, Guarded, UnreadableBlock>
+                 EndModalCall, Return, Exchange, Guarded, UnreadableBlock, Reference>
         what;
     Span span;
 };
@@ -254,9 +269,10 @@ using ItemId = Id;
 
 /// Part of a program; the body is a slice of Program::items.
 struct Section {
-    std::string_view kind; ///< "program", "MACHINING", …
+    std::string_view kind; ///< "program", "MACHINING", …: name of a row of ControlModel::sections
     Slice items;
     enum class Executed : std::uint8_t { when_reached, at_load, never } executed;
+    Span heading = {}; ///< the line that begins it; empty for "program"
 };
 
 class Program;
@@ -274,6 +290,8 @@ class Program {
     std::string_view text;                  ///< bytes of the whole file; all spans point into it
     const ControlModel* control = nullptr;
     RunDecoder decode = nullptr;
+    /// What the text says of how it is started; `unknown`: the calls and returns tell.
+    enum class Started : std::uint8_t { unknown, by_hand, by_call } started = Started::unknown;
 
     std::vector<Section> sections;
     std::vector<Item> items;
@@ -284,6 +302,7 @@ class Program {
     std::vector<Argument> arguments;
     std::vector<ModalSetting> settings;
     std::vector<std::string> names; ///< of named variables
+    std::vector<Place> handed_down; ///< locals that all programs called from here see, too: #l1(200)
 
     [[nodiscard]] std::string_view slice(Span span) const {
         return text.substr(span.begin, span.end - span.begin);

@@ -10,10 +10,11 @@
 
 namespace maclint {
 
-using SpaceId = std::uint8_t;    ///< row of ControlModel::spaces
-using GroupId = std::uint8_t;    ///< row of ControlModel::groups
-using FamilyId = std::uint8_t;   ///< row of ControlModel::families
-using CallKindId = std::uint8_t; ///< row of ControlModel::calls
+using SpaceId = std::uint8_t;         ///< row of ControlModel::spaces
+using GroupId = std::uint8_t;         ///< row of ControlModel::groups
+using FamilyId = std::uint8_t;        ///< row of ControlModel::families
+using CallKindId = std::uint8_t;      ///< row of ControlModel::calls
+using ReferenceKindId = std::uint8_t; ///< row of ControlModel::references
 
 /// How long a variable lives and who shares it.
 enum class Scope : std::uint8_t {
@@ -34,6 +35,10 @@ struct VariableSpace {
     Scope scope;
     Unset unset;
     std::string_view source;
+    std::vector<std::string_view> fixed_names =
+        {}; ///< how its places are spelled behind the prefix, by number
+    bool handed_down =
+        false; ///< a program may hand places of it down to all that it calls (Program::handed_down)
 };
 
 /// One variable: a space and a number (for named variables the index of the name in its program).
@@ -68,6 +73,8 @@ struct ModalGroup {
     std::optional<double> cancel;  ///< the code that ends an operation (G40, G80)
     std::optional<double> reset;   ///< the code in force in a main program's first block, where it is known
     std::string_view source;
+    std::string_view cancel_words =
+        {}; ///< how `cancel` is written where its number is not its code: "G16 Q0"
 };
 
 /// What happens when a value is stored in a variable of a range.
@@ -110,6 +117,8 @@ enum class Frame : std::uint8_t { fresh, shared };
 enum class Counted : std::uint8_t { macro, subprogram };
 /// When the called program runs.
 enum class When : std::uint8_t { once, after_each_motion, after_each_block };
+/// Where the called program is looked for.
+enum class Reach : std::uint8_t { everywhere, same_file, other_files };
 
 /// One row of the call table.
 struct CallKind {
@@ -118,14 +127,36 @@ struct CallKind {
     Counted counted;
     When when;
     std::string_view source;
+    Reach reach = Reach::everywhere;
+};
+
+/// One row of the section table: a part of a program that a word of its own begins.
+struct SectionKind {
+    std::string_view name; ///< "MACHINING"
+    enum class Role : std::uint8_t {
+        information, ///< what the control reads when the program is loaded: head, tools, names
+        contour,     ///< describes shapes; its blocks are what references mean
+        machining,   ///< runs
+        subprogram,
+        end, ///< nothing may follow
+    } role;
+    bool required; ///< a main program must have it
+    std::string_view source;
+};
+
+/// One row of the reference table: words that name blocks of certain sections.
+struct ReferenceKind {
+    std::string_view name;    ///< "contour block"
+    SectionKind::Role target; ///< where the block must stand
+    std::string_view source;
 };
 
 /// Limits of a control. Levels are counted below the main program.
 struct Limits {
-    int macro_calls;                         ///< nested macro calls
+    int macro_calls;                         ///< nested macro calls; 0: there are none
     int subprogram_calls;                    ///< nested subprogram calls
     std::optional<int> calls_together;       ///< sum of both on one chain, where it is known
-    int loop_levels;                         ///< nested loops in one program
+    int loop_levels;                         ///< nested loops in one program; 0: no limit is known
     int first_loop_number, last_loop_number; ///< both 0: loops have no numbers, they pair by nesting
     int bracket_levels;                      ///< brackets in one expression, those of functions included
     std::string_view source;
@@ -144,6 +175,8 @@ struct ControlModel {
     std::vector<Place>
         formals;             ///< local variables that an argument letter of a call reaches (specification I)
     bool vacant_equals_zero; ///< whether EQ and NE take vacant for 0
+    std::vector<SectionKind> sections = {}; ///< empty: programs have no sections
+    std::vector<ReferenceKind> references = {};
 
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;
