@@ -76,18 +76,17 @@ enum class Context : std::uint8_t { machining, contour };
 /// What a code does to the model, as bits that add up. A code that no row holds sets its modal group, if it
 /// has one, and does nothing else that the model knows of.
 enum Trait : std::uint16_t {
-    moves = 1 << 0,         ///< axes move, with or without words: motion codes, cycles, approaches
-    sets_group = 1 << 1,    ///< the code is a member of a modal group (ControlModel::group_of)
-    off_by_word = 1 << 2,   ///< sets the group's `cancel` when the word `letter` is there with `value`
-    off_when_bare = 1 << 3, ///< sets the group's `cancel` when it has no words
-    feed_word = 1 << 4,     ///< F is the feed
-    speed_word = 1 << 5,    ///< S is the speed
-    approaches = 1 << 6,    ///< goes to the tool change position: lower as ToolChange::Kind::approach
-    synchronises = 1 << 7,  ///< look-ahead stops
-    pauses = 1 << 8,        ///< Stop::Kind::pause
-    ends = 1 << 9,          ///< Stop::Kind::end
-    restarts = 1 << 10,     ///< Stop::Kind::restart, its number the word NS
-    block_words = 1 << 11,  ///< NS and NE name blocks of a contour: lower as Reference
+    moves = 1 << 0,        ///< axes move, with or without words: motion codes, cycles, approaches
+    sets_group = 1 << 1,   ///< the code is a member of a modal group (ControlModel::group_of)
+    off_by_word = 1 << 2,  ///< sets the group's `cancel` when the word `letter` is there with `value`
+    feed_word = 1 << 4,    ///< F is the feed
+    speed_word = 1 << 5,   ///< S is the speed
+    approaches = 1 << 6,   ///< goes to the tool change position: lower as ToolChange::Kind::approach
+    synchronises = 1 << 7, ///< look-ahead stops
+    pauses = 1 << 8,       ///< Stop::Kind::pause
+    ends = 1 << 9,         ///< Stop::Kind::end
+    restarts = 1 << 10,    ///< Stop::Kind::restart, its number the word NS
+    block_words = 1 << 11, ///< NS and NE name blocks of a contour: lower as Reference
 };
 
 /// One row of the code table.
