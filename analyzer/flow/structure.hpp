@@ -26,7 +26,7 @@ enum class Imbalance : std::uint8_t {
     never_closed,    ///< DO without END
     never_opened,    ///< END without DO
     crossed,         ///< the close of an outer structure stands inside an inner one that is closed later
-    nested_too_deep, ///< opens a level beyond the control's limit
+    nested_too_deep, ///< opens a level beyond the control's limit; a unit inside a unit
     number_reused,   ///< opens with the number of a structure still open
     number_out_of_range,
 };

@@ -331,9 +331,15 @@ enum class Irregular : std::uint8_t {
     symbolic_comparison,    ///< cure: the operator word
     bracket_depth,          ///< subject: the bracket that opens one level too many
     assignment_to_null,
-    loop_without_do,      ///< WHILE condition without DO
-    call_without_program, ///< G65/G66/M98 without P
-    unreadable,           ///< nothing more exact is known; cure: what was expected
+    loop_without_do,          ///< WHILE condition without DO
+    call_without_program,     ///< G65/G66/M98 without P
+    not_alone,                ///< subject: the keyword that shares its block with something else
+    then_missing,             ///< IF that no THEN follows; subject: the IF
+    assignment_in_condition,  ///< `=` in a condition; cure: the condition with `==`
+    comparison_as_assignment, ///< `==` where a value is to be stored; cure: the assignment with `=`
+    hash_in_vacancy_test,     ///< DEF(#__la); cure: the test without `#`
+    unknown_transfer_value,   ///< subject: "#__lg"
+    unreadable,               ///< nothing more exact is known; cure: what was expected
 };
 
 struct Irregularity {

@@ -73,8 +73,8 @@ struct ModalGroup {
     std::optional<double> cancel;  ///< the code that ends an operation (G40, G80)
     std::optional<double> reset;   ///< the code in force in a main program's first block, where it is known
     std::string_view source;
-    std::string_view cancel_words =
-        {}; ///< how `cancel` is written where its number is not its code: "G16 Q0"
+    std::string_view cancel_words = {}; ///< how `cancel` is written where it is more than a code: "G16 Q0"
+    bool for_callers = false;           ///< a subprogram may switch it on for its caller, who is to cancel it
 };
 
 /// What happens when a value is stored in a variable of a range.

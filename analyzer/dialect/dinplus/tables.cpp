@@ -78,7 +78,9 @@ std::vector<VariableSpace> variable_spaces() {
         {"value of the control",      "#",   false, Scope::machine,   Unset::old_value, "l.19032-19387"},
     };
     // clang-format on
-    rows[spaces::local].handed_down = true; // l.18979: #l1(200) is visible in the programs called from there
+    // l.18979: #l1(200) is visible in the programs called from there, and so are the names of VAR [l.19491].
+    for (const SpaceId space : {spaces::local, spaces::named, spaces::constant})
+        rows[space].handed_down = true;
     rows[spaces::transfer].fixed_names.assign(transfer_letters.begin(), transfer_letters.end());
     return rows;
 }
