@@ -166,6 +166,7 @@ struct Limits {
 struct ControlModel {
     std::string name;        ///< "fanuc-16i"; what --control takes
     std::string description; ///< "FANUC Series 16i/18i/21i"
+    std::string dialect;     ///< of the programs that it runs, as Dialect::name
     bool assumed;            ///< nobody named the control: messages say that its limits are assumed
     Limits limits;
     std::vector<VariableSpace> spaces;
@@ -175,6 +176,7 @@ struct ControlModel {
     std::vector<Place>
         formals;             ///< local variables that an argument letter of a call reaches (specification I)
     bool vacant_equals_zero; ///< whether EQ and NE take vacant for 0
+    bool loops_left_by_jump = true; ///< a jump can leave a loop, so a condition that always holds is a custom
     std::vector<SectionKind> sections = {}; ///< empty: programs have no sections
     std::vector<ReferenceKind> references = {};
 

@@ -19,7 +19,7 @@ extern const Rule radius_comp_not_cancelled{
     .code = "DIN619",
     .name = "radius-comp-not-cancelled",
     .aliases = "",
-    .summary = "G41 or G42 is still active at T, G14 or the end of the program",
+    .summary = "G41 or G42 is still active at T, G14, a change of the plane or the end of the program",
     .why = "The next tool is moved beside its path by the radius of its own tip, and G14 is not allowed "
            "while the compensation is being switched off.",
     .severity = Severity::error,
@@ -67,11 +67,33 @@ extern const Rule radius_comp_not_cancelled{
 namespace {
 
 constexpr std::string_view compensation = "radius compensation";
+constexpr std::string_view plane = "plane";
 
-std::optional<GroupId> find_group(const ControlModel& control) {
-    const auto row = std::ranges::find(control.groups, compensation, &ModalGroup::name);
-    if (row == control.groups.end() || row->concern != Concern::own_rule) return std::nullopt;
+std::optional<GroupId> find_group(const ControlModel& control, std::string_view name) {
+    const auto row = std::ranges::find(control.groups, name, &ModalGroup::name);
+    if (row == control.groups.end()) return std::nullopt;
     return static_cast<GroupId>(row - control.groups.begin());
+}
+
+/// Whether the word sets another plane than the one that is in force on every way.
+bool changes_plane(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write) {
+    if (!write.group || analysis.control().groups[*write.group].name != plane) return false;
+    const dataflow::ModalValue& value = analysis.data().modal(write.before, *write.group);
+    const auto& pool = analysis.data().pool();
+    return !value.unknown && write.value.constant() &&
+           std::ranges::all_of(value.parts, [&](const auto& part) {
+               const auto code = pool.number_of(part.symbol);
+               return code && *code != *write.value.constant();
+           });
+}
+
+/// Where the compensation must be off: tool changes and changes of the plane.
+std::vector<dataflow::PointState> find_points(const ProgramAnalysis& analysis) {
+    std::vector<dataflow::PointState> points = analysis.facts().tool_changes;
+    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes)
+        if (changes_plane(analysis, write)) points.push_back({write.node, write.effect, write.before});
+    std::ranges::stable_sort(points, {}, &dataflow::PointState::effect);
+    return points;
 }
 
 void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part,
@@ -88,12 +110,12 @@ void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const datafl
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const auto group = find_group(analysis.control());
-    if (!group) return;
+    const auto group = find_group(analysis.control(), compensation);
+    if (!group || analysis.control().groups[*group].concern != Concern::own_rule) return;
     std::vector<dataflow::OriginId> told; // one finding for each block that switches it on
     for (const Leftover& leftover : left_at_return(analysis)) // those are told as such
         if (leftover.group == *group) told.push_back(leftover.part.origin);
-    for (const dataflow::PointState& change : analysis.facts().tool_changes) {
+    for (const dataflow::PointState& change : find_points(analysis)) {
         const dataflow::ModalValue& value = analysis.data().modal(change.state, *group);
         if (value.unknown) continue;
         for (const dataflow::ModalPart& part : value.parts) {

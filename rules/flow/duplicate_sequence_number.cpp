@@ -35,13 +35,29 @@ extern const Rule duplicate_sequence_number{
                       "IF[#100EQ1]GOTO20\n"
                       "N20 G0 X1.\n"
                       "N20 G0 X2.\n"
-                      "M30\n"}},
+                      "M30\n"},
+            {"dinplus", "FINISHED\n"
+                        "N1 G0 X0 Z0\n"
+                        "N2 G1 X30\n"
+                        "N2 G1 Z-20\n"
+                        "MACHINING\n"
+                        "N10 G810 NS2 NE2 P2\n"
+                        "N20 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O9462(TWO)\n"
                        "IF[#100EQ1]GOTO20\n"
                        "N20 G0 X1.\n"
                        "N30 G0 X2.\n"
-                       "M30\n"}},
+                       "M30\n"},
+             {"dinplus", "FINISHED\n"
+                         "N1 G0 X0 Z0\n"
+                         "N2 G1 X30\n"
+                         "N3 G1 Z-20\n"
+                         "MACHINING\n"
+                         "N10 G810 NS2 NE3 P2\n"
+                         "N20 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"ISORP", "T: search order"},
     .check = &check,

@@ -48,7 +48,12 @@ extern const Rule uninitialised_local{
                       "G43 Z#100 H1\n"
                       "G1 Z#10 F200.\n"
                       "G0 Z#100\n"
-                      "M30\n"}},
+                      "M30\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Stock on the face\",#l3)\n"
+                        "N20 G0 X46 Z#l4\n"
+                        "N30 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O0209(FACE)\n"
                        "#100=10.\n"
@@ -57,7 +62,12 @@ extern const Rule uninitialised_local{
                        "G43 Z#100 H1\n"
                        "G1 Z#10 F200.\n"
                        "G0 Z#100\n"
-                       "M30\n"}},
+                       "M30\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 INPUT(\"Stock on the face\",#l3)\n"
+                         "N20 G0 X46 Z#l3\n"
+                         "N30 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"SEED-001:187"},
     .check = &check,

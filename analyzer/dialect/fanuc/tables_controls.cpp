@@ -39,6 +39,7 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     ControlModel control;
     control.name = row.name;
     control.description = row.description;
+    control.dialect = "fanuc";
     control.assumed = row.assumed;
     control.limits = row.limits;
     control.spaces = variable_spaces();
