@@ -13,7 +13,7 @@ using StructureId = std::uint32_t;
 struct Paired {
     Construct construct;
     EffectId open;                 ///< the effect that opens it
-    std::vector<EffectId> parts;   ///< what divides it (ELSE, CASE) and what leaves it (BREAK), in text order
+    std::vector<EffectId> parts;   ///< what begins (THEN), divides (ELSE, CASE) and leaves it (BREAK), in text order
     std::optional<EffectId> close; ///< absent: never closed
     bool crossed;                  ///< it overlaps another: nobody knows what the control repeats
     std::optional<StructureId> parent; ///< the structure that was open around it

@@ -73,8 +73,8 @@ struct ModalGroup {
     std::optional<double> cancel;  ///< the code that ends an operation (G40, G80)
     std::optional<double> reset;   ///< the code in force in a main program's first block, where it is known
     std::string_view source;
-    std::string_view cancel_words =
-        {}; ///< how `cancel` is written where its number is not its code: "G16 Q0"
+    std::string_view cancel_words = {}; ///< how `cancel` is written where it is more than a code: "G16 Q0"
+    bool for_callers = false; ///< a subprogram may switch it on for its caller, who is to cancel it
 };
 
 /// What happens when a value is stored in a variable of a range.
@@ -101,6 +101,7 @@ struct VariableRange {
     std::string_view source;
     bool is_bit = false;  ///< 0 or 1, nothing else
     bool is_code = false; ///< a modal code, of which group is not known
+    bool may_be_vacant = false; ///< of machine values: there may be none, as of a probe that touched nothing
 };
 
 /// All variable numbers that one kind of index can reach (`#[…]` on Fanuc-like controls).
@@ -165,6 +166,7 @@ struct Limits {
 /// Everything that the analysis knows about a control; built once, shared by all programs of that control.
 struct ControlModel {
     std::string name;        ///< "fanuc-16i"; what --control takes
+    std::string_view language; ///< programs call programs of the same language
     std::string description; ///< "FANUC Series 16i/18i/21i"
     bool assumed;            ///< nobody named the control: messages say that its limits are assumed
     Limits limits;

@@ -1,6 +1,6 @@
 //! Lowering of expressions and conditions.
 #include "analyzer/dialect/fanuc/lowering.hpp"
-#include "analyzer/dialect/fanuc/numbers.hpp"
+#include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 
 #include <algorithm>
