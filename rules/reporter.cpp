@@ -10,7 +10,7 @@ namespace {
 Severity severity_in(const ProgramFile& file, const Rule& rule) {
     if (file.control == nullptr) return rule.severity;
     const auto other =
-        std::ranges::find(rule.severity_elsewhere, file.control->dialect, &OtherSeverity::dialect);
+        std::ranges::find(rule.severity_elsewhere, file.control->language, &OtherSeverity::language);
     return other == rule.severity_elsewhere.end() ? rule.severity : other->severity;
 }
 

@@ -36,9 +36,9 @@ struct Example {
     bool complete = false; ///< shown in a folder that the configuration declares complete
 };
 
-/// The severity in programs of a dialect, where it is not the rule's own.
+/// The severity in programs of a language, where it is not the rule's own.
 struct OtherSeverity {
-    std::string_view dialect; ///< as --dialect takes it
+    std::string_view language; ///< of the control
     Severity severity;
 };
 

@@ -48,6 +48,7 @@ class Pairing {
         if (structure == nullptr) return;
         switch (structure->part) {
         case Structure::Part::open: open(id, *structure); break;
+        case Structure::Part::begin:
         case Structure::Part::middle:
         case Structure::Part::leave: divide(id, *structure); break;
         case Structure::Part::close: close(id, *structure); break;

@@ -43,7 +43,7 @@ std::string describe(const Program& program, const Call& call) {
                       call.program);
     for (const Argument& argument : program.arguments_of(call)) {
         out += ' ';
-        out += argument.letter;
+        out += argument.address;
         out += '>' + program.spell(argument.formal) + '=' + maclint::describe(program, argument.value);
     }
     if (call.repeat) out += " times " + maclint::describe(program, *call.repeat);
@@ -52,7 +52,7 @@ std::string describe(const Program& program, const Call& call) {
 
 std::string describe(const Program& program, const Structure& structure) {
     static constexpr std::string_view constructs[] = {"while", "endless", "choice", "selection", "unit"};
-    static constexpr std::string_view parts[] = {"open", "middle", "leave", "close"};
+    static constexpr std::string_view parts[] = {"open", "begin", "middle", "leave", "close"};
     std::string out(parts[static_cast<std::size_t>(structure.part)]);
     out += ' ';
     out += constructs[static_cast<std::size_t>(structure.construct)];

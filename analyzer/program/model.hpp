@@ -166,6 +166,7 @@ struct Structure {
     Construct construct;
     enum class Part : std::uint8_t {
         open,
+        begin,  ///< THEN: what it opens has begun; the flow does not change
         middle, ///< ELSE; CASE with its condition, DEFAULT without
         leave,  ///< BREAK: on to the close
         close,
@@ -182,7 +183,7 @@ struct Jump {
 struct Argument {
     Place formal;
     ExpressionId value;
-    char letter;
+    std::string_view address; ///< "A", "LA"; static lifetime or into the source text
     Span span;
 };
 struct Call {
@@ -285,6 +286,7 @@ class Program {
     std::string name;                       ///< "O9100", or the file's name where the text gives none
     std::optional<std::int64_t> number;     ///< program number
     std::vector<std::string> also_known_as; ///< further names that a call may use (<NAME>, file name)
+    bool local = false;                     ///< only programs of its own file can call it
     Span span;                              ///< all its blocks
     Span name_span;                         ///< where the name stands; empty at the first block otherwise
     std::string_view text;                  ///< bytes of the whole file; all spans point into it

@@ -99,8 +99,9 @@ struct VariableRange {
     bool changes_by_itself; ///< inputs, timers, positions: a loop that waits for it can end
     std::string_view what;  ///< "modal G code of group 03"
     std::string_view source;
-    bool is_bit = false;  ///< 0 or 1, nothing else
-    bool is_code = false; ///< a modal code, of which group is not known
+    bool is_bit = false;        ///< 0 or 1, nothing else
+    bool is_code = false;       ///< a modal code, of which group is not known
+    bool may_be_vacant = false; ///< of machine values: there may be none, as of a probe that touched nothing
 };
 
 /// All variable numbers that one kind of index can reach (`#[…]` on Fanuc-like controls).
@@ -164,10 +165,10 @@ struct Limits {
 
 /// Everything that the analysis knows about a control; built once, shared by all programs of that control.
 struct ControlModel {
-    std::string name;        ///< "fanuc-16i"; what --control takes
-    std::string description; ///< "FANUC Series 16i/18i/21i"
-    std::string dialect;     ///< of the programs that it runs, as Dialect::name
-    bool assumed;            ///< nobody named the control: messages say that its limits are assumed
+    std::string name;          ///< "fanuc-16i"; what --control takes
+    std::string_view language; ///< programs call programs of the same language
+    std::string description;   ///< "FANUC Series 16i/18i/21i"
+    bool assumed;              ///< nobody named the control: messages say that its limits are assumed
     Limits limits;
     std::vector<VariableSpace> spaces;
     std::vector<VariableFamily> families;

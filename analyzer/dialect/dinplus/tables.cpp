@@ -28,15 +28,23 @@ VariableRange place(std::int32_t first, std::int32_t last, SpaceId space, std::s
 /// A value that the control owns; `itself`: it may change while a loop waits for it.
 VariableFamily owned(std::string_view name, bool itself, std::string_view what, std::string_view source) {
     return {name,
-            {{0, most, Meaning::machine, spaces::machine, 0, itself ? OnWrite::forbidden : OnWrite::store,
-              itself, what, source}}};
+            {{.first = 0,
+              .last = most,
+              .meaning = Meaning::machine,
+              .space = spaces::machine,
+              .group = 0,
+              .on_write = itself ? OnWrite::forbidden : OnWrite::store,
+              .changes_by_itself = itself,
+              .what = what,
+              .source = source,
+              .may_be_vacant = true}}}; // l.22325: a probe that touched nothing has no result
 }
 
 ControlModel make() {
     ControlModel control;
     control.name = "dinplus";
+    control.language = "dinplus";
     control.description = "HEIDENHAIN DIN PLUS";
-    control.dialect = "dinplus";
     control.assumed = false;
     // Six times a subprogram may call another one: seven levels below the main program. No limit of loops is
     // printed; "max. 6 characters" in l.18887 can only mean levels of brackets.
