@@ -31,14 +31,11 @@ class Analysis {
     [[nodiscard]] const Origin& origin(OriginId id) const { return pool().origins[id]; }
     /// What a group can be in a state of facts().
     [[nodiscard]] const ModalValue& modal(const State& state, GroupId group) const;
-    [[nodiscard]] Value value(const State& state, Place place) const;
     [[nodiscard]] Value value_at_entry(Place place) const;
-    [[nodiscard]] const State& before(flow::NodeId node) const { return before_[node]; }
 
   private:
     friend class Solver;
     std::unique_ptr<States> states_;
-    std::vector<State> before_;
     std::vector<bool> reached_;
     std::vector<bool> passable_;
     Facts facts_;

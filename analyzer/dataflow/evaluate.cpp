@@ -23,6 +23,7 @@ Value Transfer::record_read(const State& state, Place place, ExpressionId id, Us
 
 Value Transfer::load_modal(const State& state, GroupId group, ExpressionId id) {
     const ModalValue& modal = states_.read(state, group);
+    if (facts_ != nullptr) facts_->modal_reads.push_back({node_, id, group, modal});
     Value value = opaque(id);
     value.vacancy = Vacancy::set;
     value.exactness = Exactness::exact;

@@ -47,7 +47,7 @@ class Transfer {
     void set_modal(State& state, const SetModal& set);
     void set_group(State& state, GroupId group, const Value& value);
     void set_code(State& state, GroupId group, double code, OriginId origin);
-    void doubt_groups(State& state, char letter);
+    void doubt_groups(State& state, std::optional<char> letter);
     void call(State& state, const Call& call);
     void run_program(State& state, EffectId id, const Call& call);
     void change_groups(State& state, const Summary& summary);

@@ -187,7 +187,6 @@ std::string describe(const Program& program, const Effect& effect) {
             [&](const Structure& what) { return describe(program, what); },
             [&](const Jump& what) { return "jump " + describe(program, what.target); },
             [&](const Call& what) { return describe(program, what); },
-            [](EndModalCall) { return std::string("end modal call"); },
             [&](const Return& what) {
                 return "return" + optional(" ", what.value) + optional(" to ", what.resume_label);
             },

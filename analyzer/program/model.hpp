@@ -125,6 +125,7 @@ struct Assign {
 struct SetModal {
     std::optional<GroupId> group;
     ExpressionId value;
+    char letter = 0; ///< the address whose codes are meant, where the group is not known
 };
 
 /// Values that words compute and that change nothing in the model: axis words, T, D, H.
@@ -177,7 +178,6 @@ struct Call {
     Slice arguments;                    ///< Program::arguments
     std::optional<ExpressionId> repeat; ///< L; absent: once
 };
-struct EndModalCall {}; ///< G67
 struct Return {
     std::optional<ExpressionId> value, resume_label;
 }; ///< M99, M99 P
@@ -200,7 +200,7 @@ struct UnreadableBlock {
 
 struct Effect {
     std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call,
-                 EndModalCall, Return, Exchange, Guarded, UnreadableBlock>
+                 Return, Exchange, Guarded, UnreadableBlock>
         what;
     Span span;
 };

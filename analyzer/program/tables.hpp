@@ -117,6 +117,7 @@ struct CallKind {
     Frame frame;
     Counted counted;
     When when;
+    double modal_code; ///< the code in force in the modal-call group while it acts; 0 for a call made once
     std::string_view source;
 };
 
@@ -147,6 +148,8 @@ struct ControlModel {
 
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;
+    /// The variable that reads the group, "#4109" for the feed; nothing where there is none.
+    [[nodiscard]] std::optional<std::string> variable_of(GroupId group) const;
     /// The code as it is written: "G91", "G54.1".
     [[nodiscard]] std::string spell(GroupId group, double code) const;
 };

@@ -159,8 +159,8 @@ TEST(FanucCall, KeepsWordsBeforeTheCodeOutOfTheArguments) {
 }
 
 TEST(FanucCall, ModalCallsAndTheirEnd) {
-    EXPECT_EQ(lower("G66P9010Z-5."), "modal macro call=66; call G66 modal macro call 9010 Z>#26=-5.");
-    EXPECT_EQ(lower("G67"), "modal macro call=67; end modal call");
+    EXPECT_EQ(lower("G66P9010Z-5."), "call G66 modal macro call 9010 Z>#26=-5.");
+    EXPECT_EQ(lower("G67"), "modal macro call=67");
 }
 
 TEST(FanucCall, SubprogramsWithRepeats) {

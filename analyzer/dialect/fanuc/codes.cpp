@@ -117,7 +117,6 @@ CodeTable build(const ControlModel& control, Machine machine) {
     table.feed = group_named(control, group_names::feed);
     table.speed = group_named(control, group_names::speed);
     table.local_offset = group_named(control, group_names::local_offset);
-    table.modal_call = group_named(control, group_names::modal_call);
     table.g[tenths(52)].group = no_group; // set or cancelled by its words, see lowering
     return table;
 }

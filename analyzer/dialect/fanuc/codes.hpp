@@ -53,7 +53,6 @@ struct CodeTable {
     GroupId feed;
     GroupId speed;
     GroupId local_offset;
-    GroupId modal_call;
 
     /// The row of a literal G code; codes that no table holds set nothing and do nothing.
     [[nodiscard]] Code g_code(double code) const;
