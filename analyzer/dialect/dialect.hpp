@@ -32,6 +32,7 @@ struct Detection {
     std::string reason; ///< "extension .nc", "HEIDENHAIN Klartext (BEGIN PGM in line 1)"
     bool not_nc_text; ///< no NC program of any kind (binary, C, JSON, noise): MAC003 when the user named the
                       ///< file
+    bool certain;     ///< the text bears marks of the dialect; else nothing in it speaks for another
 };
 [[nodiscard]] Detection detect_dialect(const Source& source);
 
