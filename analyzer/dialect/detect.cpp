@@ -142,4 +142,9 @@ bool has_nc_extension(std::string_view path) {
     return std::ranges::find(extensions, extension) != std::end(extensions);
 }
 
+bool is_worth_a_note(std::string_view path) {
+    const std::string extension = extension_of(path);
+    return extension != "txt" && extension != "h";
+}
+
 } // namespace maclint

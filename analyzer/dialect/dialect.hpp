@@ -38,5 +38,8 @@ struct Detection {
 
 /// Whether a file with this name is worth opening when a folder is searched.
 [[nodiscard]] bool has_nc_extension(std::string_view path);
+/// Whether it is news that a file of a searched folder is no NC text; it is none of a README.txt, of a
+/// C header among Klartext programs.
+[[nodiscard]] bool is_worth_a_note(std::string_view path);
 
 } // namespace maclint

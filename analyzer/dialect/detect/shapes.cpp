@@ -118,6 +118,14 @@ bool ends_in_star(const Line& line) { return line.code().size() > 1 && line.code
 
 bool r_parameter(const Line& line) { return assigns(line.code(), "R"); }
 
+bool array_element(const Line& line) {
+    const std::string_view code = line.code();
+    const std::size_t name = code.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_");
+    if (name == std::string_view::npos || name < 3 || code[name] != '[') return false;
+    const std::size_t sign = code.find_first_not_of(" \t", code.find(']') + 1);
+    return code.find(']') != std::string_view::npos && sign != std::string_view::npos && code[sign] == '=';
+}
+
 bool osp_variable(const Line& line) { return assigns(line.code(), "VC"); }
 
 bool condition_row(const Line& line) {

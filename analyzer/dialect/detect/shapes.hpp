@@ -29,6 +29,7 @@ bool klartext_function(const Line& line);     ///< `FN 0: Q1 = +5`
 bool klartext_line(const Line& line);         ///< `L X+10 R0 FMAX`
 bool ends_in_star(const Line& line);          ///< `N10 G00 X+5 *`
 bool r_parameter(const Line& line);           ///< `R10=`
+bool array_element(const Line& line);         ///< `DEPTH[3]=`
 bool condition_row(const Line& line);         ///< `E001=10 16 15`
 bool setting(const Line& line);               ///< `$H`, `$120=50`
 bool osp_file_name(const Line& line);         ///< `$PART.MIN%`

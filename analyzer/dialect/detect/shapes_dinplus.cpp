@@ -19,68 +19,18 @@ bool anywhere(std::string_view text, char first, Test test) {
 
 // English, German and older words of the controls, and those that translated manuals print [dinplus.md 2.2].
 // Blanks and underscores are the same.
-constexpr std::string_view sections[] = {"PROGRAM HEAD",
-                                         "PROGRAMMKOPF",
-                                         "OHJELMAN OTSIKKO",
-                                         "CHUCKING EQUIPMENT",
-                                         "CLAMPING DEVICE",
-                                         "SPANNMITTEL",
-                                         "KIINNITYSLAITE",
-                                         "TURRET",
-                                         "REVOLVER",
-                                         "REVOLVERI",
-                                         "REVOLEVRI",
-                                         "MAGAZINE",
-                                         "MAGAZIN",
-                                         "MAKASIINI",
-                                         "MANUAL TOOL",
-                                         "HANDWERKZEUG",
-                                         "CONTOUR",
-                                         "CONTOUR GROUP",
-                                         "KONTUR",
-                                         "KONTURGRUPPE",
-                                         "MUOTO",
-                                         "BLANK",
-                                         "ROHTEIL",
-                                         "AIHIO",
-                                         "FINISHED",
-                                         "FINISHED PART",
-                                         "FERTIGTEIL",
-                                         "VALMISOSA",
-                                         "AUXIL BLANK",
-                                         "HILFSROHTEIL",
-                                         "APUAIHIO",
-                                         "AUXIL CONTOUR",
-                                         "AUXILIARY CONTOUR",
-                                         "HILFSKONTUR",
-                                         "APUMUOTO",
-                                         "FACE C",
-                                         "FRONT",
-                                         "STIRN",
-                                         "OTSAPINTA",
-                                         "REAR C",
-                                         "REAR SIDE",
-                                         "RUECKSEITE",
-                                         "TAKAPINTA",
-                                         "LATERAL C",
-                                         "SURFACE",
-                                         "MANTEL",
-                                         "VAIPPA",
-                                         "VAIPPAPINTA",
-                                         "FACE Y",
-                                         "FRONT Y",
-                                         "REAR Y",
-                                         "LATERAL Y",
-                                         "MACHINING",
-                                         "BEARBEITUNG",
-                                         "KONEISTUS",
-                                         "SUBPROGRAM",
-                                         "UNTERPROGRAMM",
-                                         "ALIOHJELMA",
-                                         "CONST",
-                                         "VAR",
-                                         "ASSIGNMENT",
-                                         "ZUORDNUNG"};
+// clang-format off
+constexpr std::string_view sections[] = {
+    "PROGRAM HEAD", "PROGRAMMKOPF", "OHJELMAN OTSIKKO", "CHUCKING EQUIPMENT", "CLAMPING DEVICE",
+    "SPANNMITTEL", "KIINNITYSLAITE", "TURRET", "REVOLVER", "REVOLVERI", "REVOLEVRI", "MAGAZINE", "MAGAZIN",
+    "MAKASIINI", "MANUAL TOOL", "HANDWERKZEUG", "CONTOUR", "CONTOUR GROUP", "KONTUR", "KONTURGRUPPE", "MUOTO",
+    "BLANK", "ROHTEIL", "AIHIO", "FINISHED", "FINISHED PART", "FERTIGTEIL", "VALMISOSA", "AUXIL BLANK",
+    "HILFSROHTEIL", "APUAIHIO", "AUXIL CONTOUR", "AUXILIARY CONTOUR", "HILFSKONTUR", "APUMUOTO", "FACE C",
+    "FRONT", "STIRN", "OTSAPINTA", "REAR C", "REAR SIDE", "RUECKSEITE", "TAKAPINTA", "LATERAL C", "SURFACE",
+    "MANTEL", "VAIPPA", "VAIPPAPINTA", "FACE Y", "FRONT Y", "REAR Y", "LATERAL Y", "MACHINING", "BEARBEITUNG",
+    "KONEISTUS", "SUBPROGRAM", "UNTERPROGRAMM", "ALIOHJELMA", "CONST", "VAR", "ASSIGNMENT", "ZUORDNUNG",
+};
+// clang-format on
 constexpr std::string_view ends[] = {"END", "ENDE", "LOPPU", "LOPPUUN"};
 
 bool is_one_of(std::span<const std::string_view> words, std::string_view head) {
@@ -96,7 +46,10 @@ bool heads(std::span<const std::string_view> words, const Line& line) {
     const auto ends_words = [](char c) {
         return !is_capital(c) && !is_blank(c) && c != '_' && static_cast<unsigned char>(c) < 0x80;
     };
-    std::string_view head(whole.begin(), std::ranges::find_if(whole, ends_words));
+    const auto* const behind = std::ranges::find_if(whole, ends_words);
+    constexpr std::string_view after_names = ":;=("; // a label, a call, an assignment
+    if (behind != whole.end() && after_names.find(*behind) != std::string_view::npos) return false;
+    std::string_view head(whole.begin(), behind);
     while (!(head = trim(head)).empty()) {
         if (is_one_of(words, head)) return true;
         const std::size_t blank = head.find_last_of(" \t");
