@@ -1,4 +1,5 @@
-//! Rules about modal state that a program leaves behind: MAC501-MAC506, MAC515, MAC517, MAC518.
+//! Rules about modal state that a program leaves behind: MAC501-MAC506, MAC515, MAC517, MAC518; and about its
+//! codes that serve as numbers: MAC574.
 #include "tests/rules/raised.hpp"
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@ namespace {
 
 using test::lines_raised;
 using test::messages_raised;
+using test::path_raised;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -121,6 +123,30 @@ TEST(ForcedState, IsANoteUnlessTheStateWasSaved) {
     EXPECT_THAT(lines_raised("MAC518", "O9001\nG90 G0 X1\nM99\n"), ElementsAre(2));
     EXPECT_THAT(lines_raised("MAC518", "O9001\n#1=#4003\nG90 G0 X1\nIF[#1EQ90]GOTO9\nG91\nN9 M99\n"),
                 IsEmpty());
+}
+
+TEST(ModalCode, IsNoAmount) {
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4019\n#12=#3*SIN[#10]\nM99\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4003\n#4=#3\nX[-#4/2]\nY[SQRT[#3]]\nZ[FIX[#3]*2]\nM99\n"),
+                ElementsAre(4, 5, 6));
+    EXPECT_THAT(lines_raised("MAC574", "O9001\nX[#4003*2]\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(path_raised("MAC574", "O9001\n#3=#4003\nIF[#1EQ1]GOTO5\n#5=1\nN5 #2=#3*2\nM99\n"),
+                ElementsAre(2, 3, 3, 5));
+}
+
+TEST(ModalCode, MayBeAddedComparedAndPutBack) {
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#1=[#4014-53]*20\n#2=#4014\n#3=[#2-53]*20\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4003\nIF[#3EQ90]GOTO9\nG91\nN9 G#3\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#33=#4012\nIF[#33NE[FUP[#33]]]GOTO9\nN9 M99\n"), IsEmpty());
+}
+
+TEST(ModalCode, IsNotWhatAVariableHoldsThatMayHoldSomethingElse) {
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4003\nG#3\n#3=#7\n#4=#3*2\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC574", "O9001\nIF[#1EQ1]GOTO9\n#3=#4003\nN9 #4=#3*2\nM99\n"), IsEmpty());
+}
+
+TEST(ModalCode, IsNotFeedOrSpeed) {
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4109\n#4=#3/2\n#5=SQRT[#4119*2]\nM99\n"), IsEmpty());
 }
 
 } // namespace
