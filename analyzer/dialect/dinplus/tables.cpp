@@ -60,14 +60,15 @@ ControlModel make() {
     control.families = variable_families();
     control.groups = modal_groups();
     control.calls = {
-        {"call of a local subprogram", Frame::fresh, Counted::subprogram, When::once, "l.10403, l.20751",
+        {"call of a local subprogram", Frame::fresh, Counted::subprogram, When::once, 0, "l.10403, l.20751",
          Reach::same_file},
-        {"call of an external subprogram", Frame::fresh, Counted::subprogram, When::once, "l.10404, l.19932",
-         Reach::other_files},
+        {"call of an external subprogram", Frame::fresh, Counted::subprogram, When::once, 0,
+         "l.10404, l.19932", Reach::other_files},
     };
     for (std::size_t i = 0; i < transfer_letters.size(); ++i)
         control.formals.push_back({spaces::transfer, static_cast<std::int32_t>(i)});
-    control.vacant_equals_zero = true;  // l.19721: an undefined variable may read as 0
+    control.rapid = GroupCode{*control.group_of('G', 0), 0}; // l.12254
+    control.vacant_equals_zero = true;                       // l.19721: an undefined variable may read as 0
     control.loops_left_by_jump = false; // the language has no jump [dinplus.md 4.1]; l.19801
     control.sections = section_kinds();
     control.references = {{"contour block", SectionKind::Role::contour, "l.10203, l.13166"}};
