@@ -39,7 +39,6 @@ bool addresses_maclint(std::string_view comment) {
     return false;
 }
 
-
 std::string stem_of(std::string_view path) {
     const std::size_t slash = path.find_last_of("/\\");
     std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);

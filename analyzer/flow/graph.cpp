@@ -169,9 +169,7 @@ class Building {
 
     void leave(NodeId node, EffectId id) {
         std::visit(overloaded{
-                       [&](const Stop& stop) {
-                           exit(node, exit_of(stop.kind), id);
-                       },
+                       [&](const Stop& stop) { exit(node, exit_of(stop.kind), id); },
                        [&](const Return&) { exit(node, ExitKind::returns, id); },
                        [&](const Jump& jump) {
                            graph_.jumps.push_back({id, node, constant_target(program_, jump.target), {}});

@@ -74,7 +74,7 @@ struct ModalGroup {
     std::optional<double> reset;   ///< the code in force in a main program's first block, where it is known
     std::string_view source;
     std::string_view cancel_words = {}; ///< how `cancel` is written where it is more than a code: "G16 Q0"
-    bool for_callers = false; ///< a subprogram may switch it on for its caller, who is to cancel it
+    bool for_callers = false;           ///< a subprogram may switch it on for its caller, who is to cancel it
 };
 
 /// What happens when a value is stored in a variable of a range.
@@ -99,8 +99,8 @@ struct VariableRange {
     bool changes_by_itself; ///< inputs, timers, positions: a loop that waits for it can end
     std::string_view what;  ///< "modal G code of group 03"
     std::string_view source;
-    bool is_bit = false;  ///< 0 or 1, nothing else
-    bool is_code = false; ///< a modal code, of which group is not known
+    bool is_bit = false;        ///< 0 or 1, nothing else
+    bool is_code = false;       ///< a modal code, of which group is not known
     bool may_be_vacant = false; ///< of machine values: there may be none, as of a probe that touched nothing
 };
 
@@ -165,10 +165,10 @@ struct Limits {
 
 /// Everything that the analysis knows about a control; built once, shared by all programs of that control.
 struct ControlModel {
-    std::string name;        ///< "fanuc-16i"; what --control takes
+    std::string name;          ///< "fanuc-16i"; what --control takes
     std::string_view language; ///< programs call programs of the same language
-    std::string description; ///< "FANUC Series 16i/18i/21i"
-    bool assumed;            ///< nobody named the control: messages say that its limits are assumed
+    std::string description;   ///< "FANUC Series 16i/18i/21i"
+    bool assumed;              ///< nobody named the control: messages say that its limits are assumed
     Limits limits;
     std::vector<VariableSpace> spaces;
     std::vector<VariableFamily> families;
@@ -177,6 +177,7 @@ struct ControlModel {
     std::vector<Place>
         formals;             ///< local variables that an argument letter of a call reaches (specification I)
     bool vacant_equals_zero; ///< whether EQ and NE take vacant for 0
+    bool loops_left_by_jump = true; ///< a jump can leave a loop, so a condition that always holds is a custom
     std::vector<SectionKind> sections = {}; ///< empty: programs have no sections
     std::vector<ReferenceKind> references = {};
 

@@ -57,8 +57,7 @@ class Clues {
         for (const Token& token : tokens_) {
             if (token.kind == TokenKind::open) open.push_back(&token);
             if (token.kind != TokenKind::close) continue;
-            if (open.empty())
-                return make(Irregular::bracket_mismatch, token, "a '(' is missing before it");
+            if (open.empty()) return make(Irregular::bracket_mismatch, token, "a '(' is missing before it");
             open.pop_back();
         }
         if (open.empty()) return std::nullopt;

@@ -10,14 +10,14 @@ namespace maclint::dinplus {
 namespace {
 
 // l.19639-19882, l.2159, l.2406, l.19566-19627
-constexpr std::string_view structural_words[] = {"IF",         "THEN",        "ELSE",       "ENDIF",   "WHILE",
-                                                 "ENDWHILE",   "SWITCH",      "CASE",       "DEFAULT", "BREAK",
-                                                 "ENDSWITCH",  "UNIT",        "END_OF_UNIT"};
+constexpr std::string_view structural_words[] = {"IF",        "THEN",   "ELSE",       "ENDIF",   "WHILE",
+                                                 "ENDWHILE",  "SWITCH", "CASE",       "DEFAULT", "BREAK",
+                                                 "ENDSWITCH", "UNIT",   "END_OF_UNIT"};
 constexpr std::string_view other_words[] = {"BLOCKSTART", "BLOCKEND", "RETURN", "PRINT", "INPUT", "WINDOW",
                                             "AND",        "OR",       "DEF",    "NDEF",  "DVDEF"};
 // l.18895-18918
-constexpr std::string_view functions[] = {"SIN",    "COS",   "TAN",   "ASIN",  "ACOS", "ATAN",   "ABS",
-                                          "ROUND",  "INT",   "SQRT",  "SQRTA", "SQRTS", "LOGN",  "EXP",
+constexpr std::string_view functions[] = {"SIN",    "COS",    "TAN",  "ASIN",  "ACOS",  "ATAN", "ABS",
+                                          "ROUND",  "INT",    "SQRT", "SQRTA", "SQRTS", "LOGN", "EXP",
                                           "BITSET", "STRING", "PARA", "PARAM", "TIME"};
 
 struct Foreign {
@@ -26,13 +26,22 @@ struct Foreign {
 
 // Words that other languages have and what DIN PLUS has for them; Finnish: as manuals print RETURN.
 constexpr Foreign foreign_words[] = {
-    {"ELSIF", ""},          {"ELSEIF", ""},    {"ELIF", ""},      {"GOTO", ""},        {"JUMP", ""},
-    {"CONTINUE", ""},       {"CALL", ""},      {"WAIT", ""},      {"NOT", ""},         {"MOD", ""},
-    {"XOR", ""},            {"FOR", "WHILE"},  {"UNTIL", "WHILE"},{"REPEAT", "WHILE"}, {"DO", ""},
-    {"NEXT", "ENDWHILE"},   {"WEND", "ENDWHILE"}, {"ENDFOR", "ENDWHILE"}, {"ENDW", "ENDWHILE"},
-    {"ENDCASE", "ENDSWITCH"}, {"OUTPUT", "PRINT"}, {"WRITE", "PRINT"}, {"READ", "INPUT"},
-    {"FIX", "INT"},         {"TRUNC", "INT"},  {"SQR", "SQRT"},   {"LN", "LOGN"},      {"LOG", "LOGN"},
-    {"PALUU", "RETURN"},    {"NEQ", "<>"},     {"EQU", "=="},
+    {"ELSIF", ""},        {"ELSEIF", ""},
+    {"ELIF", ""},         {"GOTO", ""},
+    {"JUMP", ""},         {"CONTINUE", ""},
+    {"CALL", ""},         {"WAIT", ""},
+    {"NOT", ""},          {"MOD", ""},
+    {"XOR", ""},          {"FOR", "WHILE"},
+    {"UNTIL", "WHILE"},   {"REPEAT", "WHILE"},
+    {"DO", ""},           {"NEXT", "ENDWHILE"},
+    {"WEND", "ENDWHILE"}, {"ENDFOR", "ENDWHILE"},
+    {"ENDW", "ENDWHILE"}, {"ENDCASE", "ENDSWITCH"},
+    {"OUTPUT", "PRINT"},  {"WRITE", "PRINT"},
+    {"READ", "INPUT"},    {"FIX", "INT"},
+    {"TRUNC", "INT"},     {"SQR", "SQRT"},
+    {"LN", "LOGN"},       {"LOG", "LOGN"},
+    {"PALUU", "RETURN"},  {"NEQ", "<>"},
+    {"EQU", "=="},
 };
 
 template<std::size_t N>

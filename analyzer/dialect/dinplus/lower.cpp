@@ -178,8 +178,7 @@ void BlockLowering::lower_structure(const Node& node, Construct construct, Part 
 void BlockLowering::lower_case(const Node& node, Effects& effects) {
     const Node* value = child(node, Field::value);
     const ExpressionId right = value == nullptr ? unreadable(span(node)) : lower_expression(*value);
-    const ExpressionId left =
-        around_.selections.empty() ? unreadable(span(node)) : around_.selections.back();
+    const ExpressionId left = around_.selections.empty() ? unreadable(span(node)) : around_.selections.back();
     const std::array operands{left, right};
     const ExpressionId test = apply(Operation::equal, operands, span(node));
     lower_structure(node, Construct::selection, Part::middle, test, effects);
@@ -221,7 +220,8 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value, Effects& 
     return place.has_value();
 }
 
-/// `#l1(200)` stores 200 in a local variable, which the programs called from here see, too [l.18947, l.18979].
+/// `#l1(200)` stores 200 in a local variable, which the programs called from here see, too [l.18947,
+/// l.18979].
 void BlockLowering::initialise(const Node& variable, Span span, Effects& effects) {
     if (kind_of(variable) != Kind::selected_variable) return;
     const Node* name = child(variable, Field::variable);
@@ -381,7 +381,8 @@ void BlockLowering::check_tokens() {
             const bool comparison = kind_of(node) == Kind::assignment_sign;
             const Span whole = span(*parent);
             const Span sign = span(node);
-            report(comparison ? Irregular::assignment_in_condition : Irregular::comparison_as_assignment, sign,
+            report(comparison ? Irregular::assignment_in_condition : Irregular::comparison_as_assignment,
+                   sign,
                    std::string(program_.slice({whole.begin, sign.begin})) + (comparison ? "==" : "=") +
                        std::string(program_.slice({sign.end, whole.end})));
             break;

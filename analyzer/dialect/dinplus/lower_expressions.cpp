@@ -168,8 +168,7 @@ ExpressionId BlockLowering::lower_indirect(const Node& node) {
 }
 
 const Place* BlockLowering::alias_of(std::string_view name) const {
-    const auto row =
-        std::ranges::find(around_.aliases, name, &std::pair<std::string, Place>::first);
+    const auto row = std::ranges::find(around_.aliases, name, &std::pair<std::string, Place>::first);
     return row == around_.aliases.end() ? nullptr : &row->second;
 }
 

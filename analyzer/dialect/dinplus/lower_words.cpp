@@ -54,8 +54,7 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
     if (word.value)
         if (const auto* number = std::get_if<Literal>(&program_.expressions[*word.value].node))
             word.literal = number->value;
-    if (!word.address.empty())
-        program_.words.push_back({word.address, word.value, incremental, span(node)});
+    if (!word.address.empty()) program_.words.push_back({word.address, word.value, incremental, span(node)});
     return word;
 }
 
@@ -155,8 +154,7 @@ void BlockLowering::lower_machine_function(std::uint16_t traits, const NcWord& c
     if ((traits & ends) != 0) effects.push_back({Stop{Stop::Kind::end, std::nullopt}, here});
     if ((traits & restarts) != 0) {
         const auto block = std::ranges::find(words, std::string_view("NS"), &NcWord::address);
-        effects.push_back({Stop{Stop::Kind::restart,
-                                block == words.end() ? std::nullopt : block->value},
+        effects.push_back({Stop{Stop::Kind::restart, block == words.end() ? std::nullopt : block->value},
                            block == words.end() ? here : join(here, span(*block->node))});
     }
 }

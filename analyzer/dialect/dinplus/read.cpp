@@ -26,7 +26,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A block number with nothing behind it.
 bool is_block_number(std::string_view text) {
-    return !text.empty() && (text[0] == 'N' || text[0] == 'n') && std::ranges::all_of(text.substr(1), is_digit);
+    return !text.empty() && (text[0] == 'N' || text[0] == 'n') &&
+           std::ranges::all_of(text.substr(1), is_digit);
 }
 
 class Reader {

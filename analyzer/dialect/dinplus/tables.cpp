@@ -46,9 +46,10 @@ ControlModel make() {
     control.language = "dinplus";
     control.description = "HEIDENHAIN DIN PLUS";
     control.assumed = false;
-    // No limit of loops is printed; "max. 6 characters" in l.18887 can only mean levels of brackets.
+    // Six times a subprogram may call another one: seven levels below the main program. No limit of loops is
+    // printed; "max. 6 characters" in l.18887 can only mean levels of brackets.
     control.limits = {.macro_calls = 0,
-                      .subprogram_calls = 6,
+                      .subprogram_calls = 7,
                       .calls_together = std::nullopt,
                       .loop_levels = 0,
                       .first_loop_number = 0,
@@ -66,7 +67,8 @@ ControlModel make() {
     };
     for (std::size_t i = 0; i < transfer_letters.size(); ++i)
         control.formals.push_back({spaces::transfer, static_cast<std::int32_t>(i)});
-    control.vacant_equals_zero = true; // l.19721: an undefined variable may read as 0
+    control.vacant_equals_zero = true;  // l.19721: an undefined variable may read as 0
+    control.loops_left_by_jump = false; // the language has no jump [dinplus.md 4.1]; l.19801
     control.sections = section_kinds();
     control.references = {{"contour block", SectionKind::Role::contour, "l.10203, l.13166"}};
     return control;
@@ -87,7 +89,9 @@ std::vector<VariableSpace> variable_spaces() {
         {"value of the control",      "#",   false, Scope::machine,   Unset::old_value, "l.19032-19387"},
     };
     // clang-format on
-    rows[spaces::local].handed_down = true; // l.18979: #l1(200) is visible in the programs called from there
+    // l.18979: #l1(200) is visible in the programs called from there, and so are the names of VAR [l.19491].
+    for (const SpaceId space : {spaces::local, spaces::named, spaces::constant})
+        rows[space].handed_down = true;
     rows[spaces::transfer].fixed_names.assign(transfer_letters.begin(), transfer_letters.end());
     return rows;
 }

@@ -20,7 +20,8 @@ constexpr StateVariable variables[] = {
 
 // State flows through subprograms on purpose: the manual saves and restores nothing, and a feed, a speed or a
 // zero shift set there is set for the caller [dinplus.md 8.2; l.20799 for G56]. Only what acts on every later
-// move until it is switched off has rules of its own.
+// move until it is switched off has rules of its own. G30 is set by the expert program that hands the part
+// over [l.20066], and taken back by its caller.
 std::vector<ModalGroup> modal_groups() {
     constexpr auto own_rule = Concern::own_rule;
     // clang-format off
@@ -30,7 +31,7 @@ std::vector<ModalGroup> modal_groups() {
         {"plane",                      'G', Concern::none, {17, 18, 19},                               {17, 18, 19},unknown,  18,   "l.23169"},
         {"radius compensation",        'G', own_rule,      {40, 41, 42},                               {40},        40,    40,   "l.12673-12718",            "G40"},
         {"tilted working plane",       'G', own_rule,      {16},                                       {0},         0,     0,    "l.23185-23218",            "G16 Q0"},
-        {"conversion and mirroring",   'G', own_rule,      {30},                                       {0},         0,     0,    "l.20056-20078, l.20957",   "G30 Q0"},
+        {"conversion and mirroring",   'G', own_rule,      {30},                                       {0},         0,     0,    "l.20056-20078, l.20957",   "G30 Q0", true},
         {"deactivation of zero shifts",'G', own_rule,      {920, 921, 980, 981},                       {980, 981},  980,   980,  "l.12741, l.18155-18163, l.18391-18397", "G980, or G981 after G921"},
         {"zero shift",                 'G', Concern::none, {51, 53, 54, 55, 56, 59},                   {51, 53, 54, 55, 56, 59}, unknown, unknown, "l.12750-12837"},
         {"kind of feed",               'G', Concern::none, {93, 193, 293, 393, 94, 95, 195, 295, 395}, {},          unknown,  unknown, "l.12532-12575"},

@@ -13,7 +13,8 @@ constexpr Offset longest_looked_at = 64 * 1024;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_letter(char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
+           static_cast<unsigned char>(c) >= 0x80;
 }
 
 class Cutter {
@@ -42,7 +43,8 @@ class Cutter {
 
     Kind cut(char c) {
         if (is_letter(c)) return pass(is_letter), Kind::letters;
-        if (is_digit(c) || c == '.') return pass([](char d) { return is_digit(d) || d == '.'; }), Kind::number;
+        if (is_digit(c) || c == '.')
+            return pass([](char d) { return is_digit(d) || d == '.'; }), Kind::number;
         ++at_;
         switch (c) {
         case '#': return pass([](char d) { return is_letter(d) || is_digit(d); }), Kind::variable;

@@ -11,16 +11,16 @@ namespace maclint::dinplus {
 
 struct Token {
     enum class Kind : std::uint8_t {
-        letters,       ///< letters and underscores in a row: keywords, addresses, names
-        number,        ///< digits and points
-        variable,      ///< `#l1`, `#_name`, `#`
-        open,          ///< `(`
-        close,         ///< `)`
-        text,          ///< closed on its line
+        letters,  ///< letters and underscores in a row: keywords, addresses, names
+        number,   ///< digits and points
+        variable, ///< `#l1`, `#_name`, `#`
+        open,     ///< `(`
+        close,    ///< `)`
+        text,     ///< closed on its line
         unclosed_text,
         comment,
-        sign,          ///< an operator or a comma
-        other,         ///< means nothing outside of texts and comments
+        sign,  ///< an operator or a comma
+        other, ///< means nothing outside of texts and comments
     };
     Kind kind;
     Span span; ///< in the file

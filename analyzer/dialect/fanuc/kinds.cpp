@@ -83,8 +83,7 @@ constexpr std::pair<std::string_view, Field> fields[] = {
 const TSLanguage* grammar() { return tree_sitter_fanuc(); }
 
 Kind kind_of(const syntax::Node& node) {
-    static const std::vector<Kind> table =
-        kinds_by_symbol<Kind>(grammar, kinds, Kind::token);
+    static const std::vector<Kind> table = kinds_by_symbol<Kind>(grammar, kinds, Kind::token);
     if (node.symbol == syntax::error_symbol) return Kind::error;
     return node.symbol < table.size() ? table[node.symbol] : Kind::token;
 }

@@ -1,7 +1,7 @@
 //! Lowering of NC words: what the words of a block that stand side by side do together.
 #include "analyzer/dialect/fanuc/lowering.hpp"
-#include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
 #include <array>

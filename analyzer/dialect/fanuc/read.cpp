@@ -5,11 +5,11 @@
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/machine_type.hpp"
-#include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/fanuc/plain.hpp"
 #include "analyzer/dialect/fanuc/shape.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/words.hpp"
 #include "analyzer/syntax/memory.hpp"
 
