@@ -157,7 +157,7 @@ bool is_plausible(std::string_view text, Span block) {
         case TokenKind::letters:
             // An address where an operand is due.
             if (before != '\0' && before != ',' && first != '_' && token.span.length() < 3) ++stumbles;
-            if (token.span.length() > 2) ++keywords;
+            if (token.span.length() > 2 || text.substr(token.span.begin, 2) == "IF") ++keywords;
             operand = first == '_';
             break;
         default: operand = true; break;
