@@ -9,7 +9,7 @@
 #include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 namespace maclint::dinplus {
 namespace {
@@ -41,6 +41,15 @@ class Clues {
         const auto token = std::ranges::find(tokens_, TokenKind::unclosed_text, &Token::kind);
         if (token == tokens_.end()) return std::nullopt;
         return make(Irregular::unreadable, *token, "a '\"' at the end of the text");
+    }
+
+    /// `N..`, `X..`: how manuals leave a value to the reader.
+    [[nodiscard]] std::optional<Irregularity> placeholder() const {
+        const auto token = std::ranges::find_if(tokens_, [&](const Token& t) {
+            return t.kind == TokenKind::number && text(t).find_first_not_of('.') == std::string_view::npos;
+        });
+        if (token == tokens_.end()) return std::nullopt;
+        return make(Irregular::unreadable, *token, "a number");
     }
 
     [[nodiscard]] std::optional<Irregularity> bracket_mismatch() const {
@@ -95,7 +104,8 @@ Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& t
 void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
               std::vector<Irregularity>& irregularities) {
     const Clues clues(text, block);
-    for (const auto cause : {&Clues::unclosed_text, &Clues::bracket_mismatch, &Clues::unknown_keyword}) {
+    for (const auto cause : {&Clues::unclosed_text, &Clues::placeholder, &Clues::bracket_mismatch,
+                             &Clues::unknown_keyword}) {
         if (std::optional<Irregularity> found = (clues.*cause)()) {
             irregularities.push_back(std::move(*found));
             return;
@@ -106,23 +116,37 @@ void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
 
 bool is_plausible(std::string_view text, Span block) {
     constexpr std::size_t most_stumbles = 24;
+    constexpr std::size_t most_open = 48;
+    constexpr std::size_t most_keywords = 64;
     std::size_t stumbles = 0;
+    std::size_t open = 0;
+    std::size_t keywords = 0;
     bool operand = false; // what stands before ends a value
+    bool closed = false;  // that is a parenthesis
+    char sign = '\0';     // the operator that stands before
     for (const Token& token : tokens_of(text, block)) {
+        const char first = text[token.span.begin];
+        const char before = std::exchange(sign, '\0');
+        const bool after_close = std::exchange(closed, token.kind == TokenKind::close);
         switch (token.kind) {
         case TokenKind::sign: {
-            const char sign = text[token.span.begin];
-            const bool may_begin = sign == '-' || sign == '+' || sign == '>' || sign == '=' || sign == '/';
+            const bool may_begin = first == '-' || first == '+' || first == '>' || first == '=' || first == '/';
             if (!operand && !may_begin) ++stumbles;
-            if (sign == '=' || (!operand && may_begin)) ++stumbles;
+            if (first == '=' || (!operand && may_begin)) ++stumbles;
             operand = false;
+            sign = first;
             break;
         }
         case TokenKind::close:
-            if (!operand) ++stumbles;
+            if (!operand || open == 0) ++stumbles;
+            open -= open == 0 ? 0 : 1;
             operand = true;
             break;
-        case TokenKind::open: operand = false; break;
+        case TokenKind::open:
+            if (operand && after_close) ++stumbles; // `(1)(1)`
+            ++open;
+            operand = false;
+            break;
         case TokenKind::other:
         case TokenKind::unclosed_text: ++stumbles; break;
         case TokenKind::variable:
@@ -130,10 +154,15 @@ bool is_plausible(std::string_view text, Span block) {
             operand = true;
             break;
         case TokenKind::comment: break;
-        case TokenKind::letters: operand = false; break;
+        case TokenKind::letters:
+            // An address where an operand is due.
+            if (before != '\0' && before != ',' && first != '_' && token.span.length() < 3) ++stumbles;
+            if (token.span.length() > 2 || text.substr(token.span.begin, 2) == "IF") ++keywords;
+            operand = first == '_';
+            break;
         default: operand = true; break;
         }
-        if (stumbles > most_stumbles) return false;
+        if (stumbles > most_stumbles || open > most_open || keywords > most_keywords) return false;
     }
     return true;
 }
@@ -142,6 +171,8 @@ UnreadableBlock names_in(const Program& program, Span block) {
     const Clues clues(program.text, block);
     const std::span<const Token> tokens = clues.tokens();
     UnreadableBlock names{{}, {}, false, false};
+    constexpr int most_guesses = 16; // in noise every word is a riddle
+    int guesses = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const Token& token = tokens[i];
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
@@ -158,7 +189,9 @@ UnreadableBlock names_in(const Program& program, Span block) {
         }
         if (token.kind != TokenKind::letters) continue;
         const std::string capitals = capitals_of(written);
-        const std::string meant = is_keyword(capitals) ? capitals : meant_by(capitals);
+        std::string meant = capitals;
+        if (capitals.size() > 2 && !is_keyword(capitals) && guesses++ < most_guesses)
+            meant = meant_by(capitals);
         names.may_open_or_close |= is_structural(meant);
         const bool calls = capitals == "L" && next != nullptr && next->kind == TokenKind::text;
         const bool leaves = capitals == "M" && next != nullptr && next->kind == TokenKind::number;

@@ -49,6 +49,11 @@ bool wants_to_be_alone(Kind kind) {
            kind == Kind::endif_statement;
 }
 
+bool opens_bracket(Kind kind) {
+    return kind == Kind::parenthesis || kind == Kind::argument_list || kind == Kind::selector_list ||
+           kind == Kind::vacancy_test;
+}
+
 /// `/159`: a digit each; a bare `/` is level 1.
 std::uint16_t skip_levels(std::string_view mark) {
     unsigned levels = 0;
@@ -370,6 +375,7 @@ void BlockLowering::check_tokens() {
     static constexpr std::pair<std::string_view, std::string_view> signs[] = {
         {"EQ", "=="}, {"NE", "<>"}, {"GT", ">"},  {"GE", ">="}, {"LT", "<"},
         {"LE", "<="}, {"=<", "<="}, {"=>", ">="}, {"!=", "<>"}, {"><", "<>"}};
+    check_depth();
     std::vector<const Node*> parents(tree_.nodes.size(), nullptr);
     for (const Node& node : tree_.nodes) {
         for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_.nodes[c].next_sibling)
@@ -415,6 +421,21 @@ void BlockLowering::check_tokens() {
             break;
         default: break;
         }
+    }
+}
+
+/// Reports the first bracket of the block that opens one level too many. Parents stand before their children.
+void BlockLowering::check_depth() {
+    std::vector<int> depths(tree_.nodes.size(), 0);
+    for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
+        const Node& node = tree_.nodes[i];
+        if (opens_bracket(kind_of(node)) && ++depths[i] > program_.control->limits.bracket_levels) {
+            const auto bracket = static_cast<Offset>(text(node).find('('));
+            const Offset begin = span(node).begin + bracket;
+            return report(Irregular::bracket_depth, {begin, begin + 1}, "");
+        }
+        for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_.nodes[c].next_sibling)
+            depths[c] = depths[i];
     }
 }
 
