@@ -104,8 +104,8 @@ Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& t
 void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
               std::vector<Irregularity>& irregularities) {
     const Clues clues(text, block);
-    for (const auto cause : {&Clues::unclosed_text, &Clues::placeholder, &Clues::bracket_mismatch,
-                             &Clues::unknown_keyword}) {
+    for (const auto cause :
+         {&Clues::unclosed_text, &Clues::placeholder, &Clues::bracket_mismatch, &Clues::unknown_keyword}) {
         if (std::optional<Irregularity> found = (clues.*cause)()) {
             irregularities.push_back(std::move(*found));
             return;
@@ -130,7 +130,8 @@ bool is_plausible(std::string_view text, Span block) {
         const bool after_close = std::exchange(closed, token.kind == TokenKind::close);
         switch (token.kind) {
         case TokenKind::sign: {
-            const bool may_begin = first == '-' || first == '+' || first == '>' || first == '=' || first == '/';
+            const bool may_begin =
+                first == '-' || first == '+' || first == '>' || first == '=' || first == '/';
             if (!operand && !may_begin) ++stumbles;
             if (first == '=' || (!operand && may_begin)) ++stumbles;
             operand = false;
