@@ -45,11 +45,11 @@ class Solver {
         , transfer_(program, graph, states_, callees)
         , result_(result)
         , thresholds_(thresholds_of(program))
+        , before_(graph.nodes.size())
         , along_(graph.edges.size())
         , visits_(graph.nodes.size(), 0) {}
 
     void run() {
-        result_.before_.resize(graph_.nodes.size());
         result_.reached_.assign(graph_.nodes.size(), false);
         result_.passable_.assign(graph_.edges.size(), false);
         collect_heads();
@@ -91,7 +91,7 @@ class Solver {
             work.pop();
             waiting[node] = false;
             State state = incoming(node);
-            const State& old = result_.before_[node];
+            const State& old = before_[node];
             const std::uint32_t visit = visits_[node]++;
             if (old.reached) {
                 if (head_[node] && visit >= visits_before_widening)
@@ -100,7 +100,7 @@ class Solver {
                     state = states_.join(old, state, node);
                 if (state == old) continue;
             }
-            result_.before_[node] = state;
+            before_[node] = state;
             if (state.reached) pass_on(node, state, add);
         }
     }
@@ -121,12 +121,12 @@ class Solver {
         if (std::ranges::find(head_, true) == head_.end()) return;
         std::vector<flow::NodeId> order;
         for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node)
-            if (result_.before_[node].reached) order.push_back(node);
+            if (before_[node].reached) order.push_back(node);
         std::ranges::sort(order, {}, [this](flow::NodeId node) { return graph_.order[node]; });
         for (const flow::NodeId node : order) {
             const State state = incoming(node);
-            if (state == result_.before_[node]) continue;
-            result_.before_[node] = state;
+            if (state == before_[node]) continue;
+            before_[node] = state;
             pass_on(node, state, [](flow::NodeId) {});
         }
     }
@@ -137,9 +137,9 @@ class Solver {
         std::vector<bool> leaves(graph_.nodes.size(), false);
         for (const flow::Exit& exit : graph_.exits) leaves[exit.node] = true;
         for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
-            if (!result_.before_[node].reached) continue;
+            if (!before_[node].reached) continue;
             result_.reached_[node] = true;
-            State state = transfer_.run(node, result_.before_[node]);
+            State state = transfer_.run(node, before_[node]);
             if (leaves[node]) after[node] = state;
         }
         transfer_.record_in(nullptr);
@@ -218,15 +218,32 @@ class Solver {
     Transfer transfer_;
     Analysis& result_;
     std::vector<double> thresholds_;
-    std::vector<State> along_;
+    std::vector<State> before_; ///< of every node
+    std::vector<State> along_;  ///< of every edge
     std::vector<std::uint32_t> visits_;
     std::vector<bool> head_;
 };
 
 Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge,
-                   const Callees& callees)
-    : states_(std::make_unique<States>(program, std::move(knowledge))) {
-    Solver(program, graph, callees, *this).run();
+                   Callees callees)
+    : program_(&program)
+    , graph_(&graph)
+    , knowledge_(std::move(knowledge))
+    , callees_(std::move(callees))
+    , states_(std::make_unique<States>(program, knowledge_)) {
+    Solver(program, graph, callees_, *this).run();
+}
+
+std::optional<flow::EdgeId> Analysis::first_impossible(std::span<const flow::EdgeId> way) const {
+    States states(*program_, knowledge_); // of its own: rules ask on several threads
+    Transfer transfer(*program_, *graph_, states, callees_);
+    State state = states.at_entry();
+    for (const flow::EdgeId id : way) {
+        const flow::Edge& edge = graph_->edges[id];
+        state = transfer.along(edge, transfer.run(edge.from, state));
+        if (!state.reached) return id;
+    }
+    return std::nullopt;
 }
 
 Analysis::Analysis(Analysis&&) noexcept = default;
@@ -238,7 +255,6 @@ const Pool& Analysis::pool() const { return states_->pool(); }
 const ModalValue& Analysis::modal(const State& state, GroupId group) const {
     return states_->read(state, group);
 }
-Value Analysis::value(const State& state, Place place) const { return states_->read(state, place); }
 Value Analysis::value_at_entry(Place place) const { return states_->read(states_->at_entry(), place); }
 
 } // namespace maclint::dataflow

@@ -15,6 +15,13 @@ namespace maclint::dataflow {
 /// has set is undefined.
 [[nodiscard]] bool may_hold_vacant(const Program& program, Place place);
 
+/// The variables that an expression reads.
+struct ReadSet {
+    std::vector<Place> places;
+    bool closed; ///< nothing but `places` and constants decides the value
+};
+[[nodiscard]] ReadSet variables_of(const Program& program, ExpressionId expression);
+
 /// Whether the two say the same, brackets aside.
 [[nodiscard]] bool same_expression(const Program& program, ExpressionId a, ExpressionId b);
 

@@ -42,6 +42,14 @@ struct Read {
     Use use;
 };
 
+/// A read of a modal group by its variable, and what the group can be there.
+struct ModalRead {
+    flow::NodeId node;
+    ExpressionId expression;
+    GroupId group;
+    ModalValue value;
+};
+
 /// How a store changes the variable's own value: v = v + amount, v = v - amount.
 struct Step {
     Operation operation;     ///< add or subtract
@@ -55,6 +63,7 @@ struct Store {
     Place place;
     ExpressionId expression;
     Value value;
+    Value old; ///< what the variable held before
     std::optional<Step> step;
 };
 
@@ -110,6 +119,7 @@ struct Facts {
     std::vector<Comparison> comparisons;
     std::vector<Condition> conditions;
     std::vector<Read> reads;
+    std::vector<ModalRead> modal_reads;
     std::vector<Store> stores;
     std::vector<Disturbance> disturbances;
     std::vector<CallMade> calls;

@@ -13,10 +13,6 @@ namespace {
 /// An index with so few possible numbers that each is a store of its own.
 constexpr double most_indexed_places = 64;
 
-/// The members of a modal-call group: active and not [reference 5.1, SEED-001:1351].
-constexpr double modal_call_code = 66;
-constexpr double no_modal_call_code = 67;
-
 } // namespace
 
 State Transfer::run(flow::NodeId node, State state) {
@@ -59,10 +55,6 @@ void Transfer::apply(State& state, const Effect& effect) {
                    },
                    [&](const Motion&) { move(state); },
                    [&](const Call& what) { call(state, what); },
-                   [&](const EndModalCall&) {
-                       if (const auto group = modal_call_group())
-                           set_code(state, *group, no_modal_call_code, states_.pool().origins(here()));
-                   },
                    [&](const Guarded& what) {
                        if (facts_ == nullptr) return;
                        const Truth truth = judge(state, what.condition);
@@ -112,8 +104,8 @@ void Transfer::assign(State& state, const Assign& assign) {
 
 void Transfer::store(State& state, Place place, Value value, ExpressionId expression) {
     if (facts_ != nullptr)
-        facts_->stores.push_back(
-            {node_, effect_, place, expression, value, step_of(state, place, expression)});
+        facts_->stores.push_back({node_, effect_, place, expression, value, states_.read(state, place),
+                                  step_of(state, place, expression)});
     value.origin = states_.pool().origins(here());
     states_.write(state, place, value);
 }
@@ -182,9 +174,9 @@ void Transfer::set_modal(State& state, const SetModal& set) {
     std::optional<GroupId> group = set.group;
     if (!group) {
         group = states_.pool().entry_group_of(value.symbol);
-        if (group && program_.control->groups[*group].letter != 'G') group = std::nullopt;
+        if (group && program_.control->groups[*group].letter != set.letter) group = std::nullopt;
         if (!group)
-            if (const auto code = value.constant()) group = program_.control->group_of('G', *code);
+            if (const auto code = value.constant()) group = program_.control->group_of(set.letter, *code);
     }
     if (facts_ != nullptr)
         facts_->modal_writes.push_back(
@@ -192,7 +184,7 @@ void Transfer::set_modal(State& state, const SetModal& set) {
     if (group)
         set_group(state, *group, value);
     else if (!value.constant() && value.vacancy != Vacancy::vacant)
-        doubt_groups(state, 'G');
+        doubt_groups(state, set.letter);
 }
 
 void Transfer::set_group(State& state, GroupId group, const Value& value) {
@@ -201,6 +193,8 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
     const OriginId origin = states_.pool().origins(here());
     if (value.vacancy == Vacancy::maybe) {
         ModalValue either = states_.read(state, group);
+        // The same value set before, F#9 in the block above: this word has set it again, or neither has.
+        std::erase_if(either.parts, [&](const ModalPart& part) { return part.symbol == value.symbol; });
         either.parts.push_back({value.symbol, origin});
         std::ranges::sort(either.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
         states_.write(state, group, std::move(either));
@@ -218,9 +212,10 @@ void Transfer::set_code(State& state, GroupId group, double code, OriginId origi
     states_.write(state, group, {{{symbol, origin}}, false});
 }
 
-void Transfer::doubt_groups(State& state, char letter) {
+/// Without a letter: all groups.
+void Transfer::doubt_groups(State& state, std::optional<char> letter) {
     for (std::size_t i = 0; i < program_.control->groups.size(); ++i) {
-        if (program_.control->groups[i].letter != letter) continue;
+        if (letter && program_.control->groups[i].letter != *letter) continue;
         ModalValue value = states_.read(state, static_cast<GroupId>(i));
         value.unknown = true;
         states_.write(state, static_cast<GroupId>(i), std::move(value));
@@ -235,21 +230,22 @@ void Transfer::call(State& state, const Call& call) {
     if (call.repeat) (void)evaluate(state, *call.repeat, Use::word);
     if (const auto* number = std::get_if<ExpressionId>(&call.program))
         (void)evaluate(state, *number, Use::word);
-    if (program_.control->calls[call.kind].when == When::once) return run_program(state, effect_, call);
+    const CallKind& kind = program_.control->calls[call.kind];
+    if (kind.when == When::once) return run_program(state, effect_, call);
     if (const auto group = modal_call_group())
-        set_code(state, *group, modal_call_code, states_.pool().origins(here()));
+        set_code(state, *group, kind.modal_code, states_.pool().origins(here()));
 }
 
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
     const Summary& summary = callees_(id);
     if (facts_ != nullptr)
-        facts_->calls.push_back({node_, effect_, summary.known, !summary.known || summary.may_stop});
+        facts_->calls.push_back({node_, id, summary.known, !summary.known || summary.may_stop});
     if (!summary.known) {
         forget_shared(state);
         if (program_.control->calls[call.kind].frame == Frame::shared)
             for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
                 if (program_.control->spaces[i].scope == Scope::frame) forget(state, static_cast<SpaceId>(i));
-        for (const char letter : {'G', 'F', 'S', '#'}) doubt_groups(state, letter);
+        doubt_groups(state, std::nullopt);
         return;
     }
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
@@ -319,7 +315,6 @@ void Transfer::move(State& state) {
     // Moving while a modal call is active runs its program [SEED-001:466].
     const std::vector<ModalPart> parts = states_.read(state, *group).parts;
     for (const ModalPart& part : parts) {
-        if (states_.pool().number_of(part.symbol) != modal_call_code) continue;
         const Origin& origin = states_.pool().origins[part.origin];
         if (origin.kind != Origin::Kind::effect) continue;
         const auto* call = std::get_if<Call>(&program_.effects[origin.id].what);

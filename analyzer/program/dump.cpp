@@ -183,7 +183,7 @@ std::string describe(const Program& program, const Effect& effect) {
                     text += ' ' + describe(program, value);
                 return text;
             },
-            [](Motion) { return std::string("move"); },
+            [](Motion motion) { return std::string(motion.without_feed ? "rapid move" : "move"); },
             [](Synchronise) { return std::string("synchronise"); },
             [&](const Stop& what) {
                 static constexpr std::string_view kinds[] = {"alarm", "pause", "end", "restart"};
@@ -196,7 +196,6 @@ std::string describe(const Program& program, const Effect& effect) {
             [&](const Structure& what) { return describe(program, what); },
             [&](const Jump& what) { return "jump " + describe(program, what.target); },
             [&](const Call& what) { return describe(program, what); },
-            [](EndModalCall) { return std::string("end modal call"); },
             [&](const Return& what) {
                 return "return" + optional(" ", what.value) + optional(" to ", what.resume_label);
             },

@@ -34,6 +34,14 @@ std::string ControlModel::spell(GroupId group, double code) const {
     return groups[group].letter + text;
 }
 
+std::optional<std::string> ControlModel::variable_of(GroupId group) const {
+    for (const VariableFamily& family : families)
+        for (const VariableRange& range : family.ranges)
+            if (range.meaning == Meaning::modal && range.group == group)
+                return std::string(family.name) + std::to_string(range.first);
+    return std::nullopt;
+}
+
 std::span<const ExpressionId> Program::operands_of(const Apply& apply) const {
     return std::span(operands).subspan(apply.operands.first, apply.operands.count);
 }

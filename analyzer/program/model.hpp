@@ -125,6 +125,7 @@ struct Assign {
 struct SetModal {
     std::optional<GroupId> group;
     ExpressionId value;
+    char letter = 0; ///< the address whose codes are meant, where the group is not known
 };
 
 /// Values that words compute and that change nothing in the model: axis words, T, D, H.
@@ -132,7 +133,10 @@ struct Values {
     Slice values; ///< Program::operands
 };
 
-struct Motion {};      ///< axes move
+/// Axes move.
+struct Motion {
+    bool without_feed = false; ///< at rapid traverse, whatever the motion mode is
+};
 struct Synchronise {}; ///< look-ahead stops here
 struct Stop {
     enum class Kind : std::uint8_t {
@@ -193,7 +197,6 @@ struct Call {
     Slice arguments;                    ///< Program::arguments
     std::optional<ExpressionId> repeat; ///< L; absent: once
 };
-struct EndModalCall {}; ///< G67
 struct Return {
     std::optional<ExpressionId> value, resume_label;
 }; ///< M99, M99 P
@@ -208,7 +211,7 @@ struct Guarded {
 
 /// A block that could not be read. What its words name may or may not happen.
 struct UnreadableBlock {
-    std::vector<Place> may_write;
+    std::vector<Place> may_write; ///< all that it names: it may change them, or be the test that was missing
     std::vector<std::int64_t> may_jump;
     bool may_open_or_close; ///< it names DO, END, IF …: balance findings that it may explain are held back
     bool may_call_or_return;
@@ -216,7 +219,7 @@ struct UnreadableBlock {
 
 struct Effect {
     std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call,
-                 EndModalCall, Return, Exchange, Guarded, UnreadableBlock, Reference>
+                 Return, Exchange, Guarded, UnreadableBlock, Reference>
         what;
     Span span;
 };

@@ -77,6 +77,12 @@ struct ModalGroup {
     bool for_callers = false;           ///< a subprogram may switch it on for its caller, who is to cancel it
 };
 
+/// A code of a group.
+struct GroupCode {
+    GroupId group;
+    double code;
+};
+
 /// What happens when a value is stored in a variable of a range.
 enum class OnWrite : std::uint8_t { store, set_modal, alarm, pause, forbidden };
 
@@ -127,6 +133,7 @@ struct CallKind {
     Frame frame;
     Counted counted;
     When when;
+    double modal_code; ///< the code in force in the modal-call group while it acts; 0 for a call made once
     std::string_view source;
     Reach reach = Reach::everywhere;
 };
@@ -177,12 +184,15 @@ struct ControlModel {
     std::vector<Place>
         formals;             ///< local variables that an argument letter of a call reaches (specification I)
     bool vacant_equals_zero; ///< whether EQ and NE take vacant for 0
+    std::optional<GroupCode> rapid; ///< the code under which moves ignore the feed
     bool loops_left_by_jump = true; ///< a jump can leave a loop, so a condition that always holds is a custom
     std::vector<SectionKind> sections = {}; ///< empty: programs have no sections
     std::vector<ReferenceKind> references = {};
 
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;
+    /// The variable that reads the group, "#4109" for the feed; nothing where there is none.
+    [[nodiscard]] std::optional<std::string> variable_of(GroupId group) const;
     /// The code as it is written: "G91", "G54.1".
     [[nodiscard]] std::string spell(GroupId group, double code) const;
 };

@@ -1,6 +1,7 @@
 //! Settings are found one file after the other, reading and lowering go in parallel.
 #include "cli/input/read.hpp"
 
+#include "analyzer/program/readable.hpp"
 #include "analyzer/source/content.hpp"
 #include "analyzer/workspace/parallel.hpp"
 
@@ -34,6 +35,15 @@ bool is_no_text(const Source& source) {
 Notice foreign(const ReadFile& file, const std::string& reason) {
     return {NoticeKind::foreign, file.input.path,
             "this is not linted: " + reason + ". Name its dialect with --dialect if that is wrong."};
+}
+
+/// Why a text without marks of its dialect is likely in another language; nothing for all others.
+std::optional<std::string> find_doubt(const ReadFile& file, const Detection& detection) {
+    if (file.settings.dialect != nullptr || detection.certain) return std::nullopt;
+    const Readable readable = count_readable(*file.file);
+    if (!readable.is_doubtful()) return std::nullopt;
+    return std::to_string(readable.unreadable) + " of " + std::to_string(readable.blocks) +
+           " blocks cannot be read as " + std::string(file.dialect->name);
 }
 
 /// A program file without programs, so that a finding has a place.
@@ -77,10 +87,16 @@ ReadFile read_source(InputFile input, FileSettings settings, Source bytes) {
     }
     if (file.dialect == nullptr || not_nc) {
         file.dialect = nullptr;
-        file.notice = foreign(file, detection.reason);
+        if (!not_nc || is_worth_a_note(file.input.path)) file.notice = foreign(file, detection.reason);
         return file;
     }
     file.file = std::make_shared<const ProgramFile>(file.dialect->read(std::move(source), control_of(file)));
+    if (auto doubt = find_doubt(file, detection)) {
+        file.notice = foreign(file, *doubt);
+        file.dialect_reason = *std::move(doubt);
+        file.dialect = nullptr;
+        file.file = nullptr;
+    }
     return file;
 }
 

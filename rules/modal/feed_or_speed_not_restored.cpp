@@ -56,15 +56,6 @@ bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const da
     return symbol.kind == Kind::constant || symbol.kind == Kind::result;
 }
 
-/// #4109 for F.
-std::string variable_of(const ControlModel& control, GroupId group) {
-    for (const VariableFamily& family : control.families)
-        for (const VariableRange& range : family.ranges)
-            if (range.meaning == Meaning::modal && range.group == group)
-                return std::string(family.name) + std::to_string(range.first);
-    return "it";
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.is_macro()) return;
     const auto leftovers = find_leftovers(
@@ -75,7 +66,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const ModalGroup& group = analysis.control().groups[leftover.group];
         report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
                         {quoted(analysis.program(), place_of(analysis, leftover)), std::string(group.name),
-                         variable_of(analysis.control(), leftover.group)});
+                         analysis.control().variable_of(leftover.group).value_or("it")});
     }
 }
 

@@ -63,15 +63,6 @@ bool is_wrong(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write
     return analysis.control().groups[*source.group].letter != 'G';
 }
 
-/// #4109 for F.
-std::string variable_of(const ControlModel& control, GroupId group) {
-    for (const VariableFamily& family : control.families)
-        for (const VariableRange& range : family.ranges)
-            if (range.meaning == Meaning::modal && range.group == group)
-                return std::string(family.name) + std::to_string(range.first);
-    return "the right variable";
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const dataflow::ModalWrite& write : analysis.facts().modal_writes) {
@@ -81,11 +72,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const std::string text = quoted(program, span);
         const Span read = program.expressions[source->expression].span;
         Finding& finding =
-            write.stated ? reporter.report(analysis.file(), span, "value",
-                                           {text, quoted(program, read),
-                                            std::string(analysis.control().groups[*write.group].name),
-                                            variable_of(analysis.control(), *write.group)})
-                         : reporter.report(analysis.file(), span, "code", {text, quoted(program, read)});
+            write.stated
+                ? reporter.report(
+                      analysis.file(), span, "value",
+                      {text, quoted(program, read), std::string(analysis.control().groups[*write.group].name),
+                       analysis.control().variable_of(*write.group).value_or("the right variable")})
+                : reporter.report(analysis.file(), span, "code", {text, quoted(program, read)});
         const dataflow::Store* store = store_of(analysis, write.value);
         trace(finding, analysis, store != nullptr ? store->node : write.node,
               {&analysis.file(), read, "the value comes from here"}, write.node, "and is put back here");

@@ -50,14 +50,20 @@ extern const Rule saved_after_change{
 namespace {
 
 /// The part that this program set, when the group cannot have been the caller's any more.
-std::optional<dataflow::ModalPart> own_part(const ProgramAnalysis& analysis, const dataflow::Store& store,
-                                            GroupId group) {
-    const dataflow::ModalValue& value = analysis.data().modal(analysis.data().before(store.node), group);
-    if (value.unknown || value.parts.empty()) return std::nullopt;
-    for (const dataflow::ModalPart& part : value.parts)
-        if (part.origin == 0 || analysis.data().pool().entry_group_of(part.symbol) == group)
+std::optional<dataflow::ModalPart> own_part(const ProgramAnalysis& analysis,
+                                            const dataflow::ModalRead& read) {
+    if (read.value.unknown || read.value.parts.empty()) return std::nullopt;
+    for (const dataflow::ModalPart& part : read.value.parts)
+        if (part.origin == 0 || analysis.data().pool().entry_group_of(part.symbol) == read.group)
             return std::nullopt;
-    return value.parts.front();
+    return read.value.parts.front();
+}
+
+/// The read that the store saves, when the store saves a modal group.
+const dataflow::ModalRead* saved_read(const ProgramAnalysis& analysis, const dataflow::Store& store) {
+    const auto& reads = analysis.facts().modal_reads;
+    const auto read = std::ranges::find(reads, store.expression, &dataflow::ModalRead::expression);
+    return read == reads.end() ? nullptr : &*read;
 }
 
 /// Words whose setting is still in force when the program returns.
@@ -101,12 +107,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             continue;
         const dataflow::Store* store = store_of(analysis, write.value);
         if (store == nullptr || std::ranges::find(known, store->effect) != known.end()) continue;
-        const auto* load = std::get_if<LoadModal>(&program.expressions[store->expression].node);
-        if (load == nullptr) continue;
-        const auto part = own_part(analysis, *store, load->group);
+        const dataflow::ModalRead* read = saved_read(analysis, *store);
+        if (read == nullptr) continue;
+        const auto part = own_part(analysis, *read);
         if (!part) continue;
         known.push_back(store->effect);
-        report(analysis, reporter, *store, load->group, *part, write);
+        report(analysis, reporter, *store, read->group, *part, write);
     }
 }
 

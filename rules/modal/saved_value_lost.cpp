@@ -51,8 +51,7 @@ namespace {
 
 /// The modal value that the variable held just before the assignment, when it was a saved one.
 std::optional<CopySource> saved_before(const ProgramAnalysis& analysis, const dataflow::Store& store) {
-    const dataflow::Value old = analysis.data().value(analysis.data().before(store.node), store.place);
-    const dataflow::Store* save = store_of(analysis, old);
+    const dataflow::Store* save = store_of(analysis, store.old);
     if (save == nullptr) return std::nullopt;
     const auto source = copy_source(analysis, save->expression, save->value);
     return source && source->group ? source : std::nullopt;

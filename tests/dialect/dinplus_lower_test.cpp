@@ -12,7 +12,9 @@ std::string din(std::string_view blocks) {
 }
 
 /// The same for a program that begins otherwise.
-std::string whole(std::string_view text) { return testing::lower(testing::read_as("dinplus", "part.nc", text)); }
+std::string whole(std::string_view text) {
+    return testing::lower(testing::read_as("dinplus", "part.nc", text));
+}
 
 TEST(DinWords, ACodeSetsItsGroupAndItsWord) {
     EXPECT_EQ(din("N1 G96 S200 G95 F0.3 M4"),
@@ -58,8 +60,7 @@ TEST(DinWords, AddressAndIncrementAreRecorded) {
 }
 
 TEST(DinWords, BlockWordsReferToAContour) {
-    EXPECT_EQ(din("N1 G810 NS4 NE#l1 P2"),
-              "N1 values #l1; contour block 4; contour block #l1; move");
+    EXPECT_EQ(din("N1 G810 NS4 NE#l1 P2"), "N1 values #l1; contour block 4; contour block #l1; move");
     EXPECT_EQ(din("N1 G1 X5 NS4"), "N1 motion mode=1; move");
 }
 
@@ -138,13 +139,14 @@ TEST(DinVacancy, TheNameStandsWithoutItsSign) {
     EXPECT_EQ(din("IF DEF(__la)\nTHEN\nENDIF"), "open choice set?(#__la)\nbegin choice\nclose choice");
     EXPECT_EQ(whole("VAR\n#_t=#l1\nMACHINING\nIF NDEF(_t)\nTHEN\nENDIF"),
               "\nopen choice vacant?(#l1)\nbegin choice\nclose choice");
-    EXPECT_EQ(din("IF DEF(#__la)\nTHEN\nENDIF"),
-              "open choice set?(#__la)\nbegin choice\nclose choice\n! hash-in-vacancy-test 'DEF(#__la)' -> DEF(__la)");
+    EXPECT_EQ(din("IF DEF(#__la)\nTHEN\nENDIF"), "open choice set?(#__la)\nbegin choice\nclose choice\n! "
+                                                 "hash-in-vacancy-test 'DEF(#__la)' -> DEF(__la)");
 }
 
 TEST(DinIrregular, AssignmentAndComparisonAreKeptApart) {
-    EXPECT_EQ(din("IF #l1=1\nTHEN\nENDIF"),
-              "open choice equal(#l1, 1)\nbegin choice\nclose choice\n! assignment-in-condition '=' -> #l1==1");
+    EXPECT_EQ(
+        din("IF #l1=1\nTHEN\nENDIF"),
+        "open choice equal(#l1, 1)\nbegin choice\nclose choice\n! assignment-in-condition '=' -> #l1==1");
     EXPECT_EQ(din("#l1==1"), "#l1 := 1\n! comparison-as-assignment '==' -> #l1=1");
 }
 

@@ -47,10 +47,12 @@ double seconds_to_read(std::string_view text) {
 }
 
 TEST(DinSections, EnglishAndGermanWordsBeginTheSame) {
-    const auto english = read_din("PROGRAM HEAD\n#UNIT METRIC\nTURRET 1\nT1 ID\"A\"\nVAR\n#_a=#l1\nBLANK\nN1 G20 X5\n"
-                                  "FACE_C Z-25\nN2 G308\nMACHINING\nN3 M30\nEND\n");
-    const auto german = read_din("PROGRAMMKOPF\n#EINHEIT METRIC\nREVOLVER 1\nT1 ID\"A\"\nVAR\n#_a=#l1\nROHTEIL\nN1 G20 X5\n"
-                                 "STIRN Z-25\nN2 G308\nBEARBEITUNG\nN3 M30\nENDE\n");
+    const auto english =
+        read_din("PROGRAM HEAD\n#UNIT METRIC\nTURRET 1\nT1 ID\"A\"\nVAR\n#_a=#l1\nBLANK\nN1 G20 X5\n"
+                 "FACE_C Z-25\nN2 G308\nMACHINING\nN3 M30\nEND\n");
+    const auto german =
+        read_din("PROGRAMMKOPF\n#EINHEIT METRIC\nREVOLVER 1\nT1 ID\"A\"\nVAR\n#_a=#l1\nROHTEIL\nN1 G20 X5\n"
+                 "STIRN Z-25\nN2 G308\nBEARBEITUNG\nN3 M30\nENDE\n");
     const std::vector<std::string> wanted{"PROGRAM HEAD 1 never", "TURRET 1 never",   "VAR 1 at load",
                                           "BLANK 1 at load",      "FACE_C 1 at load", "MACHINING 1",
                                           "END 0 never"};
@@ -68,7 +70,8 @@ TEST(DinSections, TwiceAndBehindTheEndAreThereToBeSeen) {
 
 TEST(DinSections, WordsThatOnlyManualsPrintAreReportedAndUnderstood) {
     const auto file = read_din("VAIPPA Y X118\nKONEISTUS\nN1 M30\nLOPPU\n");
-    EXPECT_THAT(sections_of(file.programs.at(0)), ElementsAre("LATERAL_Y 0 at load", "MACHINING 1", "END 0 never"));
+    EXPECT_THAT(sections_of(file.programs.at(0)),
+                ElementsAre("LATERAL_Y 0 at load", "MACHINING 1", "END 0 never"));
     ASSERT_EQ(file.irregularities.size(), 3U);
     EXPECT_EQ(file.irregularities[0].subject, "VAIPPA Y");
     EXPECT_EQ(file.irregularities[0].cure, "LATERAL_Y");
@@ -114,7 +117,8 @@ TEST(DinPrograms, EverySubprogramSectionIsAProgram) {
 }
 
 TEST(DinPrograms, ASubprogramFileIsOneProgram) {
-    const auto file = read_din("%GROOVE.ncs\n[//]\n[la=1; s=Depth]\n[//]\nMACHINING\nN1 X#__la\nRETURN\n", "GROOVE.ncs");
+    const auto file =
+        read_din("%GROOVE.ncs\n[//]\n[la=1; s=Depth]\n[//]\nMACHINING\nN1 X#__la\nRETURN\n", "GROOVE.ncs");
     ASSERT_EQ(file.programs.size(), 1U);
     EXPECT_EQ(file.programs[0].name, "GROOVE");
     EXPECT_EQ(file.programs[0].started, Program::Started::by_call);
@@ -140,9 +144,9 @@ TEST(DinComments, ThoseForMaclintKnowTheirBlocks) {
 
 TEST(DinIrregularities, WrongBlocksOfTheGrammarAreToldTheirCause) {
     static constexpr std::pair<std::string_view, Irregular> causes[] = {
-        {"MAC102", Irregular::unterminated_comment}, {"MAC117", Irregular::bracket_mismatch},
-        {"MAC118", Irregular::unknown_keyword},      {"DIN008", Irregular::not_alone},
-        {"DIN323", Irregular::hash_in_vacancy_test}, {"DIN331", Irregular::unknown_transfer_value},
+        {"MAC102", Irregular::unterminated_comment},   {"MAC117", Irregular::bracket_mismatch},
+        {"MAC118", Irregular::unknown_keyword},        {"DIN008", Irregular::not_alone},
+        {"DIN323", Irregular::hash_in_vacancy_test},   {"DIN331", Irregular::unknown_transfer_value},
         {"DIN326", Irregular::assignment_in_condition}};
     std::ifstream file(MACLINT_SOURCE_DIR "/grammar/dinplus/test/wrong-blocks.txt");
     ASSERT_TRUE(file);
@@ -157,8 +161,9 @@ TEST(DinIrregularities, WrongBlocksOfTheGrammarAreToldTheirCause) {
         std::set<Irregular> found;
         for (const Irregularity& irregularity : read_din("MACHINING\n" + line.substr(0, tab)).irregularities)
             found.insert(irregularity.kind);
-        const bool told = found.contains(cause->second) || (cause->second == Irregular::assignment_in_condition &&
-                                                            found.contains(Irregular::comparison_as_assignment));
+        const bool told =
+            found.contains(cause->second) || (cause->second == Irregular::assignment_in_condition &&
+                                              found.contains(Irregular::comparison_as_assignment));
         EXPECT_TRUE(told) << line;
         EXPECT_FALSE(found.contains(Irregular::unreadable)) << "told twice: " << line;
     }

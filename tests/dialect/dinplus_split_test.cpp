@@ -53,7 +53,8 @@ TEST(DinSplitter, TextsBindTighterThanComments) {
 }
 
 TEST(DinSplitter, AQuoteInAHeaderEntryOrForeignCommentIsNoText) {
-    EXPECT_THAT(blocks_of("#DRAWING 5\" [inches\nwide]\nN1"), ElementsAre("#DRAWING 5\" [inches\nwide]", "N1"));
+    EXPECT_THAT(blocks_of("#DRAWING 5\" [inches\nwide]\nN1"),
+                ElementsAre("#DRAWING 5\" [inches\nwide]", "N1"));
     EXPECT_THAT(blocks_of("N1 ; 5\" [a\nb]\nN2"), ElementsAre("N1 ; 5\" [a\nb]", "N2"));
 }
 

@@ -26,9 +26,8 @@ std::string called_by(const Workspace& workspace, std::string_view caller) {
 
 TEST(DinCalls, ALocalSubprogramIsKnownInItsFileOnly) {
     const std::string sub = "SUBPROGRAM \"BORE\"\nRETURN\nEND\n";
-    const auto workspace = test::analyse_files({{"one.nc", "MACHINING\nL\"bore\"\n" + sub},
-                                                {"two.nc", "MACHINING\nL\"BORE\"\n"}},
-                                               closed_workspace);
+    const auto workspace = test::analyse_files(
+        {{"one.nc", "MACHINING\nL\"bore\"\n" + sub}, {"two.nc", "MACHINING\nL\"BORE\"\n"}}, closed_workspace);
     EXPECT_EQ(called_by(*workspace, "one"), "BORE in one.nc");
     EXPECT_EQ(called_by(*workspace, "two"), "");
 }
@@ -64,7 +63,8 @@ TEST(DinCalls, ATransferValueThatIsLeftOutIsVacant) {
 
 TEST(DinCalls, LocalsAreLocal) {
     const auto workspace = test::analyse_text(
-        "dinplus", "MACHINING\n#l1=5\n#g1=6\nL\"S\"\n#l2=#l1\n#l3=#g1\nM30\nSUBPROGRAM \"S\"\n#l1=7\n#g1=8\nRETURN\n");
+        "dinplus",
+        "MACHINING\n#l1=5\n#g1=6\nL\"S\"\n#l2=#l1\n#l3=#g1\nM30\nSUBPROGRAM \"S\"\n#l1=7\n#g1=8\nRETURN\n");
     const auto& reads = program(*workspace, "test").facts().reads;
     ASSERT_EQ(reads.size(), 2U);
     EXPECT_EQ(reads[0].value.constant(), 5.0);
@@ -73,7 +73,8 @@ TEST(DinCalls, LocalsAreLocal) {
 
 TEST(DinFlow, BranchesJoinAndARestartLeaves) {
     const auto workspace = test::analyse_text(
-        "dinplus", "MACHINING\nINPUT(\"n\",#l1)\nIF #l1>3\nTHEN\n#l2=1\nELSE\n#l2=2\nENDIF\n#l3=#l2\nM99\nM30\n");
+        "dinplus",
+        "MACHINING\nINPUT(\"n\",#l1)\nIF #l1>3\nTHEN\n#l2=1\nELSE\n#l2=2\nENDIF\n#l3=#l2\nM99\nM30\n");
     const ProgramAnalysis& analysis = program(*workspace, "test");
     const auto& reads = analysis.facts().reads;
     ASSERT_EQ(reads.size(), 2U);

@@ -104,8 +104,8 @@ Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& t
 void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
               std::vector<Irregularity>& irregularities) {
     const Clues clues(text, block);
-    for (const auto cause : {&Clues::unclosed_text, &Clues::placeholder, &Clues::bracket_mismatch,
-                             &Clues::unknown_keyword}) {
+    for (const auto cause :
+         {&Clues::unclosed_text, &Clues::placeholder, &Clues::bracket_mismatch, &Clues::unknown_keyword}) {
         if (std::optional<Irregularity> found = (clues.*cause)()) {
             irregularities.push_back(std::move(*found));
             return;
@@ -130,7 +130,8 @@ bool is_plausible(std::string_view text, Span block) {
         const bool after_close = std::exchange(closed, token.kind == TokenKind::close);
         switch (token.kind) {
         case TokenKind::sign: {
-            const bool may_begin = first == '-' || first == '+' || first == '>' || first == '=' || first == '/';
+            const bool may_begin =
+                first == '-' || first == '+' || first == '>' || first == '=' || first == '/';
             if (!operand && !may_begin) ++stumbles;
             if (first == '=' || (!operand && may_begin)) ++stumbles;
             operand = false;
@@ -167,7 +168,30 @@ bool is_plausible(std::string_view text, Span block) {
     return true;
 }
 
-UnreadableBlock names_in(const Program& program, Span block) {
+namespace {
+
+/// The variable that `#l1`, `#_depth`, `#__la` or, as DEF wants it, `__la` names.
+std::optional<Place> place_named(std::string_view written, const Surroundings& around) {
+    const std::size_t begin = written.find_first_not_of("# \t");
+    if (begin == std::string_view::npos) return std::nullopt;
+    const std::string_view name = written.substr(begin);
+    if (name.starts_with("__")) return transfer_place(name.substr(2));
+    if (name.starts_with('_')) {
+        const auto alias = std::ranges::find(around.aliases, name, &std::pair<std::string, Place>::first);
+        return alias == around.aliases.end() ? std::nullopt : std::optional(alias->second);
+    }
+    const std::optional<FamilyId> family = begin == 0 ? std::nullopt : family_of(name.front());
+    const std::optional<std::int64_t> number = read_integer(name);
+    if (!family || !number || *number > INT32_MAX) return std::nullopt;
+    const auto n = static_cast<std::int32_t>(*number);
+    const VariableRange* range = control().families[*family].find(n);
+    if (range == nullptr || range->meaning != Meaning::place) return std::nullopt;
+    return Place{range->space, n};
+}
+
+} // namespace
+
+UnreadableBlock names_in(const Program& program, const Surroundings& around, Span block) {
     const Clues clues(program.text, block);
     const std::span<const Token> tokens = clues.tokens();
     UnreadableBlock names{{}, {}, false, false};
@@ -177,24 +201,16 @@ UnreadableBlock names_in(const Program& program, Span block) {
         const Token& token = tokens[i];
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
         const std::string_view written = clues.text(token);
-        if (token.kind == TokenKind::variable && written.size() > 2 && next != nullptr &&
-            clues.text(*next) == "=") {
-            const std::optional<FamilyId> family = family_of(written[1]);
-            const std::optional<std::int64_t> number = read_integer(written.substr(2));
-            if (!family || !number || *number > INT32_MAX) continue;
-            const auto n = static_cast<std::int32_t>(*number);
-            const VariableRange* range = program.control->families[*family].find(n);
-            if (range != nullptr && range->meaning == Meaning::place)
-                names.may_write.push_back({range->space, n});
-        }
+        const bool name = token.kind == TokenKind::variable || written.front() == '_';
+        if (const std::optional<Place> place = name ? place_named(written, around) : std::nullopt)
+            if (std::ranges::find(names.may_write, *place) == names.may_write.end())
+                names.may_write.push_back(*place);
         if (token.kind != TokenKind::letters) continue;
-        const std::string capitals = capitals_of(written);
-        std::string meant = capitals;
-        if (capitals.size() > 2 && !is_keyword(capitals) && guesses++ < most_guesses)
-            meant = meant_by(capitals);
+        std::string meant = capitals_of(written);
+        if (meant.size() > 2 && !is_keyword(meant) && guesses++ < most_guesses) meant = meant_by(meant);
         names.may_open_or_close |= is_structural(meant);
-        const bool calls = capitals == "L" && next != nullptr && next->kind == TokenKind::text;
-        const bool leaves = capitals == "M" && next != nullptr && next->kind == TokenKind::number;
+        const bool calls = meant == "L" && next != nullptr && next->kind == TokenKind::text;
+        const bool leaves = meant == "M" && next != nullptr && next->kind == TokenKind::number;
         names.may_call_or_return |= meant == "RETURN" || calls || leaves;
     }
     return names;

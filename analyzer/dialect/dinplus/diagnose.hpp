@@ -1,6 +1,7 @@
 //! Says why a block cannot be read, in the user's words.
 #pragma once
 
+#include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/syntax/tree.hpp"
 
@@ -17,6 +18,6 @@ void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
 [[nodiscard]] bool is_plausible(std::string_view text, Span block);
 
 /// What an unreadable block may do, judged by the words in it.
-[[nodiscard]] UnreadableBlock names_in(const Program& program, Span block);
+[[nodiscard]] UnreadableBlock names_in(const Program& program, const Surroundings& around, Span block);
 
 } // namespace maclint::dinplus

@@ -171,7 +171,7 @@ class Reader {
         block.words.first = static_cast<Id>(program.words.size());
         block.effects.first = static_cast<Id>(program.effects.size());
         if (part.surroundings.effects) {
-            program.effects.push_back({names_in(program, raw_.span), raw_.span});
+            program.effects.push_back({names_in(program, part.surroundings, raw_.span), raw_.span});
             block.effects.count = 1;
         }
         program.items.emplace_back(block);

@@ -59,11 +59,12 @@ ControlModel make() {
     control.spaces = variable_spaces();
     control.families = variable_families();
     control.groups = modal_groups();
+    control.rapid = GroupCode{*control.group_of('G', 0), 0};
     control.calls = {
-        {"call of a local subprogram", Frame::fresh, Counted::subprogram, When::once, "l.10403, l.20751",
+        {"call of a local subprogram", Frame::fresh, Counted::subprogram, When::once, 0, "l.10403, l.20751",
          Reach::same_file},
-        {"call of an external subprogram", Frame::fresh, Counted::subprogram, When::once, "l.10404, l.19932",
-         Reach::other_files},
+        {"call of an external subprogram", Frame::fresh, Counted::subprogram, When::once, 0,
+         "l.10404, l.19932", Reach::other_files},
     };
     for (std::size_t i = 0; i < transfer_letters.size(); ++i)
         control.formals.push_back({spaces::transfer, static_cast<std::int32_t>(i)});

@@ -113,8 +113,6 @@ void BlockLowering::lower_macro_call(std::span<const NcWord> words, Span span, E
     Call call{std::monostate{}, calls::g65, {}, std::nullopt};
     if (code.literal == 66) call.kind = calls::g66;
     if (code.literal == 66.1) call.kind = calls::g66_1;
-    if (call.kind != calls::g65 && codes_.modal_call != no_group)
-        effects.push_back({SetModal{codes_.modal_call, *code.value}, this->span(*code.node)});
     for (const NcWord& word : words.subspan(1)) {
         if (word.letter == 'P' && word.value) call.program = *word.value;
         if (word.letter == 'L' && word.value) call.repeat = word.value;
@@ -155,18 +153,16 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span, 
     }
     const bool own_words = (traits & no_words) != 0;
     bool moves = false;
-    bool ends_modal_call = false;
     std::vector<ExpressionId> computed;
     for (const NcWord& word : words) {
         if (word.comma || !word.value) continue;
         const Span here = this->span(*word.node);
         if (word.letter == 'G') {
             if (!word.literal) {
-                effects.push_back({SetModal{std::nullopt, *word.value}, here});
+                effects.push_back({SetModal{std::nullopt, *word.value, word.letter}, here});
                 continue;
             }
             if (*word.literal == 52) set_local_offset(words, span, effects);
-            ends_modal_call |= *word.literal == 67;
             const Code code = codes_.g_code(*word.literal);
             if (code.group != no_group) effects.push_back({SetModal{code.group, *word.value}, here});
         } else if (word.letter == 'F' && !own_words) {
@@ -183,8 +179,8 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span, 
             {Values{{static_cast<Id>(program_.operands.size()), static_cast<Id>(computed.size())}}, span});
         program_.operands.insert(program_.operands.end(), computed.begin(), computed.end());
     }
-    if (ends_modal_call) effects.push_back({EndModalCall{}, span});
-    if (moves && (traits & (no_axes | no_words)) == 0) effects.push_back({Motion{}, span});
+    if (moves && (traits & (no_axes | no_words)) == 0)
+        effects.push_back({Motion{(traits & without_feed) != 0}, span});
     if ((traits & synchronises) != 0) effects.push_back({Synchronise{}, span});
     for (const NcWord& word : words) {
         const bool lathe_tool = word.letter == 'T' && codes_.letters['T'] == Letter::not_plain;

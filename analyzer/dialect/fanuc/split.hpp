@@ -21,8 +21,8 @@ struct RawBlock {
 /// Behind the blanks and the tape leader at `at`.
 [[nodiscard]] Offset skip_blanks(std::string_view text, Offset at);
 
-/// The block that begins at `begin`. It ends at `;`, at a line end, or before a tape mark at the end of its
-/// line.
+/// The block that begins at `begin`. It ends at `;`, at a line end, before a tape mark at the end of its
+/// line, or before the number of the next program in `M99O0810`.
 void cut_block(std::string_view text, Offset begin, RawBlock& block);
 
 /// The first tape mark at or behind `from`, which is the head of a line or behind a mark.
@@ -43,7 +43,8 @@ struct BehindMark {
 };
 /// Behind the mark that opens a tape: the first block. A title on the mark's own line is passed over.
 [[nodiscard]] Offset behind_opening_mark(std::string_view text, Offset mark);
-/// Behind a mark in an open tape; the end of the text when nothing follows that the control reads.
+/// Behind a mark in an open tape: the next program, or the mark that opens the tape again, or the end of the
+/// text.
 [[nodiscard]] BehindMark behind_mark(std::string_view text, Offset mark);
 
 /// A program number or name that heads a block.

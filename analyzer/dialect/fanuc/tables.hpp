@@ -27,8 +27,7 @@ constexpr CallKindId g65 = 0, g66 = 1, g66_1 = 2, m98 = 3, m198 = 4;
 
 /// Names by which lowering finds groups that no G code stands for.
 namespace group_names {
-constexpr std::string_view feed = "feed", speed = "spindle speed", local_offset = "local offset",
-                           modal_call = "modal macro call";
+constexpr std::string_view feed = "feed", speed = "spindle speed", local_offset = "local offset";
 }
 
 [[nodiscard]] std::vector<ModalGroup> mill_groups();

@@ -52,6 +52,7 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     for (const std::int32_t local : local_of_letter)
         if (local != 0) control.formals.push_back({spaces::local, local});
     control.vacant_equals_zero = false;
+    control.rapid = {0, 0}; // group 01, G00: reference section 7
     return control;
 }
 
@@ -72,11 +73,11 @@ std::vector<ControlModel> make_all() {
 std::vector<CallKind> call_kinds() {
     // clang-format off
     return {
-        {"G65 macro call",                       Frame::fresh,  Counted::macro,      When::once,              "SEED-001:423"},
-        {"G66 modal macro call",                 Frame::fresh,  Counted::macro,      When::after_each_motion, "SEED-001:466"},
-        {"G66.1 modal macro call",               Frame::fresh,  Counted::macro,      When::after_each_block,  "NCT-171"},
-        {"M98 subprogram call",                  Frame::shared, Counted::subprogram, When::once,              "TENC-G65; CPH-M98"},
-        {"M198 subprogram call",                 Frame::shared, Counted::subprogram, When::once,              "CNCWIKI-SUB"},
+        {"G65 macro call",                       Frame::fresh,  Counted::macro,      When::once,              0,    "SEED-001:423"},
+        {"G66 modal macro call",                 Frame::fresh,  Counted::macro,      When::after_each_motion, 66,   "SEED-001:466"},
+        {"G66.1 modal macro call",               Frame::fresh,  Counted::macro,      When::after_each_block,  66.1, "NCT-171"},
+        {"M98 subprogram call",                  Frame::shared, Counted::subprogram, When::once,              0,    "TENC-G65; CPH-M98"},
+        {"M198 subprogram call",                 Frame::shared, Counted::subprogram, When::once,              0,    "CNCWIKI-SUB"},
     };
     // clang-format on
 }
