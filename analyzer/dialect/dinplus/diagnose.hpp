@@ -14,9 +14,6 @@ namespace maclint::dinplus {
 void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
               std::vector<Irregularity>& irregularities);
 
-/// Whether a block is worth parsing. Noise costs the parser quadratic time.
-[[nodiscard]] bool is_plausible(std::string_view text, Span block);
-
 /// What an unreadable block may do, judged by the words in it.
 [[nodiscard]] UnreadableBlock names_in(const Program& program, const Surroundings& around, Span block);
 

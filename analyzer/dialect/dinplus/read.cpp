@@ -6,6 +6,7 @@
 #include "analyzer/dialect/dinplus/diagnose.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/dialect/dinplus/plausible.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
 #include "analyzer/dialect/dinplus/shape.hpp"
 #include "analyzer/dialect/dinplus/split.hpp"
