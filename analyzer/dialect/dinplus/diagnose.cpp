@@ -66,8 +66,14 @@ class Clues {
 
     /// Capital words of three or more letters are keywords or nothing; two of them can be addresses.
     [[nodiscard]] std::optional<Irregularity> unknown_keyword() const {
-        for (const Token& token : tokens_) {
+        std::vector<bool> selectors; // of the open brackets: behind a variable, as in #w0(WTL)
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            const Token& token = tokens_[i];
+            if (token.kind == TokenKind::open)
+                selectors.push_back(i > 0 && tokens_[i - 1].kind == TokenKind::variable);
+            if (token.kind == TokenKind::close && !selectors.empty()) selectors.pop_back();
             if (token.kind != TokenKind::letters || token.span.length() < 3) continue;
+            if (!selectors.empty() && selectors.back()) continue;
             if (!std::ranges::all_of(text(token), [](char c) { return is_capital(c) || c == '_'; })) continue;
             const std::string capitals = capitals_of(text(token));
             if (capitals.front() == '_' || capitals == "HID" || is_keyword(capitals)) continue;
@@ -85,7 +91,9 @@ class Clues {
     std::vector<Token> tokens_;
 };
 
-Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& tree) {
+} // namespace
+
+Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree) {
     Span span = block;
     std::string expected;
     const auto error = std::ranges::find_if(
@@ -99,19 +107,12 @@ Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& t
     return {Irregular::unreadable, span, shown(text.substr(span.begin, span.length())), std::move(expected)};
 }
 
-} // namespace
-
-void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
-              std::vector<Irregularity>& irregularities) {
+std::optional<Irregularity> find_cause(std::string_view text, Span block) {
     const Clues clues(text, block);
     for (const auto cause :
-         {&Clues::unclosed_text, &Clues::placeholder, &Clues::bracket_mismatch, &Clues::unknown_keyword}) {
-        if (std::optional<Irregularity> found = (clues.*cause)()) {
-            irregularities.push_back(std::move(*found));
-            return;
-        }
-    }
-    irregularities.push_back(unreadable(text, block, tree));
+         {&Clues::unclosed_text, &Clues::placeholder, &Clues::bracket_mismatch, &Clues::unknown_keyword})
+        if (std::optional<Irregularity> found = (clues.*cause)()) return found;
+    return std::nullopt;
 }
 
 namespace {
