@@ -187,9 +187,7 @@ class Reader {
 
     /// The block number stands at the head of the text whatever is wrong behind it.
     void take_unreadable_head(Block& block) const {
-        Offset at = first_code();
-        while (at < block.span.end && (text_[at] == '$' || text_[at] == '/' || is_digit(text_[at]))) ++at;
-        at = skip_blanks(text_, at);
+        Offset at = behind_marks(text_, first_code());
         if (at >= block.span.end || (text_[at] != 'N' && text_[at] != 'n')) return;
         const Offset letter = at;
         at = skip_blanks(text_, at + 1);
