@@ -59,7 +59,29 @@
     RULE(bracket_depth)                         /* MAC701 */ \
     RULE(float_equality)                        /* MAC710 */ \
     RULE(float_loop_counter)                    /* MAC711 */ \
-    RULE(constant_condition)                    /* MAC718 */
+    RULE(constant_condition)                    /* MAC718 */ \
+    RULE(block_must_be_alone)                    /* DIN008 */ \
+    RULE(unit_unbalanced)                        /* DIN015 */ \
+    RULE(missing_machining)                      /* DIN101 */ \
+    RULE(missing_end)                            /* DIN102 */ \
+    RULE(content_after_end)                      /* DIN103 */ \
+    RULE(def_with_hash)                          /* DIN323 */ \
+    RULE(assign_vs_compare)                      /* DIN326 */ \
+    RULE(transfer_value_unchecked)               /* DIN330 */ \
+    RULE(transfer_value_unknown)                 /* DIN331 */ \
+    RULE(if_unbalanced)                          /* DIN401 */ \
+    RULE(then_missing)                           /* DIN402 */ \
+    RULE(while_unbalanced)                       /* DIN404 */ \
+    RULE(loop_variable_uninitialised)            /* DIN407 */ \
+    RULE(switch_unbalanced)                      /* DIN409 */ \
+    RULE(case_without_break)                     /* DIN410 */ \
+    RULE(m99_target)                             /* DIN415 */ \
+    RULE(state_leak_from_sub)                    /* DIN519 */ \
+    RULE(radius_comp_not_cancelled)              /* DIN619 */ \
+    RULE(g16_not_reset)                          /* DIN632 */ \
+    RULE(g920_not_reset)                         /* DIN634 */ \
+    RULE(contour_reference_missing)              /* DIN704 */ \
+    RULE(g30_left_active)                        /* DIN906 */
 // clang-format on
 
 namespace maclint {

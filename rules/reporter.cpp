@@ -5,10 +5,21 @@
 
 namespace maclint {
 
+namespace {
+
+Severity severity_in(const ProgramFile& file, const Rule& rule) {
+    if (file.control == nullptr) return rule.severity;
+    const auto other =
+        std::ranges::find(rule.severity_elsewhere, file.control->language, &OtherSeverity::language);
+    return other == rule.severity_elsewhere.end() ? rule.severity : other->severity;
+}
+
+} // namespace
+
 Finding& Reporter::report(const ProgramFile& file, Span span, std::string_view message_id,
                           std::vector<std::string> arguments) {
     return findings_.emplace_back(
-        Finding{rule_, rule_->severity, &file, span, message_id, std::move(arguments), {}, {}, {}});
+        Finding{rule_, severity_in(file, *rule_), &file, span, message_id, std::move(arguments), {}, {}, {}});
 }
 
 bool Reporter::has_message(std::string_view id) const {

@@ -36,6 +36,12 @@ struct Example {
     bool complete = false; ///< shown in a folder that the configuration declares complete
 };
 
+/// The severity in programs of a language, where it is not the rule's own.
+struct OtherSeverity {
+    std::string_view language; ///< of the control
+    Severity severity;
+};
+
 /// Raised by the command itself: while files are read, or when suppressions are matched.
 struct RaisedByCommand {};
 using FileCheck = void (*)(const ProgramFile&, Reporter&);
@@ -49,6 +55,7 @@ struct Rule {
     std::string_view summary; ///< one line
     std::string_view why;     ///< why it matters at the machine
     Severity severity;
+    std::vector<OtherSeverity> severity_elsewhere = {};
     Precision precision;
     bool on_by_default; ///< very_high and high are on; `off_reason` says why another choice was made
     std::string_view off_reason;

@@ -1,23 +1,76 @@
 //! Picks structure faults and holds back those that an unreadable block may explain.
 #include "rules/structure_faults.hpp"
 
+#include "rules/path.hpp"
+
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <utility>
 
 namespace maclint {
+namespace {
 
-std::vector<flow::StructureFault> structure_faults(const ProgramAnalysis& analysis, flow::Imbalance kind) {
+bool have_numbers(const ProgramAnalysis& analysis) { return analysis.control().limits.last_loop_number != 0; }
+
+/// Loops of all kinds have one close.
+Construct family_of(Construct construct) { return is_loop(construct) ? Construct::while_loop : construct; }
+
+bool needs_partner(flow::Imbalance kind) {
+    return kind == flow::Imbalance::never_closed || kind == flow::Imbalance::never_opened ||
+           kind == flow::Imbalance::crossed;
+}
+
+template<class Wanted>
+std::vector<flow::StructureFault> pick(const ProgramAnalysis& analysis, Construct construct,
+                                       const Wanted& wanted) {
     const flow::Structures& structures = analysis.structures();
-    const bool needs_partner = kind == flow::Imbalance::never_closed ||
-                               kind == flow::Imbalance::never_opened || kind == flow::Imbalance::crossed;
     std::vector<flow::StructureFault> faults;
-    if (needs_partner && structures.balance_in_doubt) return faults;
-    std::ranges::copy_if(structures.faults, std::back_inserter(faults),
-                         [&](const flow::StructureFault& fault) {
-                             const auto& what = analysis.program().effects[fault.effect].what;
-                             return fault.what == kind && is_loop(std::get<Structure>(what).construct);
-                         });
+    std::ranges::copy_if(
+        structures.faults, std::back_inserter(faults), [&](const flow::StructureFault& fault) {
+            if (!wanted(fault.what) || (structures.balance_in_doubt && needs_partner(fault.what)))
+                return false;
+            const auto& what = analysis.program().effects[fault.effect].what;
+            return family_of(std::get<Structure>(what).construct) == construct;
+        });
     return faults;
+}
+
+std::string_view message_for(flow::Imbalance kind) {
+    switch (kind) {
+    case flow::Imbalance::never_closed: return "never-closed";
+    case flow::Imbalance::never_opened: return "never-opened";
+    case flow::Imbalance::nested_too_deep: return "nested";
+    default: return "crossed";
+    }
+}
+
+} // namespace
+
+std::vector<flow::StructureFault> numbered_loop_faults(const ProgramAnalysis& analysis,
+                                                       flow::Imbalance kind) {
+    if (!have_numbers(analysis)) return {};
+    return pick(analysis, Construct::while_loop, [kind](flow::Imbalance what) { return what == kind; });
+}
+
+std::vector<flow::StructureFault> nesting_faults(const ProgramAnalysis& analysis, Construct construct) {
+    if (is_loop(construct) && have_numbers(analysis)) return {};
+    return pick(analysis, family_of(construct), [](flow::Imbalance) { return true; });
+}
+
+void report_nesting_fault(const ProgramAnalysis& analysis, const flow::StructureFault& fault,
+                          Reporter& reporter) {
+    const Program& program = analysis.program();
+    const Span span = program.effects[fault.effect].span;
+    std::vector<std::string> arguments{quoted(program, span)};
+    const bool crossed = fault.what == flow::Imbalance::crossed;
+    if (crossed) arguments.push_back(quoted(program, program.effects[*fault.other].span));
+    if (fault.other)
+        arguments.push_back(line_number(analysis.file(), program.effects[*fault.other].span.begin));
+    Finding& finding = reporter.report(analysis.file(), span, message_for(fault.what), std::move(arguments));
+    if (fault.other)
+        finding.related.push_back(
+            remark_at_effect(analysis, *fault.other, crossed ? "this is still open" : "this is open here"));
 }
 
 } // namespace maclint

@@ -1,15 +1,25 @@
-//! The faults in the pairing of loops that a rule may speak of.
+//! The faults in the pairing of loops, choices and units that a rule may speak of.
 #pragma once
 
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/rule.hpp"
 
 #include <vector>
 
 namespace maclint {
 
-/// Faults of the kind. A missing partner proves nothing in a program with a block that may open or close
-/// something and cannot be read: those faults are held back.
-[[nodiscard]] std::vector<flow::StructureFault> structure_faults(const ProgramAnalysis& analysis,
-                                                                 flow::Imbalance kind);
+/// Faults of the kind in loops that carry numbers. A missing partner proves nothing in a program with a block
+/// that may open or close something and cannot be read: those faults are held back.
+[[nodiscard]] std::vector<flow::StructureFault> numbered_loop_faults(const ProgramAnalysis& analysis,
+                                                                     flow::Imbalance kind);
+
+/// All faults in the pairing of a construct that pairs by nesting alone; a fault between two constructs is
+/// the outer one's, whose close comes too early. Those that an unreadable block may explain are held back.
+[[nodiscard]] std::vector<flow::StructureFault> nesting_faults(const ProgramAnalysis& analysis,
+                                                               Construct construct);
+
+/// Reports the fault under the message of its kind: "never-closed", "never-opened", "nested" or "crossed".
+void report_nesting_fault(const ProgramAnalysis& analysis, const flow::StructureFault& fault,
+                          Reporter& reporter);
 
 } // namespace maclint

@@ -161,6 +161,10 @@ std::optional<Place> plain_place(const Program& program, ExpressionId expression
     return load == nullptr ? std::nullopt : std::optional(load->place);
 }
 
+bool may_hold_vacant(const Program& program, Place place) {
+    return program.control->spaces[place.space].unset != Unset::undefined;
+}
+
 bool same_expression(const Program& program, ExpressionId a, ExpressionId b) {
     if (a == b) return true;
     const auto& other = program.expressions[b].node;

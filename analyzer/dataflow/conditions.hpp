@@ -18,6 +18,10 @@ struct ReadSet {
 };
 [[nodiscard]] ReadSet variables_of(const Program& program, ExpressionId expression);
 
+/// Whether vacant is a value that the variable can be given and asked for; otherwise a variable that nothing
+/// has set is undefined.
+[[nodiscard]] bool may_hold_vacant(const Program& program, Place place);
+
 /// Whether the two say the same, brackets aside.
 [[nodiscard]] bool same_expression(const Program& program, ExpressionId a, ExpressionId b);
 

@@ -80,8 +80,8 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
             [&](const LoadModal& load) { return load_modal(state, load.group, id); },
             [&](const LoadMachine& load) {
                 Value value = opaque(id);
-                value.vacancy = Vacancy::set;
                 const VariableRange* range = program_.control->families[load.family].find(load.number);
+                if (range == nullptr || !range->may_be_vacant) value.vacancy = Vacancy::set;
                 if (range != nullptr && range->is_bit) {
                     value.low = 0;
                     value.high = 1;

@@ -92,6 +92,7 @@ struct ModalWrite {
     bool stated;                  ///< the word names the group (F#4); otherwise the value decides (G#3)
     ExpressionId expression;
     Value value;
+    State before;
 };
 
 /// A jump whose target is computed.

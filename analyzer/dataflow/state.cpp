@@ -45,9 +45,15 @@ State States::at_entry() const {
     return state;
 }
 
+bool States::may_be_handed_down(Place place) const {
+    if (!program_.control->spaces[place.space].handed_down) return false;
+    const auto& known = knowledge_.handed_down;
+    return !known || std::ranges::find(*known, place) != known->end();
+}
+
 Vacancy States::vacancy_at_entry(Place place) const {
     if (knowledge_.entry == Entry::main) return Vacancy::vacant;
-    if (knowledge_.locals_are_callers) return Vacancy::unknown;
+    if (knowledge_.locals_are_callers || may_be_handed_down(place)) return Vacancy::unknown;
     if (knowledge_.arguments) {
         const auto known = std::ranges::find(*knowledge_.arguments, place, &std::pair<Place, Vacancy>::first);
         return known == knowledge_.arguments->end() ? Vacancy::vacant : known->second;

@@ -28,6 +28,8 @@ struct EntryKnowledge {
     std::optional<std::vector<std::pair<Place, Vacancy>>> arguments;
     /// Some caller shares its locals with the program: what they hold at the start, nobody knows.
     bool locals_are_callers = false;
+    /// Variables that a program further up may hand down; absent: nobody knows which.
+    std::optional<std::vector<Place>> handed_down = std::vector<Place>{};
 };
 
 [[nodiscard]] constexpr Key key_of(Place place) {
@@ -87,6 +89,7 @@ class States {
     [[nodiscard]] State merge(const State& a, const State& b, std::uint32_t node, Widening& widening);
     [[nodiscard]] Value entry_value(Place place);
     [[nodiscard]] Vacancy vacancy_at_entry(Place place) const;
+    [[nodiscard]] bool may_be_handed_down(Place place) const;
     [[nodiscard]] Value absent(const State& state, Key key);
     [[nodiscard]] std::uint32_t absent_modal(Key key);
     [[nodiscard]] bool is_entry_of(OriginId doubt, Key key) const;

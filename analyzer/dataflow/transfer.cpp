@@ -179,7 +179,8 @@ void Transfer::set_modal(State& state, const SetModal& set) {
             if (const auto code = value.constant()) group = program_.control->group_of(set.letter, *code);
     }
     if (facts_ != nullptr)
-        facts_->modal_writes.push_back({node_, effect_, group, set.group.has_value(), set.value, value});
+        facts_->modal_writes.push_back(
+            {node_, effect_, group, set.group.has_value(), set.value, value, state});
     if (group)
         set_group(state, *group, value);
     else if (!value.constant() && value.vacancy != Vacancy::vacant)

@@ -1,6 +1,8 @@
 //! The registry of dialects and controls.
 #include "analyzer/dialect/dialect.hpp"
 
+#include "analyzer/dialect/dinplus/read.hpp"
+#include "analyzer/dialect/dinplus/tables.hpp"
 #include "analyzer/dialect/fanuc/read.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 
@@ -11,16 +13,18 @@ namespace maclint {
 namespace {
 
 // clang-format off
-constexpr std::array<Dialect, 2> all_dialects{{
+constexpr std::array<Dialect, 3> all_dialects{{
     // name    description                                     control   comments  reader
     {"fanuc",  "FANUC Custom Macro B and look-alikes",         "fanuc",  "(", ")", fanuc::read},
     {"nct",    "NCT 100 series, a FANUC look-alike",           "nct",    "(", ")", fanuc::read},
+    {"dinplus","HEIDENHAIN DIN PLUS",                          "dinplus","[", "]", dinplus::read},
 }};
 // clang-format on
 
 std::vector<const ControlModel*> collect_controls() {
     std::vector<const ControlModel*> controls;
     for (const ControlModel& control : fanuc::fanuc_controls()) controls.push_back(&control);
+    controls.push_back(&dinplus::control());
     return controls;
 }
 

@@ -169,9 +169,7 @@ class Building {
 
     void leave(NodeId node, EffectId id) {
         std::visit(overloaded{
-                       [&](const Stop& stop) {
-                           exit(node, stop.kind == Stop::Kind::alarm ? ExitKind::alarm : ExitKind::ends, id);
-                       },
+                       [&](const Stop& stop) { exit(node, exit_of(stop.kind), id); },
                        [&](const Return&) { exit(node, ExitKind::returns, id); },
                        [&](const Jump& jump) {
                            graph_.jumps.push_back({id, node, constant_target(program_, jump.target), {}});
@@ -186,6 +184,11 @@ class Building {
                        [](const auto&) {},
                    },
                    program_.effects[id].what);
+    }
+
+    static ExitKind exit_of(Stop::Kind stop) {
+        if (stop == Stop::Kind::alarm) return ExitKind::alarm;
+        return stop == Stop::Kind::restart ? ExitKind::restarts : ExitKind::ends;
     }
 
     void exit(NodeId node, ExitKind kind, EffectId effect) {
@@ -225,6 +228,7 @@ class Building {
             open_.emplace(found->second, std::move(open));
             break;
         }
+        case Structure::Part::begin: break;
         case Structure::Part::middle: middle(found->second, node, structure); break;
         case Structure::Part::leave: leave_selection(found->second); break;
         case Structure::Part::close: close(found->second, node); break;

@@ -43,6 +43,7 @@ struct Edge {
 enum class ExitKind : std::uint8_t {
     returns,  ///< M99
     ends,     ///< M30
+    restarts, ///< it begins again, every modal group as it is
     alarm,    ///< #3000
     runs_off, ///< past the last block
 };

@@ -31,6 +31,7 @@ class Pairing {
     Structures run() {
         for_each_effect(program_, [this](EffectId id) { take(id); });
         judge_numbers();
+        judge_units();
         judge_unpaired();
         for (Paired& paired : result_.all)
             paired.crossed |= paired.close && crossing_closes_.contains(*paired.close);
@@ -47,6 +48,7 @@ class Pairing {
         if (structure == nullptr) return;
         switch (structure->part) {
         case Structure::Part::open: open(id, *structure); break;
+        case Structure::Part::begin:
         case Structure::Part::middle:
         case Structure::Part::leave: divide(id, *structure); break;
         case Structure::Part::close: close(id, *structure); break;
@@ -124,13 +126,29 @@ class Pairing {
         for (StructureId id = 0; id < result_.all.size(); ++id) {
             const Paired& paired = result_.all[id];
             auto& around = closed_around[id];
-            if (paired.parent) {
+            if (paired.parent && judges_loops()) {
                 around = closed_around[*paired.parent];
                 const Paired& outer = result_.all[*paired.parent];
                 const bool counts = is_loop(outer.construct) && outer.close;
                 if (counts && around.size() < most_levels()) around.push_back(*paired.parent);
             }
-            if (is_loop(paired.construct)) judge_number(paired, around);
+            if (is_loop(paired.construct) && judges_loops()) judge_number(paired, around);
+        }
+    }
+
+    /// Units stand one behind the other.
+    void judge_units() {
+        std::vector<std::optional<StructureId>> unit_around(result_.all.size());
+        for (StructureId id = 0; id < result_.all.size(); ++id) {
+            const Paired& paired = result_.all[id];
+            auto& around = unit_around[id];
+            if (paired.parent) {
+                const Paired& outer = result_.all[*paired.parent];
+                const bool is_unit = outer.construct == Construct::unit && outer.close;
+                around = is_unit ? paired.parent : unit_around[*paired.parent];
+            }
+            if (around && paired.construct == Construct::unit && paired.close)
+                fault(Imbalance::nested_too_deep, paired.open, result_.all[*around].open);
         }
     }
 
@@ -189,6 +207,8 @@ class Pairing {
     [[nodiscard]] std::size_t most_levels() const {
         return static_cast<std::size_t>(program_.control->limits.loop_levels);
     }
+    /// Nothing can be wrong with how loops stand in each other where neither levels nor numbers are limited.
+    [[nodiscard]] bool judges_loops() const { return most_levels() != 0; }
 
     [[nodiscard]] bool is_out_of_range(const Paired& paired) const {
         const Limits& limits = program_.control->limits;

@@ -12,10 +12,11 @@ using StructureId = std::uint32_t;
 /// One loop or choice of a program.
 struct Paired {
     Construct construct;
-    EffectId open;                 ///< the effect that opens it
-    std::vector<EffectId> parts;   ///< what divides it (ELSE, CASE) and what leaves it (BREAK), in text order
-    std::optional<EffectId> close; ///< absent: never closed
-    bool crossed;                  ///< it overlaps another: nobody knows what the control repeats
+    EffectId open; ///< the effect that opens it
+    std::vector<EffectId>
+        parts; ///< what begins (THEN), divides (ELSE, CASE) and leaves it (BREAK), in text order
+    std::optional<EffectId> close;     ///< absent: never closed
+    bool crossed;                      ///< it overlaps another: nobody knows what the control repeats
     std::optional<StructureId> parent; ///< the structure that was open around it
     int loop_level; ///< 1 for an outermost loop; a choice has the level of the loop around it (0: none)
     std::optional<std::int64_t> number;
@@ -26,7 +27,7 @@ enum class Imbalance : std::uint8_t {
     never_closed,    ///< DO without END
     never_opened,    ///< END without DO
     crossed,         ///< the close of an outer structure stands inside an inner one that is closed later
-    nested_too_deep, ///< opens a level beyond the control's limit
+    nested_too_deep, ///< opens a level beyond the control's limit; a unit inside a unit
     number_reused,   ///< opens with the number of a structure still open
     number_out_of_range,
 };

@@ -43,7 +43,7 @@ std::string describe(const Program& program, const Call& call) {
                       call.program);
     for (const Argument& argument : program.arguments_of(call)) {
         out += ' ';
-        out += argument.letter;
+        out += argument.address;
         out += '>' + program.spell(argument.formal) + '=' + maclint::describe(program, argument.value);
     }
     if (call.repeat) out += " times " + maclint::describe(program, *call.repeat);
@@ -51,8 +51,8 @@ std::string describe(const Program& program, const Call& call) {
 }
 
 std::string describe(const Program& program, const Structure& structure) {
-    static constexpr std::string_view constructs[] = {"while", "endless", "choice", "selection"};
-    static constexpr std::string_view parts[] = {"open", "middle", "leave", "close"};
+    static constexpr std::string_view constructs[] = {"while", "endless", "choice", "selection", "unit"};
+    static constexpr std::string_view parts[] = {"open", "begin", "middle", "leave", "close"};
     std::string out(parts[static_cast<std::size_t>(structure.part)]);
     out += ' ';
     out += constructs[static_cast<std::size_t>(structure.construct)];
@@ -127,6 +127,12 @@ std::string_view name_of(Irregular irregular) {
                                                  "assignment-to-null",
                                                  "loop-without-do",
                                                  "call-without-program",
+                                                 "not-alone",
+                                                 "then-missing",
+                                                 "assignment-in-condition",
+                                                 "comparison-as-assignment",
+                                                 "hash-in-vacancy-test",
+                                                 "unknown-transfer-value",
                                                  "unreadable"};
     static_assert(std::size(names) == static_cast<std::size_t>(Irregular::unreadable) + 1);
     return names[static_cast<std::size_t>(irregular)];
@@ -180,10 +186,13 @@ std::string describe(const Program& program, const Effect& effect) {
             [](Motion motion) { return std::string(motion.without_feed ? "rapid move" : "move"); },
             [](Synchronise) { return std::string("synchronise"); },
             [&](const Stop& what) {
-                static constexpr std::string_view kinds[] = {"alarm", "pause", "end"};
+                static constexpr std::string_view kinds[] = {"alarm", "pause", "end", "restart"};
                 return std::string(kinds[static_cast<std::size_t>(what.kind)]) + optional(" ", what.number);
             },
-            [](ToolChange) { return std::string("tool change"); },
+            [](const ToolChange& what) {
+                return std::string(what.kind == ToolChange::Kind::change ? "tool change"
+                                                                         : "to the tool change position");
+            },
             [&](const Structure& what) { return describe(program, what); },
             [&](const Jump& what) { return "jump " + describe(program, what.target); },
             [&](const Call& what) { return describe(program, what); },
@@ -200,7 +209,11 @@ std::string describe(const Program& program, const Effect& effect) {
                 return "if " + describe(program, what.condition) + " {" +
                        describe_slice(program, what.effects) + "}";
             },
-            [&](const UnreadableBlock& what) { return describe(program, what); }},
+            [&](const UnreadableBlock& what) { return describe(program, what); },
+            [&](const Reference& what) {
+                return std::string(program.control->references[what.kind].name) + ' ' +
+                       describe(program, what.block);
+            }},
         effect.what);
 }
 

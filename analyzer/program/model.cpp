@@ -69,6 +69,8 @@ Span Program::span_of(ItemId item) const {
 std::string Program::spell(Place place) const {
     const VariableSpace& space = control->spaces[place.space];
     const auto index = static_cast<std::size_t>(place.number);
+    if (index < space.fixed_names.size())
+        return std::string(space.prefix) + std::string(space.fixed_names[index]);
     if (space.named) return std::string(space.prefix) + (index < names.size() ? names[index] : "");
     return std::string(space.prefix) + std::to_string(place.number);
 }

@@ -139,12 +139,27 @@ struct Motion {
 };
 struct Synchronise {}; ///< look-ahead stops here
 struct Stop {
-    enum class Kind : std::uint8_t { alarm, pause, end } kind; ///< #3000; #3006, M00; M30
+    enum class Kind : std::uint8_t {
+        alarm,  ///< #3000
+        pause,  ///< #3006, M00
+        end,    ///< M30
+        restart ///< the program ends and begins again, all modal groups as they are; `number`: at that block
+    } kind;
     std::optional<ExpressionId> number;
 };
-struct ToolChange {};
+struct ToolChange {
+    enum class Kind : std::uint8_t {
+        change,
+        approach
+    } kind = Kind::change; ///< approach: a move to its place
+};
+/// Words that name a block of another section: the start or end of a contour.
+struct Reference {
+    ReferenceKindId kind;
+    ExpressionId block;
+};
 
-enum class Construct : std::uint8_t { while_loop, endless_loop, choice, selection };
+enum class Construct : std::uint8_t { while_loop, endless_loop, choice, selection, unit };
 [[nodiscard]] constexpr bool is_loop(Construct construct) {
     return construct == Construct::while_loop || construct == Construct::endless_loop;
 }
@@ -155,6 +170,7 @@ struct Structure {
     Construct construct;
     enum class Part : std::uint8_t {
         open,
+        begin,  ///< THEN: what it opens has begun; the flow does not change
         middle, ///< ELSE; CASE with its condition, DEFAULT without
         leave,  ///< BREAK: on to the close
         close,
@@ -171,7 +187,7 @@ struct Jump {
 struct Argument {
     Place formal;
     ExpressionId value;
-    char letter;
+    std::string_view address; ///< "A", "LA"; static lifetime or into the source text
     Span span;
 };
 struct Call {
@@ -203,7 +219,7 @@ struct UnreadableBlock {
 
 struct Effect {
     std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call,
-                 Return, Exchange, Guarded, UnreadableBlock>
+                 Return, Exchange, Guarded, UnreadableBlock, Reference>
         what;
     Span span;
 };
@@ -257,9 +273,10 @@ using ItemId = Id;
 
 /// Part of a program; the body is a slice of Program::items.
 struct Section {
-    std::string_view kind; ///< "program", "MACHINING", …
+    std::string_view kind; ///< "program", "MACHINING", …: name of a row of ControlModel::sections
     Slice items;
     enum class Executed : std::uint8_t { when_reached, at_load, never } executed;
+    Span heading = {}; ///< the line that begins it; empty for "program"
 };
 
 class Program;
@@ -272,11 +289,14 @@ class Program {
     std::string name;                       ///< "O9100", or the file's name where the text gives none
     std::optional<std::int64_t> number;     ///< program number
     std::vector<std::string> also_known_as; ///< further names that a call may use (<NAME>, file name)
+    bool local = false;                     ///< only programs of its own file can call it
     Span span;                              ///< all its blocks
     Span name_span;                         ///< where the name stands; empty at the first block otherwise
     std::string_view text;                  ///< bytes of the whole file; all spans point into it
     const ControlModel* control = nullptr;
     RunDecoder decode = nullptr;
+    /// What the text says of how it is started; `unknown`: the calls and returns tell.
+    enum class Started : std::uint8_t { unknown, by_hand, by_call } started = Started::unknown;
 
     std::vector<Section> sections;
     std::vector<Item> items;
@@ -287,6 +307,7 @@ class Program {
     std::vector<Argument> arguments;
     std::vector<ModalSetting> settings;
     std::vector<std::string> names; ///< of named variables
+    std::vector<Place> handed_down; ///< locals that all programs called from here see, too: #l1(200)
 
     [[nodiscard]] std::string_view slice(Span span) const {
         return text.substr(span.begin, span.end - span.begin);
@@ -315,9 +336,15 @@ enum class Irregular : std::uint8_t {
     symbolic_comparison,    ///< cure: the operator word
     bracket_depth,          ///< subject: the bracket that opens one level too many
     assignment_to_null,
-    loop_without_do,      ///< WHILE condition without DO
-    call_without_program, ///< G65/G66/M98 without P
-    unreadable,           ///< nothing more exact is known; cure: what was expected
+    loop_without_do,          ///< WHILE condition without DO
+    call_without_program,     ///< G65/G66/M98 without P
+    not_alone,                ///< subject: the keyword that shares its block with something else
+    then_missing,             ///< IF that no THEN follows; subject: the IF
+    assignment_in_condition,  ///< `=` in a condition; cure: the condition with `==`
+    comparison_as_assignment, ///< `==` where a value is to be stored; cure: the assignment with `=`
+    hash_in_vacancy_test,     ///< DEF(#__la); cure: the test without `#`
+    unknown_transfer_value,   ///< subject: "#__lg"
+    unreadable,               ///< nothing more exact is known; cure: what was expected
 };
 
 struct Irregularity {

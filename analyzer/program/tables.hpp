@@ -10,10 +10,11 @@
 
 namespace maclint {
 
-using SpaceId = std::uint8_t;    ///< row of ControlModel::spaces
-using GroupId = std::uint8_t;    ///< row of ControlModel::groups
-using FamilyId = std::uint8_t;   ///< row of ControlModel::families
-using CallKindId = std::uint8_t; ///< row of ControlModel::calls
+using SpaceId = std::uint8_t;         ///< row of ControlModel::spaces
+using GroupId = std::uint8_t;         ///< row of ControlModel::groups
+using FamilyId = std::uint8_t;        ///< row of ControlModel::families
+using CallKindId = std::uint8_t;      ///< row of ControlModel::calls
+using ReferenceKindId = std::uint8_t; ///< row of ControlModel::references
 
 /// How long a variable lives and who shares it.
 enum class Scope : std::uint8_t {
@@ -34,6 +35,10 @@ struct VariableSpace {
     Scope scope;
     Unset unset;
     std::string_view source;
+    std::vector<std::string_view> fixed_names =
+        {}; ///< how its places are spelled behind the prefix, by number
+    bool handed_down =
+        false; ///< a program may hand places of it down to all that it calls (Program::handed_down)
 };
 
 /// One variable: a space and a number (for named variables the index of the name in its program).
@@ -68,6 +73,8 @@ struct ModalGroup {
     std::optional<double> cancel;  ///< the code that ends an operation (G40, G80)
     std::optional<double> reset;   ///< the code in force in a main program's first block, where it is known
     std::string_view source;
+    std::string_view cancel_words = {}; ///< how `cancel` is written where it is more than a code: "G16 Q0"
+    bool for_callers = false;           ///< a subprogram may switch it on for its caller, who is to cancel it
 };
 
 /// A code of a group.
@@ -98,8 +105,9 @@ struct VariableRange {
     bool changes_by_itself; ///< inputs, timers, positions: a loop that waits for it can end
     std::string_view what;  ///< "modal G code of group 03"
     std::string_view source;
-    bool is_bit = false;  ///< 0 or 1, nothing else
-    bool is_code = false; ///< a modal code, of which group is not known
+    bool is_bit = false;        ///< 0 or 1, nothing else
+    bool is_code = false;       ///< a modal code, of which group is not known
+    bool may_be_vacant = false; ///< of machine values: there may be none, as of a probe that touched nothing
 };
 
 /// All variable numbers that one kind of index can reach (`#[…]` on Fanuc-like controls).
@@ -116,6 +124,8 @@ enum class Frame : std::uint8_t { fresh, shared };
 enum class Counted : std::uint8_t { macro, subprogram };
 /// When the called program runs.
 enum class When : std::uint8_t { once, after_each_motion, after_each_block };
+/// Where the called program is looked for.
+enum class Reach : std::uint8_t { everywhere, same_file, other_files };
 
 /// One row of the call table.
 struct CallKind {
@@ -125,14 +135,36 @@ struct CallKind {
     When when;
     double modal_code; ///< the code in force in the modal-call group while it acts; 0 for a call made once
     std::string_view source;
+    Reach reach = Reach::everywhere;
+};
+
+/// One row of the section table: a part of a program that a word of its own begins.
+struct SectionKind {
+    std::string_view name; ///< "MACHINING"
+    enum class Role : std::uint8_t {
+        information, ///< what the control reads when the program is loaded: head, tools, names
+        contour,     ///< describes shapes; its blocks are what references mean
+        machining,   ///< runs
+        subprogram,
+        end, ///< nothing may follow
+    } role;
+    bool required; ///< a main program must have it
+    std::string_view source;
+};
+
+/// One row of the reference table: words that name blocks of certain sections.
+struct ReferenceKind {
+    std::string_view name;    ///< "contour block"
+    SectionKind::Role target; ///< where the block must stand
+    std::string_view source;
 };
 
 /// Limits of a control. Levels are counted below the main program.
 struct Limits {
-    int macro_calls;                         ///< nested macro calls
+    int macro_calls;                         ///< nested macro calls; 0: there are none
     int subprogram_calls;                    ///< nested subprogram calls
     std::optional<int> calls_together;       ///< sum of both on one chain, where it is known
-    int loop_levels;                         ///< nested loops in one program
+    int loop_levels;                         ///< nested loops in one program; 0: no limit is known
     int first_loop_number, last_loop_number; ///< both 0: loops have no numbers, they pair by nesting
     int bracket_levels;                      ///< brackets in one expression, those of functions included
     std::string_view source;
@@ -140,9 +172,10 @@ struct Limits {
 
 /// Everything that the analysis knows about a control; built once, shared by all programs of that control.
 struct ControlModel {
-    std::string name;        ///< "fanuc-16i"; what --control takes
-    std::string description; ///< "FANUC Series 16i/18i/21i"
-    bool assumed;            ///< nobody named the control: messages say that its limits are assumed
+    std::string name;          ///< "fanuc-16i"; what --control takes
+    std::string_view language; ///< programs call programs of the same language
+    std::string description;   ///< "FANUC Series 16i/18i/21i"
+    bool assumed;              ///< nobody named the control: messages say that its limits are assumed
     Limits limits;
     std::vector<VariableSpace> spaces;
     std::vector<VariableFamily> families;
@@ -152,6 +185,9 @@ struct ControlModel {
         formals;             ///< local variables that an argument letter of a call reaches (specification I)
     bool vacant_equals_zero; ///< whether EQ and NE take vacant for 0
     std::optional<GroupCode> rapid; ///< the code under which moves ignore the feed
+    bool loops_left_by_jump = true; ///< a jump can leave a loop, so a condition that always holds is a custom
+    std::vector<SectionKind> sections = {}; ///< empty: programs have no sections
+    std::vector<ReferenceKind> references = {};
 
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;

@@ -38,6 +38,24 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return depth_of(a) + depth_of(b) - 2 * depth_of(common);
 }
 
+/// How far the control looks for the program; nothing when it does not find it there at all.
+std::optional<std::size_t> steps_to(const ProgramAnalysis& target, const ProgramAnalysis& caller,
+                                    const Call& call) {
+    const Program& program = target.program();
+    if (program.control->language != caller.control().language) return std::nullopt;
+    const std::string_view here = caller.file().source->path();
+    const std::string_view there = target.file().source->path();
+    if (program.local && here != there) return std::nullopt;
+    // A name that the call looks for elsewhere may still be that of a local program.
+    constexpr std::size_t last_of_all = static_cast<std::size_t>(-2);
+    const Reach reach = caller.control().calls[call.kind].reach;
+    if (reach == Reach::other_files && program.local) return last_of_all;
+    // What is started by hand is called only where nothing else has the name.
+    const std::size_t by_hand = program.started == Program::Started::by_hand ? 1 : 0;
+    const std::size_t folders = here == there ? 0 : 1 + distance(folder_of(here), folder_of(there));
+    return 2 * folders + by_hand;
+}
+
 } // namespace
 
 CallResolver::CallResolver(const std::deque<ProgramAnalysis>& programs)
@@ -71,18 +89,17 @@ CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) c
     CallSite site{effect, {}, false, false, 0};
     const std::vector<ProgramIndex>* all = candidates(caller.program(), call);
     if (all == nullptr) return site;
-    site.candidates = all->size();
     std::size_t nearest = static_cast<std::size_t>(-1);
-    const std::string_view here = caller.file().source->path();
     for (const ProgramIndex index : *all) {
-        const std::string_view there = programs_[index].file().source->path();
-        const std::size_t steps = here == there ? 0 : 1 + distance(folder_of(here), folder_of(there));
-        if (steps > nearest) continue;
-        if (steps == nearest)
+        const std::optional<std::size_t> steps = steps_to(programs_[index], caller, call);
+        if (!steps) continue;
+        ++site.candidates;
+        if (*steps > nearest) continue;
+        if (*steps == nearest)
             site.target.reset();
         else
             site.target = index;
-        nearest = steps;
+        nearest = *steps;
     }
     return site;
 }

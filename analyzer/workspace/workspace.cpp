@@ -89,6 +89,8 @@ class WorkspaceBuilder {
 
     static bool runs_on_its_own(const ProgramAnalysis& analysis) {
         if (!analysis.callers_.empty()) return false;
+        const Program::Started started = analysis.program().started;
+        if (started != Program::Started::unknown) return started == Program::Started::by_hand;
         bool returns = false;
         flow::for_each_effect(analysis.program(), [&](EffectId id) {
             returns |= std::holds_alternative<Return>(analysis.program().effects[id].what);
@@ -107,7 +109,46 @@ class WorkspaceBuilder {
                 entry.passed_somewhere.push_back(argument.formal);
         }
         if (workspace_.complete() && !analysis.callers_.empty()) entry.arguments = what_all_pass(analysis);
+        entry.handed_down = handed_down_to(analysis);
         return entry;
+    }
+
+    /// What the programs from which this one is called, directly or through others, hand down to it; nothing
+    /// when no caller is there to be asked.
+    std::optional<std::vector<Place>> handed_down_to(const ProgramAnalysis& analysis) const {
+        if (analysis.callers_.empty()) return std::nullopt;
+        const Program& own = analysis.program();
+        const auto& spaces = own.control->spaces;
+        if (std::ranges::none_of(spaces, &VariableSpace::handed_down)) return std::vector<Place>{};
+        std::vector<Place> places;
+        std::vector<bool> seen(programs_.size(), false);
+        std::vector<ProgramIndex> above{analysis.index()};
+        seen[analysis.index()] = true;
+        while (!above.empty()) {
+            const ProgramAnalysis& at = programs_[above.back()];
+            above.pop_back();
+            if (&at != &analysis) take_over(at.program(), own, places);
+            for (const Caller& caller : at.callers_) {
+                if (seen[caller.program]) continue;
+                seen[caller.program] = true;
+                above.push_back(caller.program);
+            }
+        }
+        return places;
+    }
+
+    /// Adds what `giver` hands down, as `taker` numbers it: names have their own numbers in every program.
+    static void take_over(const Program& giver, const Program& taker, std::vector<Place>& places) {
+        for (const Place place : giver.handed_down) {
+            if (!giver.control->spaces[place.space].named) {
+                places.push_back(place);
+                continue;
+            }
+            const auto name =
+                std::ranges::find(taker.names, giver.names[static_cast<std::size_t>(place.number)]);
+            if (name != taker.names.end())
+                places.push_back({place.space, static_cast<std::int32_t>(name - taker.names.begin())});
+        }
     }
 
     /// Arguments that all callers pass and those that some leave out. A call that shares its locals passes

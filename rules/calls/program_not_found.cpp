@@ -28,10 +28,25 @@ extern const Rule program_not_found{
              "O9402(MAIN)\n"
              "G65P9101\n"
              "M30\n",
+             true},
+            {"dinplus",
+             "MACHINING\n"
+             "N10 L\"CHAMFER\" LA50\n"
+             "N20 M30\n"
+             "END\n",
              true}},
     .also = {},
     .good = {{"fanuc", "O9402(MAIN)\n"
-                       "M30\n"}},
+                       "M30\n"},
+             {"dinplus",
+              "MACHINING\n"
+              "N10 L\"CHAMFER\" LA50\n"
+              "N20 M30\n"
+              "SUBPROGRAM \"CHAMFER\"\n"
+              "N30 G0 X#__la\n"
+              "RETURN\n"
+              "END\n",
+              true}},
     .alarms = {{"FANUC 16i/18i/21i", "078", "NUMBER NOT FOUND"},
                {"FANUC 30i/0i-D", "076", "PROGRAM NOT FOUND"}},
     .sources = {"GH-ALM"},

@@ -20,6 +20,7 @@ extern const Rule recursive_call{
     .why = "Every round takes one call level, and the control has few: it stops with a nesting "
            "alarm after some rounds.",
     .severity = Severity::error,
+    .severity_elsewhere = {{"dinplus", Severity::warning}},
     .precision = Precision::high,
     .on_by_default = true,
     .off_reason = "",
@@ -38,7 +39,16 @@ extern const Rule recursive_call{
                       "M99\n"
                       "O9413(BACK)\n"
                       "G65P9412\n"
-                      "M99\n"}},
+                      "M99\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 L\"HALF\" LA10\n"
+                        "N20 M30\n"
+                        "SUBPROGRAM \"HALF\"\n"
+                        "N30 #l1=#__la/2\n"
+                        "N40 G1 Z#l1\n"
+                        "N50 L\"HALF\" LA#l1\n"
+                        "RETURN\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O0001(MAIN)\n"
                        "G65P9412\n"
@@ -47,7 +57,15 @@ extern const Rule recursive_call{
                        "G65P9413\n"
                        "M99\n"
                        "O9413(BACK)\n"
-                       "M99\n"}},
+                       "M99\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 #l1=10\n"
+                         "N20 WHILE #l1>0.4\n"
+                         "N30 #l1=#l1/2\n"
+                         "N40 G1 Z#l1\n"
+                         "N50 ENDWHILE\n"
+                         "N60 M30\n"
+                         "END\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "077", "SUB PROGRAM NESTING ERROR"},
                {"FANUC 16i/18i/21i", "122", "FOUR FOLD MACRO MODAL-CALL"}},
     .sources = {"T: follows from the nesting limits"},

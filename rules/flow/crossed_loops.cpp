@@ -56,7 +56,7 @@ extern const Rule crossed_loops{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : structure_faults(analysis, flow::Imbalance::crossed)) {
+    for (const flow::StructureFault& fault : numbered_loop_faults(analysis, flow::Imbalance::crossed)) {
         const Span span = analysis.program().effects[fault.effect].span;
         Finding& finding = reporter.report(
             analysis.file(), span, "plain",

@@ -46,7 +46,7 @@ extern const Rule do_without_end{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : structure_faults(analysis, flow::Imbalance::never_closed)) {
+    for (const flow::StructureFault& fault : numbered_loop_faults(analysis, flow::Imbalance::never_closed)) {
         const Program& program = analysis.program();
         const Span span = program.effects[fault.effect].span;
         if (!fault.other) {

@@ -43,7 +43,7 @@ extern const Rule end_without_do{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : structure_faults(analysis, flow::Imbalance::never_opened)) {
+    for (const flow::StructureFault& fault : numbered_loop_faults(analysis, flow::Imbalance::never_opened)) {
         const Span span = analysis.program().effects[fault.effect].span;
         reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});
     }

@@ -27,8 +27,8 @@ extern const Rule infinite_loop_step{
     .off_reason = "",
     .data_flow = true,
     .messages = {{"vacant",
-                  "'{0}' changes nothing when {1} is vacant or 0, and the loop never ends. Reject it before "
-                  "the loop, for instance with LE 0."},
+                  "'{0}' changes nothing when {1} is left out or 0, and the loop never ends. Reject "
+                  "both before the loop."},
                  {"zero", "'{0}' changes nothing, and the loop never ends: its step is 0. Correct the step."},
                  {"wrong-sign",
                   "'{0}' leads away from the end of the loop, which therefore never comes. Turn the sign "
@@ -39,7 +39,16 @@ extern const Rule infinite_loop_step{
                       "#33=#33-#6\n"
                       "G90 G1 Z#33\n"
                       "END1\n"
-                      "M99\n"}},
+                      "M99\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 #l3=2\n"
+                        "N20 WHILE #l3<10\n"
+                        "N30 G0 X200 Z-#l3\n"
+                        "N40 G1 Zi-15\n"
+                        "N50 #l3=#l3-2\n"
+                        "N60 ENDWHILE\n"
+                        "N70 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O9320(DEPTH PASSES, Z DEPTH K STEP)\n"
                        "IF[#6LE0]GOTO9\n"
@@ -49,7 +58,16 @@ extern const Rule infinite_loop_step{
                        "G90 G1 Z#33\n"
                        "END1\n"
                        "M99\n"
-                       "N9 #3000=1(K MUST BE POSITIVE)\n"}},
+                       "N9 #3000=1(K MUST BE POSITIVE)\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 #l3=2\n"
+                         "N20 WHILE #l3<10\n"
+                         "N30 G0 X200 Z-#l3\n"
+                         "N40 G1 Zi-15\n"
+                         "N50 #l3=#l3+2\n"
+                         "N60 ENDWHILE\n"
+                         "N70 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"SEED-001:1028-1068"},
     .check = &check,

@@ -21,23 +21,34 @@ extern const Rule infinite_loop_unchanged{
            "alarm when "
            "nothing in the loop moves.",
     .severity = Severity::error,
+    .severity_elsewhere = {{"dinplus", Severity::warning}},
     .precision = Precision::high,
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
     .messages = {{"unchanged",
                   "The loop of '{0}' never ends once it runs: nothing in it changes {1}. Change the "
-                  "variable in the loop, or leave it with a GOTO."},
+                  "variable in the loop, or leave the loop."},
                  {"no-way-out",
-                  "The loop of '{0}' never ends: there is no way out of it. Count in a variable, or "
-                  "leave the loop with IF and GOTO."}},
+                  "The loop of '{0}' never ends: there is no way out of it. Count in a variable that "
+                  "its condition asks, or leave it."}},
     .bad = {{"fanuc", "O9319(ROWS)\n"
                       "#33=0\n"
                       "WHILE[#33LT5]DO1\n"
                       "G91 G1 X10.\n"
                       "G90\n"
                       "END1\n"
-                      "M99\n"}},
+                      "M99\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Light cuts\",#l1)\n"
+                        "N20 #l2=0\n"
+                        "N30 WHILE #l1>0\n"
+                        "N40 G0 X200-#l2\n"
+                        "N50 G1 Z-180\n"
+                        "N60 #l2=#l2+1\n"
+                        "N70 ENDWHILE\n"
+                        "N80 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O9319(ROWS)\n"
                        "#33=0\n"
@@ -46,7 +57,17 @@ extern const Rule infinite_loop_unchanged{
                        "G90\n"
                        "#33=#33+1\n"
                        "END1\n"
-                       "M99\n"}},
+                       "M99\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 INPUT(\"Light cuts\",#l1)\n"
+                         "N20 #l2=0\n"
+                         "N30 WHILE #l1>#l2\n"
+                         "N40 G0 X200-#l2\n"
+                         "N50 G1 Z-180\n"
+                         "N60 #l2=#l2+1\n"
+                         "N70 ENDWHILE\n"
+                         "N80 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"CNCWIKI-LOGIC"},
     .check = &check,
@@ -131,6 +152,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (is_in_endless_jumps(analysis, loop)) continue;
         const Deciders deciders = deciders_of(analysis, loop);
         if (!deciders.fixed) continue;
+        // MAC718 tells of a condition without variables, where nothing but the condition can end a loop.
+        if (deciders.places.empty() && !analysis.control().loops_left_by_jump) continue;
         const Span span = place_of(analysis, loop);
         const std::string text = quoted(analysis.program(), span);
         Finding& finding = deciders.places.empty()

@@ -46,7 +46,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::StructureFault& fault :
-         structure_faults(analysis, flow::Imbalance::number_out_of_range)) {
+         numbered_loop_faults(analysis, flow::Imbalance::number_out_of_range)) {
         const Span span = analysis.program().effects[fault.effect].span;
         reporter.report(analysis.file(), span, "plain",
                         {quoted(analysis.program(), span),

@@ -54,7 +54,7 @@ extern const Rule loop_number_reuse_nested{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : structure_faults(analysis, flow::Imbalance::number_reused)) {
+    for (const flow::StructureFault& fault : numbered_loop_faults(analysis, flow::Imbalance::number_reused)) {
         const Span span = analysis.program().effects[fault.effect].span;
         Finding& finding =
             reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});

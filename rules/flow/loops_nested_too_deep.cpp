@@ -69,7 +69,8 @@ extern const Rule loops_nested_too_deep{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : structure_faults(analysis, flow::Imbalance::nested_too_deep)) {
+    for (const flow::StructureFault& fault :
+         numbered_loop_faults(analysis, flow::Imbalance::nested_too_deep)) {
         const Span span = analysis.program().effects[fault.effect].span;
         reporter.report(analysis.file(), span, "plain",
                         {quoted(analysis.program(), span),

@@ -24,11 +24,19 @@ extern const Rule unknown_rule_in_suppression{
                   "before the rule's code."}},
     .bad = {{"fanuc", "O0002(MISTYPED CODE)\n"
                       "G0 X10. (MACLINT ALLOW MAC004X - HOUSE RULE)\n"
-                      "M30\n"}},
+                      "M30\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 G14 Q0 [MACLINT ALLOW DIN410X - house rule]\n"
+                        "N20 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O0002(NO ALLOWANCE)\n"
                        "G0 X10.\n"
-                       "M30\n"}},
+                       "M30\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 G14 Q0\n"
+                         "N20 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"maclint's own: suppression comments, docs/use.md"},
     .check = RaisedByCommand{},

@@ -22,11 +22,19 @@ extern const Rule unused_suppression{
                   "This comment allows '{0}', but there is nothing to allow. Remove the comment."}},
     .bad = {{"fanuc", "O0001(ALLOWS WHAT IS NOT THERE)\n"
                       "G0 X10. (MACLINT ALLOW MAC004 - THE BLOCK WAS LONG ONCE)\n"
-                      "M30\n"}},
+                      "M30\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 G14 Q0 [MACLINT ALLOW DIN410 - a branch ran on here once]\n"
+                        "N20 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O0001(NO ALLOWANCE)\n"
                        "G0 X10.\n"
-                       "M30\n"}},
+                       "M30\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 G14 Q0\n"
+                         "N20 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"maclint's own: suppression comments, docs/use.md"},
     .check = RaisedByCommand{},

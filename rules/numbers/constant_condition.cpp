@@ -35,7 +35,29 @@ extern const Rule constant_condition{
                       "N1 G90 G0 Z10.\n"
                       "M99\n"
                       "N2 G90 G0 Z20.\n"
-                      "M99\n"}},
+                      "M99\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Diameter\",#l1)\n"
+                        "N20 IF #l1>50\n"
+                        "N30 THEN\n"
+                        "N40 #l3=0.4\n"
+                        "N50 ELSE\n"
+                        "N60 #l3=0.25\n"
+                        "N70 IF #l1>80\n"
+                        "N80 THEN\n"
+                        "N90 #l3=0.5\n"
+                        "N100 ENDIF\n"
+                        "N110 ENDIF\n"
+                        "N120 G95 F#l3\n"
+                        "N130 M30\n"
+                        "END\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 WHILE 1==1\n"
+                        "N20 G0 X10\n"
+                        "N30 G0 X20\n"
+                        "N40 ENDWHILE\n"
+                        "N50 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O9718(LEVELS, K LEVEL)\n"
                        "IF[#6GT10]GOTO2\n"
@@ -45,7 +67,22 @@ extern const Rule constant_condition{
                        "N1 G90 G0 Z10.\n"
                        "M99\n"
                        "N2 G90 G0 Z20.\n"
-                       "M99\n"}},
+                       "M99\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 INPUT(\"Diameter\",#l1)\n"
+                         "N20 IF #l1>50\n"
+                         "N30 THEN\n"
+                         "N40 #l3=0.4\n"
+                         "N50 ELSE\n"
+                         "N60 #l3=0.25\n"
+                         "N70 IF #l1>30\n"
+                         "N80 THEN\n"
+                         "N90 #l3=0.3\n"
+                         "N100 ENDIF\n"
+                         "N110 ENDIF\n"
+                         "N120 G95 F#l3\n"
+                         "N130 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"T"},
     .check = &check,
@@ -129,10 +166,22 @@ Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condi
     return sides;
 }
 
+/// A loop that no variable decides, and that nothing else can end.
+bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
+    const Program& program = analysis.program();
+    const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
+    if (analysis.control().loops_left_by_jump || !reads.closed || !reads.places.empty()) return false;
+    return std::ranges::any_of(analysis.loops(), [&](const dataflow::Loop& loop) {
+        return loop.structure && analysis.structures().all[*loop.structure].open == condition.effect &&
+               !loop.can_stop;
+    });
+}
+
 bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     const Program& program = analysis.program();
     const bool always = condition.truth.can_hold;
-    if (always && is_loop(program, condition.effect)) return false; // MAC319's, when there is no way out
+    // Where a jump can leave it, a loop without a way out is MAC319's.
+    if (always && is_loop(program, condition.effect)) return never_ends(analysis, condition);
     if (dataflow::tests_any_vacancy(program, condition.expression)) return false; // MAC222's and MAC228's
     const Sides sides = sides_of(analysis, condition);
     const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);

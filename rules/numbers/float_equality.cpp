@@ -22,32 +22,51 @@ extern const Rule float_equality{
     .why = "The comparison fails although both numbers look the same on the display: the last "
            "pass is left out, or the loop goes on.",
     .severity = Severity::warning,
+    .severity_elsewhere = {{"dinplus", Severity::note}},
     .precision = Precision::high,
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
     .messages = {{"equal", "'{0}' may fail for numbers that are equal on paper: '{1}' is rounded. Compare "
-                           "the distance instead: IF[ABS[...]LT0.001]."},
+                           "the distance instead: whether its ABS is less than 0.001."},
                  {"not-equal",
                   "'{0}' may hold for numbers that are equal on paper: '{1}' is rounded. Compare "
-                  "the distance instead: IF[ABS[...]GE0.001]."},
+                  "the distance instead: whether its ABS is 0.001 or more."},
                  {"sum-equal",
                   "'{0}' may fail when the steps added to {1} have decimals: ten steps of 0.1 are not 1. "
-                  "Compare the distance instead: IF[ABS[...]LT0.001]."},
+                  "Compare the distance instead: whether its ABS is less than 0.001."},
                  {"sum-not-equal",
                   "'{0}' may hold for ever when the steps added to {1} have decimals: ten steps of "
-                  "0.1 are not 1. Compare the distance instead: IF[ABS[...]GE0.001]."}},
+                  "0.1 are not 1. Compare the distance instead: whether its ABS is 0.001 or more."}},
     .bad = {{"fanuc", "O9710(HALF A TURN, A ANGLE)\n"
                       "#33=#1/3\n"
                       "IF[#33EQ60]GOTO9\n"
                       "G90 G0 X#33\n"
-                      "N9 M99\n"}},
+                      "N9 M99\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Taper\",#l1)\n"
+                        "N20 #l3=#l1/7\n"
+                        "N30 IF #l3==1.2\n"
+                        "N40 THEN\n"
+                        "N50 PRINT(\"Steep taper\")\n"
+                        "N60 ENDIF\n"
+                        "N70 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O9710(HALF A TURN, A ANGLE)\n"
                        "#33=#1/3\n"
                        "IF[ABS[#33-60]LT0.001]GOTO9\n"
                        "G90 G0 X#33\n"
-                       "N9 M99\n"}},
+                       "N9 M99\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 INPUT(\"Taper\",#l1)\n"
+                         "N20 #l3=#l1/7\n"
+                         "N30 IF ABS(#l3-1.2)<0.001\n"
+                         "N40 THEN\n"
+                         "N50 PRINT(\"Steep taper\")\n"
+                         "N60 ENDIF\n"
+                         "N70 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"SEED-001:306-314", "HAAS-LA", "MITSU-326"},
     .check = &check,

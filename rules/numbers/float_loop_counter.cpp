@@ -33,7 +33,15 @@ extern const Rule float_loop_counter{
                       "G90 G0 X#33\n"
                       "#33=#33+0.1\n"
                       "END1\n"
-                      "M99\n"}},
+                      "M99\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 #l4=0\n"
+                        "N20 WHILE #l4<=3\n"
+                        "N30 G1 X50 Z-#l4\n"
+                        "N40 #l4=#l4+0.1\n"
+                        "N50 ENDWHILE\n"
+                        "N60 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O9711(ROWS)\n"
                        "#33=0\n"
@@ -41,7 +49,15 @@ extern const Rule float_loop_counter{
                        "G90 G0 X[#33/10]\n"
                        "#33=#33+1\n"
                        "END1\n"
-                       "M99\n"}},
+                       "M99\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 #l4=0\n"
+                         "N20 WHILE #l4<=30\n"
+                         "N30 G1 X50 Z-#l4/10\n"
+                         "N40 #l4=#l4+1\n"
+                         "N50 ENDWHILE\n"
+                         "N60 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"SEED-001:306-314"},
     .check = &check,

@@ -27,12 +27,28 @@ extern const Rule unknown_keyword{
     .bad = {{"fanuc", "O9118(DEPTH)\n"
                       "IF[#100LTE5]GOTO10\n"
                       "#100=5\n"
-                      "N10 M30\n"}},
+                      "N10 M30\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Diameter\",#l1)\n"
+                        "N11 IF #l1>60\n"
+                        "N12 THN\n"
+                        "N13 G0 X100 Z2\n"
+                        "N14 ENDIF\n"
+                        "N15 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O9118(DEPTH)\n"
                        "IF[#100LE5]GOTO10\n"
                        "#100=5\n"
-                       "N10 M30\n"}},
+                       "N10 M30\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 INPUT(\"Diameter\",#l1)\n"
+                         "N11 IF #l1>60\n"
+                         "N12 THEN\n"
+                         "N13 G0 X100 Z2\n"
+                         "N14 ENDIF\n"
+                         "N15 M30\n"
+                         "END\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 16i/18i/21i", "199", "MACRO WORD UNDEFINED"}},
     .sources = {"IMD-114", "ISORP"},

@@ -22,15 +22,25 @@ extern const Rule unterminated_comment{
     .off_reason = "",
     .data_flow = false,
     .messages = {{"plain",
-                  "'{0}' opens a comment that is never closed, so the rest of the block does nothing. "
+                  "'{0}' opens a comment that is never closed, so all that it takes in does nothing. "
                   "Close it with '{1}'."}},
     .bad = {{"fanuc", "O9102(PART)\n"
                       "#100=5.(DIAMETER\n"
-                      "M30\n"}},
+                      "M30\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 G0 X100 Z2 [free of the jaws\n"
+                        "N20 G14 Q0\n"
+                        "N30 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O9102(PART)\n"
                        "#100=5.(DIAMETER)\n"
-                       "M30\n"}},
+                       "M30\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 G0 X100 Z2 [free of the jaws]\n"
+                         "N20 G14 Q0\n"
+                         "N30 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"T: the reaction of the control is not documented"},
     .check = &check,

@@ -1,4 +1,5 @@
 //! MAC209: a local variable is read although nothing can have set it.
+#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/ways.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -17,9 +18,11 @@ extern const Rule uninitialised_local{
     .name = "uninitialised-local",
     .aliases = "DIN301",
     .summary = "A local variable is read before anything has set it, and no argument can have done so",
-    .why = "Such a variable is vacant: a word that uses it is ignored (the axis stays where it is, the feed "
-           "does "
-           "not change), and arithmetic takes it for 0. The control raises no alarm.",
+    .why =
+        "Such a variable is vacant: a word that uses it is ignored (the axis stays where it is, the feed "
+        "does "
+        "not change), and arithmetic takes it for 0. The control raises no alarm. Where the language knows "
+        "no vacant value, it is undefined and may read as 0.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,
@@ -33,14 +36,24 @@ extern const Rule uninitialised_local{
          {"not-passed", "'{0}' is vacant here: this program has not set it, and no caller passes it. Set it "
                         "first, or pass the argument."},
          {"some-ways", "'{0}' is vacant here when the way that sets it is not taken. Set it on every way, "
-                       "or test it with EQ #0 first."}},
+                       "or test it with EQ #0 first."},
+         {"undefined", "'{0}' has no value here: this program has not set it. Set it first, or correct the "
+                       "name."},
+         {"undefined-not-passed", "'{0}' has no value here: no caller passes it. Pass it in the call."},
+         {"undefined-some-ways", "'{0}' has no value here when the way that sets it is not taken. Set it on "
+                                 "every way."}},
     .bad = {{"fanuc", "O0209(FACE)\n"
                       "#100=10.\n"
                       "G90 G54 G0 X0 Y0\n"
                       "G43 Z#100 H1\n"
                       "G1 Z#10 F200.\n"
                       "G0 Z#100\n"
-                      "M30\n"}},
+                      "M30\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Stock on the face\",#l3)\n"
+                        "N20 G0 X46 Z#l4\n"
+                        "N30 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O0209(FACE)\n"
                        "#100=10.\n"
@@ -49,7 +62,12 @@ extern const Rule uninitialised_local{
                        "G43 Z#100 H1\n"
                        "G1 Z#10 F200.\n"
                        "G0 Z#100\n"
-                       "M30\n"}},
+                       "M30\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 INPUT(\"Stock on the face\",#l3)\n"
+                         "N20 G0 X46 Z#l3\n"
+                         "N30 M30\n"
+                         "END\n"}},
     .alarms = {},
     .sources = {"SEED-001:187"},
     .check = &check,
@@ -86,10 +104,13 @@ bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
 }
 
 std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    if (read.value.vacancy == dataflow::Vacancy::maybe) return "some-ways";
-    if (analysis.is_main()) return "main";
+    const bool vacant = dataflow::may_hold_vacant(analysis.program(), read.place);
+    if (read.value.vacancy == dataflow::Vacancy::maybe) return vacant ? "some-ways" : "undefined-some-ways";
     const auto& formals = analysis.control().formals;
-    return std::ranges::find(formals, read.place) == formals.end() ? "called" : "not-passed";
+    const bool formal = std::ranges::find(formals, read.place) != formals.end();
+    if (!vacant) return formal ? "undefined-not-passed" : "undefined";
+    if (analysis.is_main()) return "main";
+    return formal ? "not-passed" : "called";
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
@@ -111,7 +132,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const std::string name = program.spell(read.place);
         Finding& finding = reporter.report(analysis.file(), span, message_for(analysis, read), {name});
         finding.path.push_back(
-            remark_at(analysis, read.value.doubt, name + " is vacant when the program begins"));
+            remark_at(analysis, read.value.doubt, name + " has no value when the program begins"));
         for (Remark& step : way ? steps_along(analysis, *way) : way_between(analysis, 0, read.node))
             finding.path.push_back(std::move(step));
         finding.path.push_back({&analysis.file(), span, name + " is read"});

@@ -64,7 +64,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!vacant && comparison.operation != Operation::is_set) continue;
         if (comparison.left.vacancy != dataflow::Vacancy::set) continue;
         const auto place = dataflow::plain_place(program, comparison.left_expression);
-        if (!place ||
+        if (!place || !dataflow::may_hold_vacant(program, *place) ||
             !dataflow::assigned_on_every_way(analysis.graph(), analysis.data(), *place, comparison.node))
             continue;
         const Span span = program.expressions[comparison.expression].span;

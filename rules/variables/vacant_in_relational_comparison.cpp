@@ -75,7 +75,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const dataflow::Value& value = left ? comparison.left : comparison.right;
         const auto place =
             dataflow::plain_place(program, left ? comparison.left_expression : comparison.right_expression);
-        if (!place || value.vacancy != dataflow::Vacancy::maybe || value.doubt == 0) continue;
+        if (!place || !dataflow::may_hold_vacant(program, *place) ||
+            value.vacancy != dataflow::Vacancy::maybe || value.doubt == 0)
+            continue;
         if (std::ranges::find(known, *place) != known.end()) continue;
         const dataflow::Read* use = later_use(analysis, comparison, *place);
         if (use == nullptr) continue;

@@ -92,8 +92,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (value.vacancy != dataflow::Vacancy::maybe || value.doubt == 0) continue;
         const auto place = dataflow::plain_place(program, zero_left ? comparison.right_expression
                                                                     : comparison.left_expression);
-        if (!place || std::ranges::find(choices, *place) != choices.end() ||
-            tests_both(analysis, comparison, *place))
+        if (!place || !dataflow::may_hold_vacant(program, *place) ||
+            std::ranges::find(choices, *place) != choices.end() || tests_both(analysis, comparison, *place))
             continue;
         const Span span = program.expressions[comparison.expression].span;
         const std::string name = program.spell(*place);

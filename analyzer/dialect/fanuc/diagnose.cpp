@@ -3,9 +3,10 @@
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 
 #include "analyzer/dialect/fanuc/kinds.hpp"
-#include "analyzer/dialect/fanuc/numbers.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/fanuc/tokens.hpp"
+#include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/words.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,7 @@
-//! Maps the grammar's symbol numbers, which change whenever it is generated, to fixed enumerations.
+//! The names of the grammar's nodes and fields.
 #include "analyzer/dialect/fanuc/kinds.hpp"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-#include <utility>
-#include <vector>
+#include "analyzer/dialect/kind_table.hpp"
 
 extern "C" const TSLanguage* tree_sitter_fanuc();
 
@@ -82,39 +78,18 @@ constexpr std::pair<std::string_view, Field> fields[] = {
     {"value", Field::value},         {"variable", Field::variable},
 };
 
-std::vector<Kind> number_kinds() {
-    std::vector<Kind> table(syntax::symbol_count(grammar), Kind::token);
-    const std::uint16_t count = syntax::symbol_count(grammar);
-    for (std::uint16_t symbol = 0; symbol < count; ++symbol) {
-        if (!syntax::symbol_is_named(grammar, symbol)) continue;
-        const std::string_view name = syntax::symbol_name(grammar, symbol);
-        const auto* row = std::ranges::find(kinds, name, &std::pair<std::string_view, Kind>::first);
-        if (row != std::end(kinds)) table[symbol] = row->second;
-    }
-    return table;
-}
-
-std::array<Field, 256> number_fields() {
-    std::array<Field, 256> table{};
-    for (const auto& [name, field] : fields) {
-        const std::uint16_t number = syntax::field_number(grammar, name);
-        if (number != 0 && number < table.size()) table[number] = field;
-    }
-    return table;
-}
-
 } // namespace
 
 const TSLanguage* grammar() { return tree_sitter_fanuc(); }
 
 Kind kind_of(const syntax::Node& node) {
-    static const std::vector<Kind> table = number_kinds();
+    static const std::vector<Kind> table = kinds_by_symbol<Kind>(grammar, kinds, Kind::token);
     if (node.symbol == syntax::error_symbol) return Kind::error;
     return node.symbol < table.size() ? table[node.symbol] : Kind::token;
 }
 
 Field field_of(const syntax::Node& node) {
-    static const std::array<Field, 256> table = number_fields();
+    static const std::array<Field, 256> table = fields_by_number<Field>(grammar, fields);
     return node.field < table.size() ? table[node.field] : Field::none;
 }
 

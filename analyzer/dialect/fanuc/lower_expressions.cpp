@@ -1,7 +1,7 @@
 //! Lowering of expressions and conditions.
 #include "analyzer/dialect/fanuc/lowering.hpp"
-#include "analyzer/dialect/fanuc/numbers.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
 #include <array>

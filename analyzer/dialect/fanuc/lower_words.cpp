@@ -1,7 +1,7 @@
 //! Lowering of NC words: what the words of a block that stand side by side do together.
 #include "analyzer/dialect/fanuc/lowering.hpp"
-#include "analyzer/dialect/fanuc/numbers.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -137,7 +137,7 @@ Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
             local = *place;
         }
         program_.arguments.push_back(
-            {Place{spaces::local, local}, *word.value, word.letter, span(*word.node)});
+            {Place{spaces::local, local}, *word.value, address_text(word.letter, false), span(*word.node)});
         ++slice.count;
     }
     return slice;

@@ -1,7 +1,7 @@
 //! Counts what only mills and only lathes have, in the first part of a text.
 #include "analyzer/dialect/fanuc/machine_type.hpp"
 
-#include "analyzer/dialect/fanuc/numbers.hpp"
+#include "analyzer/dialect/numbers.hpp"
 
 #include <cstddef>
 

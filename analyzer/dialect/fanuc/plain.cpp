@@ -1,7 +1,8 @@
 //! The scanner: one pass over the bytes, numbers converted only where their value matters.
 #include "analyzer/dialect/fanuc/plain.hpp"
 
-#include "analyzer/dialect/fanuc/numbers.hpp"
+#include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/words.hpp"
 
 #include <cassert>
 
@@ -225,16 +226,6 @@ void decode_run(const Program& program, Span part, const std::function<bool(cons
         block.settings.assign(scanned.settings.begin(), scanned.settings.begin() + scanned.settings_count);
         if (!visit(block)) return;
     }
-}
-
-bool addresses_maclint(std::string_view comment) {
-    constexpr std::string_view name = "maclint";
-    for (std::size_t at = 0; at + name.size() <= comment.size(); ++at) {
-        std::size_t same = 0;
-        while (same < name.size() && (comment[at + same] | 0x20) == name[same]) ++same;
-        if (same == name.size()) return true;
-    }
-    return false;
 }
 
 } // namespace maclint::fanuc

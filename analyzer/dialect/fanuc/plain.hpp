@@ -55,7 +55,4 @@ class RunTotals {
 /// The RunDecoder of this dialect.
 void decode_run(const Program& program, Span part, const std::function<bool(const PlainBlock&)>& visit);
 
-/// Whether a comment speaks to maclint.
-[[nodiscard]] bool addresses_maclint(std::string_view comment);
-
 } // namespace maclint::fanuc

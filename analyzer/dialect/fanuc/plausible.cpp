@@ -2,6 +2,7 @@
 #include "analyzer/dialect/fanuc/plausible.hpp"
 
 #include "analyzer/dialect/fanuc/tokens.hpp"
+#include "analyzer/dialect/words.hpp"
 
 #include <string>
 

@@ -5,12 +5,13 @@
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/machine_type.hpp"
-#include "analyzer/dialect/fanuc/numbers.hpp"
 #include "analyzer/dialect/fanuc/plain.hpp"
 #include "analyzer/dialect/fanuc/plausible.hpp"
 #include "analyzer/dialect/fanuc/shape.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/words.hpp"
 #include "analyzer/syntax/memory.hpp"
 
 #include <algorithm>
@@ -21,15 +22,6 @@ namespace {
 
 /// Longer blocks are not parsed: noise in one line costs the parser quadratic time.
 constexpr Offset longest_block = 4096;
-
-/// The file's name without folder and extension.
-std::string stem_of(std::string_view path) {
-    const std::size_t slash = path.find_last_of("/\\");
-    std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
-    const std::size_t dot = name.rfind('.');
-    if (dot != std::string_view::npos && dot != 0) name = name.substr(0, dot);
-    return std::string(name);
-}
 
 /// The program number in a name like "O9100".
 std::optional<std::int64_t> number_in(std::string_view name) {

@@ -1,7 +1,7 @@
 //! The splitter. Every function looks at each byte a bounded number of times.
 #include "analyzer/dialect/fanuc/split.hpp"
 
-#include "analyzer/dialect/fanuc/numbers.hpp"
+#include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
 

@@ -38,6 +38,7 @@ const std::array<ControlRow, 7> rows{{
 ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     ControlModel control;
     control.name = row.name;
+    control.language = "fanuc";
     control.description = row.description;
     control.assumed = row.assumed;
     control.limits = row.limits;

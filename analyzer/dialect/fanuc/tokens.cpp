@@ -1,6 +1,8 @@
 //! The tokenizer, the word lists, and the search for the word that was meant.
 #include "analyzer/dialect/fanuc/tokens.hpp"
 
+#include "analyzer/dialect/words.hpp"
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -39,25 +41,6 @@ constexpr Foreign foreign_words[] = {
 
 bool holds(std::span<const std::string_view> words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
-}
-
-/// Edits (insert, delete, change, swap of neighbours) between two short words.
-std::size_t distance(std::string_view a, std::string_view b) {
-    constexpr std::size_t longest = 16;
-    if (a.size() > longest || b.size() > longest) return longest;
-    std::array<std::array<std::uint8_t, longest + 1>, longest + 1>
-        cost{}; // small: noise asks a million times
-    for (std::uint8_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
-    for (std::uint8_t j = 0; j <= b.size(); ++j) cost[0][j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i)
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            int least = std::min(cost[i - 1][j], cost[i][j - 1]) + 1;
-            least = std::min(least, cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1));
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                least = std::min(least, cost[i - 2][j - 2] + 1);
-            cost[i][j] = static_cast<std::uint8_t>(least);
-        }
-    return cost[a.size()][b.size()];
 }
 
 template<class Visit>
@@ -158,13 +141,6 @@ class Cutter {
 
 std::vector<Token> tokens_of(std::string_view file, Span block) { return Cutter(file, block).run(); }
 
-std::string in_capitals(std::string_view text) {
-    std::string capitals(text);
-    for (char& c : capitals)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    return capitals;
-}
-
 bool is_function(std::string_view capitals) { return holds(function_words, capitals); }
 
 bool is_operator_word(std::string_view capitals) { return holds(operator_words, capitals); }
@@ -205,7 +181,7 @@ Misspelling explain(std::string_view capitals) {
     for_each_keyword([&](std::string_view word) {
         const std::size_t longer = std::max(word.size(), capitals.size());
         if (word.size() < 3 || longer - std::min(word.size(), capitals.size()) > least) return;
-        const std::size_t edits = distance(capitals, word);
+        const std::size_t edits = edit_distance(capitals, word);
         if (edits < least + (nearest.empty() ? 1 : 0)) {
             least = edits;
             nearest = word;

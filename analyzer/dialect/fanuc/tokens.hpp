@@ -33,8 +33,6 @@ struct Token {
 /// Cuts the block at `block` in `file`.
 [[nodiscard]] std::vector<Token> tokens_of(std::string_view file, Span block);
 
-[[nodiscard]] std::string in_capitals(std::string_view text);
-
 /// IF, GOTO, SIN, EQ ...: what may stand between or instead of address letters.
 [[nodiscard]] bool is_keyword(std::string_view capitals);
 [[nodiscard]] bool is_function(std::string_view capitals);

@@ -1,11 +1,11 @@
 //! Numbers: exact for up to 15 digits, which is more than any control keeps.
-#include "analyzer/dialect/fanuc/numbers.hpp"
+#include "analyzer/dialect/numbers.hpp"
 
 #include <array>
 #include <charconv>
 #include <string>
 
-namespace maclint::fanuc {
+namespace maclint {
 namespace {
 
 constexpr unsigned exact_digits = 15;
@@ -61,4 +61,4 @@ std::optional<std::int64_t> read_integer(std::string_view text) {
     return digits == 0 ? std::nullopt : std::optional(value);
 }
 
-} // namespace maclint::fanuc
+} // namespace maclint

@@ -1,11 +1,11 @@
-//! Reads the numbers of Fanuc words and expressions: digits with a point, no exponent, blanks allowed.
+//! Reads the numbers of words and expressions: digits with a point, no exponent, blanks allowed.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
-namespace maclint::fanuc {
+namespace maclint {
 
 struct Number {
     double value;
@@ -22,4 +22,4 @@ struct Number {
 /// One division, so the result is the double nearest to what is written.
 [[nodiscard]] double scaled(std::uint64_t mantissa, unsigned decimals);
 
-} // namespace maclint::fanuc
+} // namespace maclint

@@ -1,0 +1,57 @@
+//! Collects the blocks of a file in programs and sections.
+#pragma once
+
+#include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/dialect/dinplus/tables.hpp"
+#include "analyzer/program/model.hpp"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace maclint::dinplus {
+
+/// The program and section that take the next block.
+struct Part {
+    Program& program;
+    Surroundings& surroundings;
+};
+
+/// The programs of a file: the main part and its local subprograms. Behind a subprogram any other section
+/// word goes on with the main part.
+class Programs {
+  public:
+    Programs(const Source& source, const ControlModel& control, ProgramFile& file)
+        : source_(source)
+        , control_(control)
+        , file_(file) {}
+
+    /// `%shaft.nc "TURN_V1.0"`: the first line of a file. `mark` is where the '%' stands.
+    void open_main(Span line, Offset mark);
+    /// A section word in the line `heading`.
+    void open_section(const SectionWord& word, Span heading);
+    /// Where the next block belongs.
+    [[nodiscard]] Part current();
+    /// At the end of the file.
+    void close();
+
+  private:
+    Program& open(std::string name);
+    Program& main();
+    void open_subprogram(const SectionWord& word, Span heading);
+    void begin_section(const SectionKind& kind, Span heading);
+    void leave_section();
+    void finish(Program& program) const;
+    [[nodiscard]] static Surroundings inherited(const Surroundings& main);
+
+    static constexpr std::size_t nothing = SIZE_MAX;
+
+    const Source& source_;
+    const ControlModel& control_;
+    ProgramFile& file_;
+    std::vector<Surroundings> surroundings_; ///< one for each program of the file
+    std::size_t main_ = nothing;
+    std::size_t current_ = nothing;
+};
+
+} // namespace maclint::dinplus

@@ -1,0 +1,276 @@
+//! Lowering of expressions, conditions and variables.
+#include "analyzer/dialect/dinplus/keywords.hpp"
+#include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/words.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint::dinplus {
+namespace {
+
+/// Deeper than anything a control accepts; what lies below is not read.
+constexpr int deepest = 200;
+
+struct OperationRow {
+    std::string_view name;
+    Operation operation;
+};
+
+// Functions, operators and comparisons: l.18895-18918, l.19673-19683. SQRTA, SQRTS, BITSET, STRING, PARA and
+// TIME have no model.
+// clang-format off
+constexpr OperationRow functions[] = {
+    {"SIN", Operation::sine},      {"COS", Operation::cosine},        {"TAN", Operation::tangent},
+    {"ASIN", Operation::arc_sine}, {"ACOS", Operation::arc_cosine},   {"ATAN", Operation::arc_tangent},
+    {"ABS", Operation::absolute},  {"ROUND", Operation::round},       {"INT", Operation::truncate},
+    {"SQRT", Operation::square_root}, {"LOGN", Operation::logarithm}, {"EXP", Operation::exponential},
+};
+
+constexpr OperationRow operators[] = {
+    {"+", Operation::add},       {"-", Operation::subtract},    {"*", Operation::multiply}, {"/", Operation::divide},
+    {"AND", Operation::all_of},  {"OR", Operation::any_of},
+    {"==", Operation::equal},    {"=", Operation::equal},       {"<>", Operation::not_equal},
+    {"<", Operation::less},      {"<=", Operation::less_equal}, {">", Operation::greater},  {">=", Operation::greater_equal},
+    // of other languages
+    {"EQ", Operation::equal},    {"NE", Operation::not_equal},  {"!=", Operation::not_equal}, {"><", Operation::not_equal},
+    {"LT", Operation::less},     {"LE", Operation::less_equal}, {"=<", Operation::less_equal},
+    {"GT", Operation::greater},  {"GE", Operation::greater_equal}, {"=>", Operation::greater_equal},
+};
+// clang-format on
+
+constexpr double pi = 3.1415926535989; // as the control has it, l.19529
+
+Operation find(std::span<const OperationRow> rows, std::string_view name) {
+    const auto row = std::ranges::find(rows, name, &OperationRow::name);
+    return row == rows.end() ? Operation::unknown : row->operation;
+}
+
+/// The name behind `#`, blanks and underscores.
+std::string_view bare_name(std::string_view name) {
+    const std::size_t begin = name.find_first_not_of("# \t_");
+    return begin == std::string_view::npos ? std::string_view{} : name.substr(begin);
+}
+
+} // namespace
+
+ExpressionId BlockLowering::add(Expression expression) {
+    program_.expressions.push_back(expression);
+    return static_cast<ExpressionId>(program_.expressions.size() - 1);
+}
+
+ExpressionId BlockLowering::unreadable(Span span) { return add({Unreadable{}, span}); }
+
+ExpressionId BlockLowering::literal(double value, Span span) { return add({Literal{value, false}, span}); }
+
+ExpressionId BlockLowering::apply(Operation operation, std::span<const ExpressionId> operands, Span span) {
+    const Slice slice{static_cast<Id>(program_.operands.size()), static_cast<Id>(operands.size())};
+    program_.operands.insert(program_.operands.end(), operands.begin(), operands.end());
+    return add({Apply{operation, slice}, span});
+}
+
+ExpressionId BlockLowering::lower_expression(const Node& node) {
+    if (depth_ >= deepest) return unreadable(span(node));
+    ++depth_;
+    const ExpressionId id = lower_below(node);
+    --depth_;
+    return id;
+}
+
+ExpressionId BlockLowering::lower_below(const Node& node) {
+    switch (kind_of(node)) {
+    case Kind::number: {
+        const Number number = read_number(text(node));
+        return add({Literal{number.value, number.decimal_point}, span(node)});
+    }
+    case Kind::literal_word: { // the head of an extended word: X100+_sd
+        const std::string_view written = text(node);
+        const std::size_t digits = std::min(written.find_first_of("+-.0123456789"), written.size());
+        const Number number = read_number(written.substr(digits));
+        const Span whole = span(node);
+        return add({Literal{number.value, number.decimal_point},
+                    {whole.begin + static_cast<Offset>(digits), whole.end}});
+    }
+    case Kind::string:
+    case Kind::unclosed_string:
+    case Kind::typographic_string: return add({Text{characters(node)}, span(node)});
+    case Kind::variable: return lower_variable(node, node);
+    case Kind::selected_variable:
+        if (const Node* variable = child(node, Field::variable)) return lower_variable(*variable, node);
+        return unreadable(span(node));
+    case Kind::indirect_variable: return lower_indirect(node);
+    case Kind::named_variable:
+    case Kind::transfer_variable:
+    case Kind::constant:
+    case Kind::internal_constant: return lower_constant(node);
+    case Kind::double_sharp:
+        if (const Node* place = child(node, Field::place)) return lower_expression(*place);
+        return unreadable(span(node));
+    case Kind::parenthesis: {
+        const Nodes inner = named_children(node);
+        if (inner.size() != 1) return unreadable(span(node));
+        const ExpressionId id = lower_expression(*inner.front());
+        program_.expressions[id].span = span(node);
+        return id;
+    }
+    case Kind::function_call: return lower_function(node);
+    case Kind::vacancy_test: return lower_vacancy_test(node);
+    case Kind::unary: return lower_unary(node);
+    case Kind::binary:
+    case Kind::comparison:
+    case Kind::logical: return lower_binary(node);
+    default: return unreadable(span(node));
+    }
+}
+
+std::optional<BlockLowering::Numbered> BlockLowering::numbered(const Node& variable) const {
+    std::string_view name = text(variable);
+    name.remove_prefix(std::min(name.find_first_not_of("# \t"), name.size()));
+    if (name.empty()) return std::nullopt;
+    const std::optional<FamilyId> family = family_of(name.front());
+    const std::optional<std::int64_t> number = read_integer(name.substr(1));
+    constexpr std::int64_t most = 999'999;
+    if (!family || !number || *number > most) return std::nullopt;
+    const auto n = static_cast<std::int32_t>(*number);
+    const VariableRange* range = program_.control->families[*family].find(n);
+    if (range == nullptr) return std::nullopt;
+    Numbered result{*family, n, std::nullopt};
+    if (range->meaning == Meaning::place) result.place = Place{range->space, n};
+    return result;
+}
+
+/// `whole` is the variable with its selectors.
+ExpressionId BlockLowering::lower_variable(const Node& variable, const Node& whole) {
+    const std::optional<Numbered> found = numbered(variable);
+    if (!found) return unreadable(span(whole));
+    if (found->place) return add({Load{*found->place}, span(whole)});
+    if (const Node* list = child(whole, Field::selectors); list != nullptr && found->family == families::n) {
+        const Nodes selectors = named_children(*list);
+        if (!selectors.empty())
+            if (const auto group = group_read(found->number, upper_text(*selectors.front())))
+                return add({LoadModal{*group}, span(whole)});
+    }
+    return add({LoadMachine{found->family, found->number}, span(whole)});
+}
+
+/// `#g(#c2)`, `#m(#l1)(Z)`; tool data by name have the same shape: `#t(3,"001")`.
+ExpressionId BlockLowering::lower_indirect(const Node& node) {
+    const Node* kind = child(node, Field::kind);
+    const Node* number = child(node, Field::number);
+    if (kind == nullptr || number == nullptr || text(*kind).empty()) return unreadable(span(node));
+    const std::optional<FamilyId> family = family_of(text(*kind).back());
+    const Nodes selectors = named_children(*number);
+    if (!family || selectors.empty()) return unreadable(span(node));
+    if (selectors.size() > 1) return add({LoadMachine{*family, 0}, span(node)});
+    const ExpressionId index = lower_expression(*selectors.front());
+    return add({LoadAt{*family, index}, span(node)});
+}
+
+const Place* BlockLowering::alias_of(std::string_view name) const {
+    const auto row = std::ranges::find(around_.aliases, name, &std::pair<std::string, Place>::first);
+    return row == around_.aliases.end() ? nullptr : &row->second;
+}
+
+/// A name is known by what stands behind `#`, `_` included.
+Place BlockLowering::named_place(const Node& node, SpaceId space) {
+    std::string_view written = text(node);
+    written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
+    if (const Place* alias = alias_of(written)) return *alias;
+    const auto known = std::ranges::find(program_.names, written);
+    const auto index = static_cast<std::int32_t>(known - program_.names.begin());
+    if (known == program_.names.end()) program_.names.emplace_back(written);
+    return {space, index};
+}
+
+/// What is written like a constant or a named variable: `_sd`, `#_depth`, `__la`, `#__la`.
+ExpressionId BlockLowering::lower_constant(const Node& node) {
+    switch (kind_of(node)) {
+    case Kind::transfer_variable:
+    case Kind::internal_constant: return lower_transfer(node);
+    case Kind::constant:
+        if (text(node) == "_pi") return literal(pi, span(node));
+        return add({Load{named_place(node, spaces::constant)}, span(node)});
+    default: return add({Load{named_place(node, spaces::named)}, span(node)});
+    }
+}
+
+ExpressionId BlockLowering::lower_transfer(const Node& node) {
+    const std::string_view name = bare_name(text(node));
+    if (const std::optional<Place> place = transfer_place(name)) return add({Load{*place}, span(node)});
+    if (is_internal_constant(name)) return lower_internal(name, span(node));
+    report(Irregular::unknown_transfer_value, span(node), "");
+    return unreadable(span(node));
+}
+
+/// `n40_g`: the state that `#n40(G)` reads.
+ExpressionId BlockLowering::lower_internal(std::string_view name, Span span) {
+    const std::size_t line = name.find('_');
+    const std::optional<std::int64_t> number = read_integer(name.substr(0, line));
+    if (number && *number <= INT16_MAX)
+        if (const auto group =
+                group_read(static_cast<std::int32_t>(*number), in_capitals(name.substr(line + 1))))
+            return add({LoadModal{*group}, span});
+    return unreadable(span);
+}
+
+ExpressionId BlockLowering::lower_unary(const Node& node) {
+    const Node* sign = child(node, Field::operation);
+    const Node* operand = child(node, Field::operand);
+    if (sign == nullptr || operand == nullptr) return unreadable(span(node));
+    const ExpressionId value = lower_expression(*operand);
+    if (text(*sign) == "+") {
+        program_.expressions[value].span = span(node);
+        return value;
+    }
+    if (auto* number = std::get_if<Literal>(&program_.expressions[value].node);
+        number != nullptr && kind_of(*operand) == Kind::number) {
+        if (number->value != 0) number->value = -number->value;
+        program_.expressions[value].span = span(node);
+        return value;
+    }
+    const std::array operands{value};
+    return apply(Operation::negate, operands, span(node));
+}
+
+ExpressionId BlockLowering::lower_binary(const Node& node) {
+    const Node* left = child(node, Field::left);
+    const Node* right = child(node, Field::right);
+    const Node* sign = child(node, Field::operation);
+    if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
+    const std::array operands{lower_expression(*left), lower_expression(*right)};
+    return apply(find(operators, upper_text(*sign)), operands, span(node));
+}
+
+ExpressionId BlockLowering::lower_function(const Node& node) {
+    const Node* name = child(node, Field::function);
+    const Node* arguments = child(node, Field::arguments);
+    if (name == nullptr || arguments == nullptr) return unreadable(span(node));
+    std::vector<ExpressionId> operands;
+    for (const Node* operand : named_children(*arguments)) operands.push_back(lower_expression(*operand));
+    const Operation operation =
+        operands.size() == 1 ? find(functions, upper_text(*name)) : Operation::unknown;
+    return apply(operation, operands, span(node));
+}
+
+/// `DEF(__la)`: the name stands without its `#` [l.19732]; `DEF(_depth)` asks for `#_depth` of VAR or for
+/// `_depth` of CONST.
+ExpressionId BlockLowering::lower_vacancy_test(const Node& node) {
+    const Node* function = child(node, Field::function);
+    const Node* argument = child(node, Field::argument);
+    if (function == nullptr || argument == nullptr) return unreadable(span(node));
+    const std::string name = upper_text(*function);
+    const Kind kind = kind_of(*argument);
+    if (kind != Kind::constant && kind != Kind::internal_constant) {
+        std::string_view written = text(*argument);
+        written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
+        report(Irregular::hash_in_vacancy_test, span(node), name + '(' + std::string(written) + ')');
+    }
+    const std::array operands{lower_expression(*argument)};
+    Operation operation = Operation::unknown; // DVDEF asks for an internal constant
+    if (name == "DEF") operation = Operation::is_set;
+    if (name == "NDEF") operation = Operation::is_vacant;
+    return apply(operation, operands, span(node));
+}
+
+} // namespace maclint::dinplus

@@ -1,0 +1,162 @@
+//! Lowering of words: what the words of a block do together.
+#include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/words.hpp"
+
+#include <algorithm>
+
+namespace maclint::dinplus {
+namespace {
+
+/// Words that move axes in a block without a code of its own: the last motion goes on [l.10297].
+constexpr std::string_view axes[] = {"X", "Z", "Y", "C", "B", "XK", "YK", "U", "V", "W"};
+
+constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+
+bool is_axis(std::string_view address) { return std::ranges::find(axes, address) != std::end(axes); }
+
+GroupId group_named(const ControlModel& control, std::string_view name) {
+    const auto group = std::ranges::find(control.groups, name, &ModalGroup::name);
+    return static_cast<GroupId>(group - control.groups.begin());
+}
+
+} // namespace
+
+/// The letters at the head of a word; small ones are no address.
+std::string_view BlockLowering::address_of(const Node& node) const {
+    const std::string_view written = text(node);
+    const auto end = std::ranges::find_if_not(written, is_capital);
+    return written.substr(0, static_cast<std::size_t>(end - written.begin()));
+}
+
+BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
+    NcWord word{address_of(node), &node, std::nullopt, std::nullopt};
+    const std::string_view behind = text(node).substr(word.address.size());
+    bool incremental = behind.starts_with('i');
+    switch (kind_of(node)) {
+    case Kind::literal_word: word.value = lower_expression(node); break;
+    case Kind::letter_o_word: { // GO is G0
+        std::string digits(text(node).substr(1));
+        std::ranges::replace(digits, 'O', '0');
+        word.address = word.address.substr(0, 1);
+        incremental = false;
+        const Number number = read_number(digits);
+        word.value = add({Literal{number.value, number.decimal_point}, span(node)});
+        break;
+    }
+    case Kind::malformed_word: word.value = unreadable(span(node)); break;
+    case Kind::empty_word:
+    case Kind::lower_case_word: break;
+    default:
+        if (const Node* value = child(node, Field::value)) word.value = lower_expression(*value);
+        break;
+    }
+    if (word.value)
+        if (const auto* number = std::get_if<Literal>(&program_.expressions[*word.value].node))
+            word.literal = number->value;
+    if (!word.address.empty()) program_.words.push_back({word.address, word.value, incremental, span(node)});
+    return word;
+}
+
+void BlockLowering::lower_words(std::span<const Node* const> nodes, Effects& effects) {
+    std::vector<NcWord> words;
+    words.reserve(nodes.size());
+    for (const Node* node : nodes) words.push_back(record_word(*node));
+    const Span all = join(span(*nodes.front()), span(*nodes.back()));
+
+    Values values{{static_cast<Id>(program_.operands.size()), 0}};
+    for (const NcWord& word : words) {
+        if (!word.value || word.literal) continue;
+        program_.operands.push_back(*word.value);
+        ++values.values.count;
+    }
+    if (values.values.count != 0) effects.push_back({values, all});
+    if (around_.context == Context::machining) lower_commands(words, all, effects);
+}
+
+void BlockLowering::lower_commands(std::span<const NcWord> words, Span span, Effects& effects) {
+    bool moves = false;
+    bool goes_on = true; // no code but those that may stand beside a motion
+    bool synchronises = false;
+    for (const NcWord& word : words) {
+        if (word.address != "G" && word.address != "M") continue;
+        const CodeFact* fact =
+            word.literal ? find_code(word.address.front(), *word.literal, Context::machining) : nullptr;
+        const std::uint16_t traits = fact == nullptr ? 0 : fact->traits;
+        moves |= (traits & Trait::moves) != 0;
+        synchronises |= (traits & Trait::synchronises) != 0;
+        if (word.address == "G") goes_on &= (traits & (feed_word | speed_word)) != 0;
+        if (word.value) lower_code(word, words, effects);
+    }
+    for (const NcWord& word : words)
+        if (word.address == "T" && word.value)
+            effects.push_back({ToolChange{ToolChange::Kind::change}, this->span(*word.node)});
+    if (goes_on)
+        moves |= std::ranges::any_of(words, [](const NcWord& w) { return w.value && is_axis(w.address); });
+    if (moves) effects.push_back({Motion{}, span});
+    if (synchronises) effects.push_back({Synchronise{}, span});
+    for (const NcWord& word : words) {
+        if (word.address != "M" || !word.literal) continue;
+        if (const CodeFact* fact = find_code('M', *word.literal, Context::machining))
+            lower_machine_function(fact->traits, word, words, effects);
+    }
+}
+
+/// What a G code, or an M code of a modal group, sets.
+void BlockLowering::lower_code(const NcWord& code, std::span<const NcWord> words, Effects& effects) {
+    const char letter = code.address.front();
+    const Span here = span(*code.node);
+    if (!code.literal) { // G#l1
+        if (letter == 'G') effects.push_back({SetModal{std::nullopt, *code.value}, here});
+        return;
+    }
+    const CodeFact* fact = find_code(letter, *code.literal, Context::machining);
+    const std::uint16_t traits = fact == nullptr ? 0 : fact->traits;
+    const ControlModel& control = *program_.control;
+    if (fact == nullptr || (traits & sets_group) != 0) {
+        if (const std::optional<GroupId> group = control.group_of(letter, *code.literal)) {
+            if ((traits & off_by_word) != 0)
+                set_by_word(*group, *fact, code, words, effects);
+            else
+                effects.push_back({SetModal{*group, *code.value}, here});
+        }
+    }
+    for (const NcWord& word : words) {
+        if (!word.value) continue;
+        if ((traits & feed_word) != 0 && word.address == "F")
+            effects.push_back(
+                {SetModal{group_named(control, group_names::feed), *word.value}, span(*word.node)});
+        if ((traits & speed_word) != 0 && word.address == "S")
+            effects.push_back(
+                {SetModal{group_named(control, group_names::speed), *word.value}, span(*word.node)});
+        if ((traits & block_words) != 0 && (word.address == "NS" || word.address == "NE"))
+            effects.push_back({Reference{references::contour, *word.value}, span(*word.node)});
+    }
+    if ((traits & approaches) != 0) effects.push_back({ToolChange{ToolChange::Kind::approach}, here});
+}
+
+/// `G16 Q1` switches on, `G16 Q0` off.
+void BlockLowering::set_by_word(GroupId group, const CodeFact& fact, const NcWord& code,
+                                std::span<const NcWord> words, Effects& effects) {
+    const auto word = std::ranges::find(words, fact.off_letter, &NcWord::address);
+    ExpressionId value = *code.value;
+    if (word != words.end() && word->literal && *word->literal == fact.off_value)
+        value = literal(*program_.control->groups[group].cancel, span(*word->node));
+    else if (word != words.end() && word->value && !word->literal)
+        value = unreadable(span(*word->node));
+    effects.push_back({SetModal{group, value}, span(*code.node)});
+}
+
+void BlockLowering::lower_machine_function(std::uint16_t traits, const NcWord& code,
+                                           std::span<const NcWord> words, Effects& effects) {
+    const Span here = span(*code.node);
+    if ((traits & pauses) != 0) effects.push_back({Stop{Stop::Kind::pause, std::nullopt}, here});
+    if ((traits & ends) != 0) effects.push_back({Stop{Stop::Kind::end, std::nullopt}, here});
+    if ((traits & restarts) != 0) {
+        const auto block = std::ranges::find(words, std::string_view("NS"), &NcWord::address);
+        effects.push_back({Stop{Stop::Kind::restart, block == words.end() ? std::nullopt : block->value},
+                           block == words.end() ? here : join(here, span(*block->node))});
+    }
+}
+
+} // namespace maclint::dinplus

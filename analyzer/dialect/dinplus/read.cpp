@@ -1,0 +1,243 @@
+//! The reader: cuts the file, sorts its lines into sections and programs, and sends each block through the
+//! grammar.
+#include "analyzer/dialect/dinplus/read.hpp"
+
+#include "analyzer/dialect/dinplus/collect.hpp"
+#include "analyzer/dialect/dinplus/diagnose.hpp"
+#include "analyzer/dialect/dinplus/keywords.hpp"
+#include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/dialect/dinplus/sections.hpp"
+#include "analyzer/dialect/dinplus/shape.hpp"
+#include "analyzer/dialect/dinplus/split.hpp"
+#include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/words.hpp"
+#include "analyzer/syntax/memory.hpp"
+
+#include <algorithm>
+
+namespace maclint::dinplus {
+namespace {
+
+/// Longer blocks are not parsed: noise in one line costs the parser quadratic time.
+constexpr Offset longest_block = 4096;
+constexpr Offset shown = 60;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A block number with nothing behind it.
+bool is_block_number(std::string_view text) {
+    return !text.empty() && (text[0] == 'N' || text[0] == 'n') &&
+           std::ranges::all_of(text.substr(1), is_digit);
+}
+
+class Reader {
+  public:
+    Reader(std::shared_ptr<const Source> source, const ControlModel& control)
+        : text_(source->bytes())
+        , programs_(*source, control, file_) {
+        file_.source = std::move(source);
+        file_.control = &control;
+    }
+
+    ProgramFile run() {
+        for (Offset at = 0; at < text_.size();) {
+            cut_block(text_, at, raw_);
+            at = raw_.next;
+            if (!raw_.span.empty()) take();
+        }
+        programs_.close();
+        for (Irregularity& irregularity : file_.irregularities) {
+            irregularity.subject = file_.source->to_utf8(irregularity.subject);
+            irregularity.cure = file_.source->to_utf8(irregularity.cure);
+        }
+        return std::move(file_);
+    }
+
+  private:
+    void take() {
+        if (raw_.open_comment) {
+            const Span open = raw_.comments.back();
+            report(Irregular::unterminated_comment, {open.begin, std::min(open.end, end_of_line(open.begin))},
+                   "]");
+        }
+        const bool only_comments = raw_.code == 0;
+        if (!only_comments) {
+            tell_comments(raw_.span);
+            take_line();
+        }
+        record_comments(only_comments || is_block_number(bare()));
+    }
+
+    [[nodiscard]] Offset end_of_line(Offset at) const {
+        return static_cast<Offset>(std::min(text_.find_first_of("\r\n", at), text_.size()));
+    }
+
+    /// What the line is can be told from its head.
+    void take_line() {
+        const Offset head = first_code();
+        if (text_[head] == '%') return programs_.open_main(raw_.span, head);
+        const Span words = words_at(text_, head);
+        if (!words.empty() && take_section(words, raw_.span)) return;
+        if (raw_.code > longest_block) {
+            report(Irregular::oversized_block, {raw_.span.begin, raw_.span.begin + shown}, "");
+            return add_unreadable();
+        }
+        parse();
+    }
+
+    /// Where the block's first byte stands that is no comment.
+    [[nodiscard]] Offset first_code() const {
+        Offset at = raw_.span.begin;
+        for (const Span comment : raw_.comments) {
+            if (comment.begin != at) break;
+            at = skip_blanks(text_, comment.end);
+        }
+        return at;
+    }
+
+    bool take_section(Span words, Span heading) {
+        const auto found = find_section(text_.substr(words.begin, words.length()));
+        if (!found) return false;
+        const Span name{words.begin, words.begin + found->length};
+        // `End` may be the first word of anything; small letters are taken for a section word only alone.
+        if (!found->capitals && name.end != words.end) return false;
+        const bool wrong = !found->capitals || found->word->use == SectionWord::Use::translated;
+        if (wrong) report(Irregular::unknown_keyword, name, spelling_of(*found->word));
+        programs_.open_section(*found->word, heading);
+        return true;
+    }
+
+    void parse() {
+        static const syntax::Tree nothing{.nodes = {}, .has_error = true};
+        const Span block = raw_.span;
+        const syntax::Tree& tree =
+            is_plausible(text_, block) ? tree_of(text_.substr(block.begin, block.length())) : nothing;
+        if (tree.has_error) {
+            diagnose(text_, block, tree, file_.irregularities);
+            return add_unreadable();
+        }
+        for (const syntax::Node& node : tree.nodes) {
+            if (kind_of(node) == Kind::section) return take_unknown_section(tree, node);
+            if (kind_of(node) == Kind::block && take_numbered_section(tree, node)) return;
+        }
+        const Part part = programs_.current();
+        BlockLowering(tree, block, part.program, part.surroundings, file_.irregularities).lower();
+    }
+
+    /// `N5 MACHINING`: the word counts although a number stands before it.
+    bool take_numbered_section(const syntax::Tree& tree, const syntax::Node& block) {
+        const syntax::Node* statement = nullptr;
+        for (syntax::NodeIndex i = block.first_child; i != syntax::no_node; i = tree.nodes[i].next_sibling) {
+            const Kind kind = kind_of(tree.nodes[i]);
+            if (kind == Kind::unknown_statement && statement == nullptr)
+                statement = &tree.nodes[i];
+            else if (kind != Kind::block_number && kind != Kind::slide && kind != Kind::skip)
+                return false;
+        }
+        if (statement == nullptr) return false;
+        return take_section({raw_.span.begin + statement->span.begin, raw_.span.begin + statement->span.end},
+                            raw_.span);
+    }
+
+    /// The shape of a section, but no such word.
+    void take_unknown_section(const syntax::Tree& tree, const syntax::Node& section) {
+        const syntax::Node& name = tree.nodes[section.first_child];
+        const Span word{raw_.span.begin + name.span.begin, raw_.span.begin + name.span.end};
+        const std::string meant = meant_by(capitals_of(text_.substr(word.begin, word.length())));
+        report(Irregular::unknown_keyword, word, meant);
+        add_unreadable();
+        if (meant != "RETURN") return;
+        // Manuals print the word in translation.
+        Program& program = programs_.current().program;
+        auto& block = std::get<Block>(program.items.back());
+        program.effects.push_back({Return{}, raw_.span});
+        ++block.effects.count;
+    }
+
+    /// The block's tree, good until the next block; every thread has its own memory of trees.
+    const syntax::Tree& tree_of(std::string_view block) {
+        thread_local syntax::TreeMemory trees(grammar);
+        shape_of(block, shape_);
+        return trees.parse(block, shape_);
+    }
+
+    void add_unreadable() {
+        const Part part = programs_.current();
+        part.surroundings.waiting_if.reset();
+        Program& program = part.program;
+        Block block{};
+        block.span = raw_.span;
+        take_unreadable_head(block);
+        block.words.first = static_cast<Id>(program.words.size());
+        block.effects.first = static_cast<Id>(program.effects.size());
+        if (part.surroundings.effects) {
+            program.effects.push_back({names_in(program, raw_.span), raw_.span});
+            block.effects.count = 1;
+        }
+        program.items.emplace_back(block);
+    }
+
+    /// The block number stands at the head of the text whatever is wrong behind it.
+    void take_unreadable_head(Block& block) const {
+        Offset at = first_code();
+        while (at < block.span.end && (text_[at] == '$' || text_[at] == '/' || is_digit(text_[at]))) ++at;
+        at = skip_blanks(text_, at);
+        if (at >= block.span.end || (text_[at] != 'N' && text_[at] != 'n')) return;
+        const Offset letter = at;
+        at = skip_blanks(text_, at + 1);
+        const Offset digits = at;
+        while (at < block.span.end && is_digit(text_[at])) ++at;
+        if (at == digits) return;
+        block.sequence_number = read_integer(text_.substr(digits, at - digits));
+        if (block.sequence_number) block.sequence_number_span = {letter, at};
+    }
+
+    void report(Irregular kind, Span span, std::string cure) {
+        file_.irregularities.push_back(
+            {kind, span, std::string(text_.substr(span.begin, span.length())), std::move(cure)});
+    }
+
+    // ---- comments
+
+    /// The block without its comments and blanks.
+    [[nodiscard]] std::string bare() const {
+        std::string rest;
+        Offset at = raw_.span.begin;
+        const auto take = [&](Offset end) {
+            for (; at < end; ++at)
+                if (text_[at] != ' ' && text_[at] != '\t' && text_[at] != '\0') rest += text_[at];
+        };
+        for (const Span comment : raw_.comments) {
+            take(comment.begin);
+            at = comment.end;
+        }
+        take(raw_.span.end);
+        return rest;
+    }
+
+    void record_comments(bool alone) {
+        for (const Span comment : raw_.comments)
+            if (addresses_maclint(text_.substr(comment.begin, comment.length())))
+                file_.comments.push_back({comment, alone, raw_.span, {}});
+    }
+
+    /// `block` is the next one for every comment that still waits for it.
+    void tell_comments(Span block) {
+        for (; waiting_ < file_.comments.size(); ++waiting_) file_.comments[waiting_].next_block = block;
+    }
+
+    std::string_view text_;
+    ProgramFile file_;
+    Programs programs_;
+    RawBlock raw_;
+    std::string shape_;
+    std::size_t waiting_ = 0; ///< first comment without a next block
+};
+
+} // namespace
+
+ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control) {
+    return Reader(std::move(source), control).run();
+}
+
+} // namespace maclint::dinplus

@@ -1,0 +1,13 @@
+//! Reads a DIN PLUS file into programs.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+#include <memory>
+
+namespace maclint::dinplus {
+
+/// The main part is one program, every SUBPROGRAM section another.
+[[nodiscard]] ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control);
+
+} // namespace maclint::dinplus

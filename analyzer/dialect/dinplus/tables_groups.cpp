@@ -1,0 +1,57 @@
+//! Modal groups, and the variables that read them.
+#include "analyzer/dialect/dinplus/tables.hpp"
+#include "analyzer/dialect/dinplus/tables_parts.hpp"
+
+#include <algorithm>
+
+namespace maclint::dinplus {
+namespace {
+
+constexpr auto unknown = std::nullopt;
+
+// #n920(G) reads 0, 1 or 2 and not a code [l.19318], so it is no row here.
+constexpr StateVariable variables[] = {
+    {18, "G", "plane", "l.19245"},         {40, "G", "radius compensation", "l.19246"},
+    {95, "G", "kind of feed", "l.19251"},  {95, "F", group_names::feed, "l.19253"},
+    {97, "G", "kind of speed", "l.19254"}, {97, "S", group_names::speed, "l.19256"},
+};
+
+} // namespace
+
+// State flows through subprograms on purpose: the manual saves and restores nothing, and a feed, a speed or a
+// zero shift set there is set for the caller [dinplus.md 8.2; l.20799 for G56]. Only what acts on every later
+// move until it is switched off has rules of its own. G30 is set by the expert program that hands the part
+// over [l.20066], and taken back by its caller.
+std::vector<ModalGroup> modal_groups() {
+    constexpr auto own_rule = Concern::own_rule;
+    // clang-format off
+    //   name                          letter concern   members                                     customary    cancel reset source                      cancel words
+    return {
+        {"motion mode",                'G', Concern::none, {0, 1, 2, 3, 12, 13},                       {},          unknown,  unknown, "l.10297"},
+        {"plane",                      'G', Concern::none, {17, 18, 19},                               {17, 18, 19},unknown,  18,   "l.23169"},
+        {"radius compensation",        'G', own_rule,      {40, 41, 42},                               {40},        40,    40,   "l.12673-12718",            "G40"},
+        {"tilted working plane",       'G', own_rule,      {16},                                       {0},         0,     0,    "l.23185-23218",            "G16 Q0"},
+        {"conversion and mirroring",   'G', own_rule,      {30},                                       {0},         0,     0,    "l.20056-20078, l.20957",   "G30 Q0", true},
+        {"deactivation of zero shifts",'G', own_rule,      {920, 921, 980, 981},                       {980, 981},  980,   980,  "l.12741, l.18155-18163, l.18391-18397", "G980, or G981 after G921"},
+        {"zero shift",                 'G', Concern::none, {51, 53, 54, 55, 56, 59},                   {51, 53, 54, 55, 56, 59}, unknown, unknown, "l.12750-12837"},
+        {"kind of feed",               'G', Concern::none, {93, 193, 293, 393, 94, 95, 195, 295, 395}, {},          unknown,  unknown, "l.12532-12575"},
+        {"kind of speed",              'G', Concern::none, {96, 196, 296, 396, 97, 197, 297, 397},     {},          unknown,  unknown, "l.12596-12628"},
+        {group_names::feed,            'F', Concern::none, {},                                         {},          unknown,  unknown, "l.12532-12575"},
+        {group_names::speed,           'S', Concern::none, {},                                         {},          unknown,  unknown, "l.12596-12628"},
+    };
+    // clang-format on
+}
+
+std::span<const StateVariable> state_variables() { return variables; }
+
+std::optional<GroupId> group_read(std::int32_t number, std::string_view selector) {
+    const auto* row = std::ranges::find_if(variables, [&](const StateVariable& variable) {
+        return variable.number == number && variable.selector == selector;
+    });
+    if (row == std::end(variables)) return std::nullopt;
+    const auto& groups = control().groups;
+    const auto group = std::ranges::find(groups, row->group, &ModalGroup::name);
+    return static_cast<GroupId>(group - groups.begin());
+}
+
+} // namespace maclint::dinplus

@@ -1,0 +1,15 @@
+//! The parts of which the control is put together.
+#pragma once
+
+#include "analyzer/program/tables.hpp"
+
+#include <vector>
+
+namespace maclint::dinplus {
+
+[[nodiscard]] std::vector<SectionKind> section_kinds();
+[[nodiscard]] std::vector<VariableSpace> variable_spaces();
+[[nodiscard]] std::vector<VariableFamily> variable_families();
+[[nodiscard]] std::vector<ModalGroup> modal_groups();
+
+} // namespace maclint::dinplus

@@ -1,0 +1,23 @@
+//! Small questions about the words of a text that every dialect asks.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace maclint {
+
+/// ASCII letters become capitals.
+[[nodiscard]] std::string in_capitals(std::string_view text);
+
+/// Edits (insert, delete, change, swap of neighbours) between two words of at most 16 bytes; longer ones
+/// count as far apart.
+[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// Whether a comment speaks to maclint: it holds the name, any case.
+[[nodiscard]] bool addresses_maclint(std::string_view comment);
+
+/// A file's name without folder and extension.
+[[nodiscard]] std::string stem_of(std::string_view path);
+
+} // namespace maclint

@@ -1,0 +1,69 @@
+//! DIN326: = in a condition, == in an assignment.
+#include "rules/rule.hpp"
+
+#include <string_view>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule assign_vs_compare{
+    .code = "DIN326",
+    .name = "assign-vs-compare",
+    .aliases = "",
+    .summary = "= in a condition, or == where a value is to be stored",
+    .why = "= stores and == compares: the condition does not ask what it seems to ask, and the assignment "
+           "stores nothing.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"condition", "'{0}' stores a value where one is to be compared. Write '{1}'."},
+                 {"assignment",
+                  "'{0}' compares where a value is to be stored, and stores nothing. Write '{1}'."}},
+    .bad = {{"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Size\",#l1)\n"
+                        "N11 IF #l1=1\n"
+                        "N12 THEN\n"
+                        "N13 G0 X60 Z2\n"
+                        "N14 ENDIF\n"
+                        "N15 M30\n"
+                        "END\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 #l1==40\n"
+                        "N11 M30\n"
+                        "END\n"}},
+    .also = {},
+    .good = {{"dinplus", "MACHINING\n"
+                         "N10 INPUT(\"Size\",#l1)\n"
+                         "N11 IF #l1==1\n"
+                         "N12 THEN\n"
+                         "N13 G0 X60 Z2\n"
+                         "N14 ENDIF\n"
+                         "N15 M30\n"
+                         "END\n"},
+             {"dinplus", "MACHINING\n"
+                         "N10 #l1=40\n"
+                         "N11 M30\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:19673-19678"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    for (const Irregularity& irregularity : file.irregularities) {
+        const bool condition = irregularity.kind == Irregular::assignment_in_condition;
+        if (!condition && irregularity.kind != Irregular::comparison_as_assignment) continue;
+        reporter.report(file, irregularity.span, condition ? "condition" : "assignment",
+                        {irregularity.subject, irregularity.cure});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

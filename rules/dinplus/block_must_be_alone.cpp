@@ -1,0 +1,53 @@
+//! DIN008: IF, THEN, ELSE or ENDIF shares its block.
+#include "rules/irregular.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule block_must_be_alone{
+    .code = "DIN008",
+    .name = "block-must-be-alone",
+    .aliases = "",
+    .summary = "IF, THEN, ELSE or ENDIF shares its block with other commands",
+    .why = "A block with one of these words may hold nothing else: the control rejects the program, or "
+           "leaves out the rest of the block.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"plain",
+                  "'{0}' must stand alone in its block. Move what stands beside it to a block of its own."}},
+    .bad = {{"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Diameter\",#l1)\n"
+                        "N11 IF #l1>60\n"
+                        "N12 THEN G0 X100 Z2\n"
+                        "N13 ENDIF\n"
+                        "N14 M30\n"
+                        "END\n"}},
+    .also = {},
+    .good = {{"dinplus", "MACHINING\n"
+                         "N10 INPUT(\"Diameter\",#l1)\n"
+                         "N11 IF #l1>60\n"
+                         "N12 THEN\n"
+                         "N13 G0 X100 Z2\n"
+                         "N14 ENDIF\n"
+                         "N15 M30\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:19668"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::not_alone, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

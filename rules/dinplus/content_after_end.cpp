@@ -1,0 +1,73 @@
+//! DIN103: blocks behind END.
+#include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule content_after_end{
+    .code = "DIN103",
+    .name = "content-after-end",
+    .aliases = "",
+    .summary = "Blocks or sections behind the word that closes the program",
+    .why = "The control reads a program up to END: what stands behind it never runs.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"plain",
+                  "'{0}' stands behind {1} in line {2} and never runs. Move it before, or remove it."}},
+    .bad = {{"dinplus", "MACHINING\n"
+                        "N10 G14 Q0\n"
+                        "N20 M30\n"
+                        "END\n"
+                        "N30 G0 X0\n"}},
+    .also = {},
+    .good = {{"dinplus", "MACHINING\n"
+                         "N10 G14 Q0\n"
+                         "N20 G0 X0\n"
+                         "N30 M30\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:2941"},
+    .check = &check,
+};
+
+namespace {
+
+/// The first thing behind the heading; empty when nothing is there.
+Span first_behind(const ProgramFile& file, Span heading) {
+    Span first{};
+    const auto take = [&](Span span) {
+        const bool behind = span.begin >= heading.end && span.end > span.begin;
+        if (behind && (first.end == 0 || span.begin < first.begin)) first = span;
+    };
+    for (const Program& program : file.programs) {
+        for (const Section& section : program.sections) take(section.heading);
+        for (Id item = 0; item < program.items.size(); ++item) take(program.span_of(item));
+    }
+    return first;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const Section& section : program.sections) {
+        const SectionKind* kind = kind_of(analysis.control(), section);
+        if (kind == nullptr || kind->role != SectionKind::Role::end) continue;
+        const Span first = first_behind(analysis.file(), section.heading);
+        if (first.end == 0) return;
+        reporter.report(analysis.file(), first, "plain",
+                        {quoted(program, first), quoted(program, section.heading),
+                         line_number(analysis.file(), section.heading.begin)});
+        return;
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,124 @@
+//! DIN704: NS or NE names a block that is no contour block.
+#include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <string>
+#include <vector>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule contour_reference_missing{
+    .code = "DIN704",
+    .name = "contour-reference-missing",
+    .aliases = "",
+    .summary = "NS or NE names a block that does not exist or stands in no contour section",
+    .why = "The cycle does not find its contour, and the control stops with an error when it gets there.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages =
+        {{"missing", "'{0}' names N{1}, which does not exist. Correct the number."},
+         {"elsewhere",
+          "'{0}' names N{1}, which stands in {2} and is no part of a contour. Name a block of the contour."}},
+    .bad = {{"dinplus", "BLANK\n"
+                        "N1 G20 X60 Z80 K1\n"
+                        "FINISHED\n"
+                        "N2 G0 X0 Z0\n"
+                        "N3 G1 X50\n"
+                        "N4 G1 Z-40\n"
+                        "MACHINING\n"
+                        "N10 T1\n"
+                        "N11 G0 X62 Z2\n"
+                        "N12 G810 NS3 NE99 P2\n"
+                        "N13 M30\n"
+                        "END\n"},
+            {"dinplus", "BLANK\n"
+                        "N1 G20 X60 Z80 K1\n"
+                        "FINISHED\n"
+                        "N2 G0 X0 Z0\n"
+                        "N3 G1 X50\n"
+                        "N4 G1 Z-40\n"
+                        "MACHINING\n"
+                        "N10 T1\n"
+                        "N11 G0 X62 Z2\n"
+                        "N12 G810 NS3 NE11 P2\n"
+                        "N13 M30\n"
+                        "END\n"}},
+    .also = {},
+    .good = {{"dinplus", "BLANK\n"
+                         "N1 G20 X60 Z80 K1\n"
+                         "FINISHED\n"
+                         "N2 G0 X0 Z0\n"
+                         "N3 G1 X50\n"
+                         "N4 G1 Z-40\n"
+                         "MACHINING\n"
+                         "N10 T1\n"
+                         "N11 G0 X62 Z2\n"
+                         "N12 G810 NS3 NE4 P2\n"
+                         "N13 M30\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:10203", "SEED-003:13166-13167"},
+    .check = &check,
+};
+
+namespace {
+
+using Role = SectionKind::Role;
+
+/// What the file says of its contours.
+struct Contours {
+    bool described = false; ///< there is a contour section
+    bool complete = true;   ///< no subprogram describes a part of them
+};
+
+Contours contours_of(const ProgramFile& file) {
+    Contours contours;
+    for (const Program& program : file.programs)
+        for (const Section& section : program.sections) {
+            const SectionKind* kind = kind_of(*program.control, section);
+            if (kind == nullptr || kind->role != Role::contour) continue;
+            contours.described = true;
+            for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) {
+                const auto* block = std::get_if<Block>(&program.items[i]);
+                if (block == nullptr) continue;
+                for (const Effect& effect : program.effects_in(block->effects))
+                    contours.complete &= !std::holds_alternative<Call>(effect.what) &&
+                                         !std::holds_alternative<UnreadableBlock>(effect.what);
+            }
+        }
+    return contours;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const std::vector<BlockUser> users = find_block_users(analysis.program());
+    if (users.empty()) return;
+    const Contours contours = contours_of(analysis.file());
+    if (!contours.described || !contours.complete) return;
+    for (const BlockUser& user : users) {
+        if (user.target != Role::contour) continue;
+        std::string elsewhere;
+        bool found = false;
+        for (const NumberedBlock& block : find_blocks(analysis.file(), {user.number})) {
+            // A subprogram may hold a contour as well as machining.
+            found |= block.section == nullptr || block.section->role == user.target ||
+                     block.section->role == Role::subprogram;
+            if (block.section != nullptr) elsewhere = block.section->name;
+        }
+        if (found) continue;
+        const Span span = analysis.program().effects[user.effect].span;
+        reporter.report(analysis.file(), span, elsewhere.empty() ? "missing" : "elsewhere",
+                        {quoted(analysis.program(), span), std::to_string(user.number), elsewhere});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

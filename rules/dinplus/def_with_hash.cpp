@@ -1,0 +1,52 @@
+//! DIN323: DEF, NDEF or DVDEF with a # before the name.
+#include "rules/irregular.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule def_with_hash{
+    .code = "DIN323",
+    .name = "def-with-hash",
+    .aliases = "",
+    .summary = "DEF, NDEF and DVDEF take the name without #",
+    .why = "The manual asks for the bare name. With the # the control may ask for the variable whose number "
+           "the value is, and the test answers another question.",
+    .severity = Severity::warning,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"cure", "'{0}' takes the name without #. Write '{1}'."},
+                 {"plain", "'{0}' takes the name without #. Remove it."}},
+    .bad = {{"dinplus", "%FACE.ncs\n"
+                        "MACHINING\n"
+                        "N1 IF DEF(#__la)\n"
+                        "N2 THEN\n"
+                        "N3 G0 X#__la\n"
+                        "N4 ENDIF\n"
+                        "RETURN\n"}},
+    .also = {},
+    .good = {{"dinplus", "%FACE.ncs\n"
+                         "MACHINING\n"
+                         "N1 IF DEF(__la)\n"
+                         "N2 THEN\n"
+                         "N3 G0 X#__la\n"
+                         "N4 ENDIF\n"
+                         "RETURN\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:19732", "SEED-003:22299 (the manual breaks its own rule)"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::hash_in_vacancy_test, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,73 @@
+//! DIN401: IF and ENDIF do not pair.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/structure_faults.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule if_unbalanced{
+    .code = "DIN401",
+    .name = "if-unbalanced",
+    .aliases = "",
+    .summary = "IF without ENDIF, or ELSE or ENDIF without IF",
+    .why = "The control does not find the end of the branch: it reports an error, or leaves out blocks that "
+           "were to run in any case.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"never-closed", "'{0}' has no ENDIF. Add it behind the last block of the branch."},
+                 {"never-opened", "'{0}' belongs to no IF. Remove it, or add the IF."},
+                 {"crossed", "'{0}' ends the branch while '{1}' of line {2} is still open. End that first."}},
+    .bad = {{"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Diameter\",#l1)\n"
+                        "N11 IF #l1>60\n"
+                        "N12 THEN\n"
+                        "N13 G0 X100 Z2\n"
+                        "N14 M30\n"
+                        "END\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 G0 X100 Z2\n"
+                        "N11 ENDIF\n"
+                        "N12 M30\n"
+                        "END\n"}},
+    .also = {},
+    .good = {{"dinplus", "MACHINING\n"
+                         "N10 INPUT(\"Diameter\",#l1)\n"
+                         "N11 IF #l1>60\n"
+                         "N12 THEN\n"
+                         "N13 G0 X100 Z2\n"
+                         "N14 ENDIF\n"
+                         "N15 M30\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:19643-19646"},
+    .check = &check,
+};
+
+namespace {
+
+/// An IF that lacks its THEN, too, is told by the rule for that.
+bool lacks_then(const ProgramAnalysis& analysis, Span choice) {
+    return std::ranges::any_of(analysis.file().irregularities, [&](const Irregularity& irregularity) {
+        return irregularity.kind == Irregular::then_missing && irregularity.span.begin < choice.end &&
+               choice.begin < irregularity.span.end;
+    });
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    for (const flow::StructureFault& fault : nesting_faults(analysis, Construct::choice))
+        if (!lacks_then(analysis, analysis.program().effects[fault.effect].span))
+            report_nesting_fault(analysis, fault, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

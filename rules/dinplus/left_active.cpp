@@ -1,0 +1,69 @@
+//! Reads the states in which programs end and return.
+#include "rules/dinplus/left_active.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+namespace {
+
+bool returns(const ProgramAnalysis& analysis, flow::ExitKind kind) {
+    return kind == flow::ExitKind::returns || (kind == flow::ExitKind::runs_off && !analysis.is_main());
+}
+
+/// Some program that calls this one ends or returns with what the call left on.
+bool is_left_by_a_caller(const ProgramAnalysis& analysis, GroupId group) {
+    return std::ranges::any_of(analysis.callers(), [&](const Caller& caller) {
+        const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
+        return std::ranges::any_of(calling.facts().exits, [&](const dataflow::ExitState& exit) {
+            const dataflow::ModalValue& value = calling.data().modal(exit.state, group);
+            return std::ranges::any_of(value.parts, [&](const dataflow::ModalPart& part) {
+                const dataflow::Origin& origin = calling.data().origin(part.origin);
+                return origin.kind == dataflow::Origin::Kind::effect && origin.id == caller.effect;
+            });
+        });
+    });
+}
+
+} // namespace
+
+bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
+                    const dataflow::ModalPart& part) {
+    const auto code = own_code(analysis, part);
+    return code && code != group.cancel && std::ranges::find(group.customary, *code) == group.customary.end();
+}
+
+std::vector<Leftover> left_at_return(const ProgramAnalysis& analysis) {
+    if (analysis.is_main()) return {};
+    return find_leftovers(
+        analysis, Concern::own_rule,
+        [&](const ModalGroup& group, GroupId id, const dataflow::ExitState& exit, const auto& part) {
+            return group.cancel && returns(analysis, exit.exit.kind) &&
+                   is_switched_on(analysis, group, part) &&
+                   (!group.for_callers || is_left_by_a_caller(analysis, id));
+        });
+}
+
+std::optional<Leftover> left_at_end(const ProgramAnalysis& analysis, std::string_view name) {
+    const auto leftovers = find_leftovers(
+        analysis, Concern::own_rule,
+        [&](const ModalGroup& group, GroupId, const dataflow::ExitState& exit, const auto& part) {
+            return group.name == name && group.cancel && !returns(analysis, exit.exit.kind) &&
+                   is_switched_on(analysis, group, part);
+        });
+    if (leftovers.empty()) return std::nullopt;
+    return leftovers.front();
+}
+
+std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId id, double code) {
+    const ModalGroup& group = analysis.control().groups[id];
+    return {analysis.control().spell(id, code), std::string(group.cancel_words)};
+}
+
+void report_left_at_end(const ProgramAnalysis& analysis, std::string_view group, Reporter& reporter) {
+    const auto leftover = left_at_end(analysis, group);
+    if (!leftover) return;
+    report_leftover(analysis, reporter, *leftover, leftover->on_every_way ? "every-way" : "some-ways",
+                    words_of(analysis, leftover->group, *own_code(analysis, leftover->part)));
+}
+
+} // namespace maclint::rules

@@ -1,0 +1,29 @@
+//! What acts on every later move until it is switched off: radius compensation, tilted planes and the like.
+#pragma once
+
+#include "rules/modal/leftover.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace maclint::rules {
+
+/// What a called program has switched on itself and leaves on when it returns. What a subprogram may switch
+/// on for its caller counts only when a caller is there that leaves it on.
+[[nodiscard]] std::vector<Leftover> left_at_return(const ProgramAnalysis& analysis);
+
+/// What the program has switched on itself in the group of this name, and is still on when it ends.
+[[nodiscard]] std::optional<Leftover> left_at_end(const ProgramAnalysis& analysis, std::string_view group);
+
+/// Reports what `left_at_end` finds: the arguments are the code and what cancels it.
+void report_left_at_end(const ProgramAnalysis& analysis, std::string_view group, Reporter& reporter);
+
+/// The code that switched it on and what cancels it: "G42", "G40".
+[[nodiscard]] std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId group, double code);
+
+/// Whether the part is a code of this program's own that is no customary one of its group.
+[[nodiscard]] bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
+                                  const dataflow::ModalPart& part);
+
+} // namespace maclint::rules

@@ -1,0 +1,87 @@
+//! DIN407: a loop counts in a variable that the program has not set.
+#include "analyzer/dataflow/ways.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule loop_variable_uninitialised{
+    .code = "DIN407",
+    .name = "loop-variable-uninitialised",
+    .aliases = "",
+    .summary = "A loop counts in a channel variable that the program has not set before",
+    .why = "The variable keeps what the part before has left in it: the loop runs in the first part and not "
+           "in the second. An undefined variable may read as 0, or be an error.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages =
+        {{"plain",
+          "The loop counts in {0}, which the program has not set before. Set it in front of the loop."},
+         {"some-ways", "The loop counts in {0}, which the program has not set on every way to the loop. Set "
+                       "it in front of the loop."}},
+    .bad = {{"dinplus", "MACHINING\n"
+                        "N10 WHILE #c4<10\n"
+                        "N11 G0 X10 Z2\n"
+                        "N12 G1 Z-14\n"
+                        "N13 #c4=#c4+1\n"
+                        "N14 ENDWHILE\n"
+                        "N15 M30\n"
+                        "END\n"}},
+    .also = {},
+    .good = {{"dinplus", "MACHINING\n"
+                         "N10 #c4=0\n"
+                         "N11 WHILE #c4<10\n"
+                         "N12 G0 X10 Z2\n"
+                         "N13 G1 Z-14\n"
+                         "N14 #c4=#c4+1\n"
+                         "N15 ENDWHILE\n"
+                         "N16 M30\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:19721", "SEED-003:18956"},
+    .check = &check,
+};
+
+namespace {
+
+/// Variables that all programs share and that have no value of their own at the start. Those of a call level
+/// are uninitialised-local's.
+bool is_shared_and_unset(const ProgramAnalysis& analysis, Place place) {
+    const VariableSpace& space = analysis.control().spaces[place.space];
+    return space.scope == Scope::workspace && space.unset == Unset::undefined;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    if (!analysis.is_main()) return; // a caller may have set it
+    const Program& program = analysis.program();
+    for (const dataflow::Loop& loop : analysis.loops()) {
+        const auto counter = dataflow::counter_of(program, analysis.graph(), analysis.facts(), loop);
+        if (!counter || !is_shared_and_unset(analysis, counter->place)) continue;
+        const auto way = dataflow::way_without_assignment(program, analysis.graph(), analysis.data(),
+                                                          counter->place, loop.head);
+        if (!way) continue;
+        const dataflow::Comparison& test = *counter->tests.front().comparison;
+        const Span span = program.expressions[test.expression].span;
+        const bool sometimes =
+            std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
+                return store.place == counter->place && !loop.holds(store.node);
+            });
+        Finding& finding = reporter.report(analysis.file(), span, sometimes ? "some-ways" : "plain",
+                                           {program.spell(counter->place)});
+        finding.path = steps_along(analysis, *way);
+        finding.path.push_back({&analysis.file(), span, "the loop begins, and nothing has set its counter"});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,69 @@
+//! DIN415: M99 NS names a block that is not there.
+#include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule m99_target{
+    .code = "DIN415",
+    .name = "m99-target",
+    .aliases = "",
+    .summary = "M99 NS restarts at a block that the machining part does not have",
+    .why = "At the end of the part the control looks for the block, does not find it and stops with an "
+           "error: the bar feeds no further part.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"missing", "'{0}' restarts at N{1}, which does not exist. Correct the number."},
+                 {"elsewhere",
+                  "'{0}' restarts at N{1}, which stands in {2}. Name a block of the machining part."}},
+    .bad = {{"dinplus", "MACHINING\n"
+                        "N10 G14 Q0\n"
+                        "N20 T1\n"
+                        "N30 G0 X0 Z2\n"
+                        "N40 M99 NS15\n"
+                        "END\n"}},
+    .also = {},
+    .good = {{"dinplus", "MACHINING\n"
+                         "N10 G14 Q0\n"
+                         "N20 T1\n"
+                         "N30 G0 X0 Z2\n"
+                         "N40 M99 NS20\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:20021"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const BlockUser& user : find_block_users(program)) {
+        if (!user.restarts) continue;
+        std::string elsewhere;
+        bool found = false;
+        for (const NumberedBlock& block : find_blocks(analysis.file(), {user.number})) {
+            const bool runs = block.section == nullptr || block.section->role == user.target;
+            found |= runs && block.program == &program;
+            if (block.section != nullptr) elsewhere = block.section->name;
+        }
+        if (found) continue;
+        const Span span = program.effects[user.effect].span;
+        reporter.report(analysis.file(), span, elsewhere.empty() ? "missing" : "elsewhere",
+                        {quoted(program, span), std::to_string(user.number), elsewhere});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

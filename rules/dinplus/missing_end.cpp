@@ -1,0 +1,73 @@
+//! DIN102: a main program without END.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/dinplus/sections.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule missing_end{
+    .code = "DIN102",
+    .name = "missing-end",
+    .aliases = "",
+    .summary = "A main program without the word that closes it",
+    .why = "END (in German ENDE) is one of the two words that every program must have. A file without it may "
+           "have been cut off on its way.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"plain", "The program is not closed: {0} is missing behind this block. Add it, or look for "
+                           "the rest of the file."}},
+    .bad = {{"dinplus", "%PIN.nc\n"
+                        "MACHINING\n"
+                        "N10 G14 Q0\n"
+                        "N20 M30\n"}},
+    .also = {},
+    .good = {{"dinplus", "%PIN.nc\n"
+                         "MACHINING\n"
+                         "N10 G14 Q0\n"
+                         "N20 M30\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:2223", "SEED-003:2941"},
+    .check = &check,
+};
+
+namespace {
+
+/// The last block, or the last heading where no block follows it.
+Span last_of(const Program& program) {
+    if (program.items.empty()) return program.sections.back().heading;
+    const Item& last = program.items.back();
+    if (const auto* block = std::get_if<Block>(&last)) return block->span;
+    Span span = std::get<Run>(last).span;
+    program.for_each_block(span, [&](const PlainBlock& block) {
+        span = block.span;
+        return true;
+    });
+    return span;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    if (!is_whole_main_program(program)) return;
+    const auto& kinds = analysis.control().sections;
+    const auto end = std::ranges::find(kinds, SectionKind::Role::end, &SectionKind::role);
+    // A program that lacks its machining part, too, was cut off before it: that is told.
+    const bool runs = std::ranges::any_of(kinds, [&](const SectionKind& kind) {
+        return kind.role == SectionKind::Role::machining && has_section(program, kind);
+    });
+    if (!runs || end == kinds.end() || has_section(program, *end)) return;
+    reporter.report(analysis.file(), last_of(program), "plain", {std::string(end->name)});
+}
+
+} // namespace
+} // namespace maclint::rules

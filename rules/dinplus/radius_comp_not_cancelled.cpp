@@ -1,0 +1,134 @@
+//! DIN619: G41 or G42 is still on at a tool change or at the end.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/dinplus/left_active.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule radius_comp_not_cancelled{
+    .code = "DIN619",
+    .name = "radius-comp-not-cancelled",
+    .aliases = "",
+    .summary = "G41 or G42 is still active at T, G14, a change of the plane or the end of the program",
+    .why = "The next tool is moved beside its path by the radius of its own tip, and G14 is not allowed "
+           "while the compensation is being switched off.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"tool", "'{0}' is still active at '{2}' in line {3}. Cancel it with {1} before."},
+                 {"every-way", "'{0}' is still active when the program ends. Cancel it with {1} first."},
+                 {"some-ways", "'{0}' is still active on some of the ways on which the program ends. Cancel "
+                               "it with {1} on those, too."}},
+    .bad = {{"dinplus", "MACHINING\n"
+                        "N10 T2\n"
+                        "N11 G0 X18 Z3\n"
+                        "N12 G42\n"
+                        "N13 G1 Z-30\n"
+                        "N14 G0 X36 Z5\n"
+                        "N15 G14 Q0\n"
+                        "N16 M30\n"
+                        "END\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 T2\n"
+                        "N11 G0 X18 Z3\n"
+                        "N12 G42\n"
+                        "N13 G1 Z-30\n"
+                        "N14 G0 X36 Z5\n"
+                        "N15 M30\n"
+                        "END\n"}},
+    .also = {},
+    .good = {{"dinplus", "MACHINING\n"
+                         "N10 T2\n"
+                         "N11 G0 X18 Z3\n"
+                         "N12 G42\n"
+                         "N13 G1 Z-30\n"
+                         "N14 G40\n"
+                         "N15 G0 X36 Z5\n"
+                         "N16 G14 Q0\n"
+                         "N17 M30\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:12675-12680"},
+    .check = &check,
+};
+
+namespace {
+
+constexpr std::string_view compensation = "radius compensation";
+constexpr std::string_view plane = "plane";
+
+std::optional<GroupId> find_group(const ControlModel& control, std::string_view name) {
+    const auto row = std::ranges::find(control.groups, name, &ModalGroup::name);
+    if (row == control.groups.end()) return std::nullopt;
+    return static_cast<GroupId>(row - control.groups.begin());
+}
+
+/// Whether the word sets another plane than the one that is in force on every way.
+bool changes_plane(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write) {
+    if (!write.group || analysis.control().groups[*write.group].name != plane) return false;
+    const dataflow::ModalValue& value = analysis.data().modal(write.before, *write.group);
+    const auto& pool = analysis.data().pool();
+    return !value.unknown && write.value.constant() &&
+           std::ranges::all_of(value.parts, [&](const auto& part) {
+               const auto code = pool.number_of(part.symbol);
+               return code && *code != *write.value.constant();
+           });
+}
+
+/// Where the compensation must be off: tool changes and changes of the plane.
+std::vector<dataflow::PointState> find_points(const ProgramAnalysis& analysis) {
+    std::vector<dataflow::PointState> points = analysis.facts().tool_changes;
+    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes)
+        if (changes_plane(analysis, write)) points.push_back({write.node, write.effect, write.before});
+    std::ranges::stable_sort(points, {}, &dataflow::PointState::effect);
+    return points;
+}
+
+void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part,
+                    const dataflow::PointState& change, Reporter& reporter) {
+    const Span span = remark_at(analysis, part.origin, {}).span;
+    const Span there = analysis.program().effects[change.effect].span;
+    auto words = words_of(analysis, group, *own_code(analysis, part));
+    words.push_back(quoted(analysis.program(), there));
+    words.push_back(line_number(analysis.file(), there.begin));
+    Finding& finding = reporter.report(analysis.file(), span, "tool", std::move(words));
+    trace(finding, analysis, part.origin, "the compensation is switched on", node_of(analysis, part.origin),
+          "it moves every later position");
+    finding.related.push_back(remark_at_effect(analysis, change.effect, "it is still active here"));
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const auto group = find_group(analysis.control(), compensation);
+    if (!group || analysis.control().groups[*group].concern != Concern::own_rule) return;
+    std::vector<dataflow::OriginId> told; // one finding for each block that switches it on
+    for (const Leftover& leftover : left_at_return(analysis)) // those are told as such
+        if (leftover.group == *group) told.push_back(leftover.part.origin);
+    for (const dataflow::PointState& change : find_points(analysis)) {
+        const dataflow::ModalValue& value = analysis.data().modal(change.state, *group);
+        if (value.unknown) continue;
+        for (const dataflow::ModalPart& part : value.parts) {
+            if (!is_switched_on(analysis, analysis.control().groups[*group], part)) continue;
+            if (std::ranges::find(told, part.origin) != told.end()) continue;
+            told.push_back(part.origin);
+            report_at_tool(analysis, *group, part, change, reporter);
+        }
+    }
+    const auto leftover = left_at_end(analysis, compensation);
+    if (leftover && std::ranges::find(told, leftover->part.origin) == told.end())
+        report_left_at_end(analysis, compensation, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

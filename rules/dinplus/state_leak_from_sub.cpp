@@ -1,0 +1,60 @@
+//! DIN519: a subprogram returns with something switched on.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/dinplus/left_active.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule state_leak_from_sub{
+    .code = "DIN519",
+    .name = "state-leak-from-sub",
+    .aliases = "",
+    .summary = "A subprogram returns with radius compensation, a tilted plane, mirroring or switched-off "
+               "zero shifts that it switched on itself",
+    .why = "The caller goes on with it, and nothing in the caller shows it: later moves go beside the "
+           "contour, in another plane or to another place.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"every-way", "'{0}' is still active when the subprogram returns, and the caller goes on "
+                               "with it. Cancel it with {1} before RETURN."},
+                 {"some-ways", "'{0}' is still active on some of the ways on which the subprogram returns. "
+                               "Cancel it with {1} on those, too."}},
+    .bad = {{"dinplus", "%SEAT.ncs\n"
+                        "MACHINING\n"
+                        "N1 G0 X40 Z2\n"
+                        "N2 G42\n"
+                        "N3 G1 Z-18\n"
+                        "N4 G0 X60\n"
+                        "RETURN\n"}},
+    .also = {},
+    .good = {{"dinplus", "%SEAT.ncs\n"
+                         "MACHINING\n"
+                         "N1 G0 X40 Z2\n"
+                         "N2 G42\n"
+                         "N3 G1 Z-18\n"
+                         "N4 G40\n"
+                         "N5 G0 X60\n"
+                         "RETURN\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:10357-10362", "SEED-003:12675",
+                "SEED-003:20799 (a zero shift with G56 is left on deliberately)"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    for (const Leftover& leftover : left_at_return(analysis))
+        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+                        words_of(analysis, leftover.group, *own_code(analysis, leftover.part)));
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,89 @@
+//! DIN409: SWITCH and ENDSWITCH do not pair, or a branch stands outside.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/structure_faults.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule switch_unbalanced{
+    .code = "DIN409",
+    .name = "switch-unbalanced",
+    .aliases = "",
+    .summary = "SWITCH without ENDSWITCH, or CASE, DEFAULT, BREAK or ENDSWITCH without SWITCH",
+    .why = "The control cannot tell which branch a block belongs to. BREAK ends a branch of SWITCH and "
+           "nothing else: it does not leave a loop.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = false,
+    .messages = {{"never-closed", "'{0}' has no ENDSWITCH. Add it behind the last branch."},
+                 {"never-opened", "'{0}' belongs to no SWITCH. Remove it, or add the SWITCH."},
+                 {"crossed",
+                  "'{0}' ends the branches while '{1}' of line {2} is still open. End that first."}},
+    .bad = {{"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Size\",#l1)\n"
+                        "N11 SWITCH #l1\n"
+                        "N12 CASE 1\n"
+                        "N13 G0 X20\n"
+                        "N14 BREAK\n"
+                        "N15 M30\n"
+                        "END\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 INPUT(\"Size\",#l1)\n"
+                        "N11 CASE 1\n"
+                        "N12 G0 X20\n"
+                        "N13 BREAK\n"
+                        "N14 ENDSWITCH\n"
+                        "N15 M30\n"
+                        "END\n"}},
+    .also = {},
+    .good = {{"dinplus", "MACHINING\n"
+                         "N10 INPUT(\"Size\",#l1)\n"
+                         "N11 SWITCH #l1\n"
+                         "N12 CASE 1\n"
+                         "N13 G0 X20\n"
+                         "N14 BREAK\n"
+                         "N15 ENDSWITCH\n"
+                         "N16 M30\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:19850-19853"},
+    .check = &check,
+};
+
+namespace {
+
+/// A branch without its SWITCH: what follows up to the ENDSWITCH lacks the same word.
+class Strays {
+  public:
+    explicit Strays(const Program& program)
+        : program_(program) {}
+
+    [[nodiscard]] bool is_told(const flow::StructureFault& fault) {
+        const Structure::Part part = std::get<Structure>(program_.effects[fault.effect].what).part;
+        const bool stray = fault.what == flow::Imbalance::never_opened;
+        const bool told = stray && in_branches_;
+        if (!stray || part == Structure::Part::close) in_branches_ = false;
+        if (stray && part == Structure::Part::middle) in_branches_ = true;
+        return told;
+    }
+
+  private:
+    const Program& program_;
+    bool in_branches_ = false;
+};
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    Strays strays(analysis.program());
+    for (const flow::StructureFault& fault : nesting_faults(analysis, Construct::selection))
+        if (!strays.is_told(fault)) report_nesting_fault(analysis, fault, reporter);
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,135 @@
+//! DIN330: a transfer value that some caller leaves out is used without asking.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule transfer_value_unchecked{
+    .code = "DIN330",
+    .name = "transfer-value-unchecked",
+    .aliases = "",
+    .summary = "A transfer value that some caller leaves out is used without DEF or NDEF, or tested against "
+               "0 instead",
+    .why = "A value left out is undefined: it may read as 0, and a caller may pass 0 on purpose. Only DEF "
+           "and NDEF tell the two apart.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"unchecked",
+                  "{0} is used here, but the call in {1} leaves it out. Ask with DEF or NDEF first."},
+                 {"zero-test", "'{2}' does not tell a value left out, as by the call in {1}, from a "
+                               "0 that is passed. Ask with NDEF."}},
+    .bad = {{"dinplus", "MACHINING\n"
+                        "N10 L\"CHAMFER\" LA50 LC1\n"
+                        "N11 L\"CHAMFER\" LA90\n"
+                        "N12 M30\n"
+                        "SUBPROGRAM \"CHAMFER\"\n"
+                        "N20 G0 X#__la Z2\n"
+                        "N21 G1 Zi-#__lc\n"
+                        "RETURN\n"
+                        "END\n"},
+            {"dinplus", "MACHINING\n"
+                        "N10 L\"CHAMFER\" LA50 LC1\n"
+                        "N11 L\"CHAMFER\" LA90\n"
+                        "N12 M30\n"
+                        "SUBPROGRAM \"CHAMFER\"\n"
+                        "N20 G0 X#__la Z2\n"
+                        "N21 IF #__lc==0\n"
+                        "N22 THEN\n"
+                        "N23 G1 Zi-1\n"
+                        "N24 ENDIF\n"
+                        "RETURN\n"
+                        "END\n"}},
+    .also = {},
+    .good = {{"dinplus", "MACHINING\n"
+                         "N10 L\"CHAMFER\" LA50 LC1\n"
+                         "N11 L\"CHAMFER\" LA90\n"
+                         "N12 M30\n"
+                         "SUBPROGRAM \"CHAMFER\"\n"
+                         "N20 G0 X#__la Z2\n"
+                         "N21 IF DEF(__lc)\n"
+                         "N22 THEN\n"
+                         "N23 G1 Zi-#__lc\n"
+                         "N24 ENDIF\n"
+                         "RETURN\n"
+                         "END\n"}},
+    .alarms = {},
+    .sources = {"SEED-003:19721", "SEED-003:19732", "SEED-003:19742"},
+    .check = &check,
+};
+
+namespace {
+
+/// The first call of the workspace that does not pass the value.
+const Caller* caller_without(const ProgramAnalysis& analysis, Place formal) {
+    for (const Caller& caller : analysis.callers()) {
+        const Program& program = analysis.workspace().programs()[caller.program].program();
+        const auto& call = std::get<Call>(program.effects[caller.effect].what);
+        const auto arguments = program.arguments_of(call);
+        if (std::ranges::find(arguments, formal, &Argument::formal) == arguments.end()) return &caller;
+    }
+    return nullptr;
+}
+
+/// A value that nothing has asked for on the way here. Languages that tell vacant from 0 in every comparison
+/// have rules of their own.
+bool is_unchecked(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    const auto& formals = analysis.control().formals;
+    return analysis.control().spaces[read.place.space].unset == Unset::undefined &&
+           read.use != dataflow::Use::vacancy_test && read.value.vacancy == dataflow::Vacancy::maybe &&
+           std::ranges::find(formals, read.place) != formals.end();
+}
+
+/// The comparison with 0 that the read is a side of.
+const dataflow::Comparison* zero_test_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+        if (comparison.node != read.node) continue;
+        if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
+            continue;
+        const bool left = comparison.left_expression == read.expression;
+        if (!left && comparison.right_expression != read.expression) continue;
+        if ((left ? comparison.right : comparison.left).constant() == 0.0) return &comparison;
+    }
+    return nullptr;
+}
+
+void report(const ProgramAnalysis& analysis, const dataflow::Read& read, const Caller& caller,
+            Reporter& reporter) {
+    const Program& program = analysis.program();
+    const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
+    const Span call = calling.program().effects[caller.effect].span;
+    const dataflow::Comparison* test = zero_test_of(analysis, read);
+    const Span span = program.expressions[test != nullptr ? test->expression : read.expression].span;
+    std::string place = "line " + line_number(calling.file(), call.begin);
+    if (&calling.file() != &analysis.file()) place += " of " + calling.program().name;
+    Finding& finding = reporter.report(analysis.file(), span, test != nullptr ? "zero-test" : "unchecked",
+                                       {program.spell(read.place), place, quoted(program, span)});
+    finding.path.push_back(
+        remark_at_effect(calling, caller.effect, "this call leaves " + program.spell(read.place) + " out"));
+    trace(finding, analysis, read.node, "and nothing has asked for it before it is used");
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    std::vector<Place> told;
+    for (const dataflow::Read& read : analysis.facts().reads) {
+        if (!is_unchecked(analysis, read) || std::ranges::find(told, read.place) != told.end()) continue;
+        const Caller* caller = caller_without(analysis, read.place);
+        if (caller == nullptr) continue;
+        told.push_back(read.place);
+        report(analysis, read, *caller, reporter);
+    }
+}
+
+} // namespace
+} // namespace maclint::rules
