@@ -36,6 +36,12 @@ Notice foreign(const ReadFile& file, const std::string& reason) {
             "this is not linted: " + reason + ". Name its dialect with --dialect if that is wrong."};
 }
 
+/// An empty file is no error, but seldom what somebody meant.
+Notice empty(const ReadFile& file) {
+    return {NoticeKind::left_out, file.input.path,
+            "this file is empty, so there is nothing to check. Fetch it again if it should hold a program."};
+}
+
 /// A program file without programs, so that a finding has a place.
 std::shared_ptr<const ProgramFile> empty_file(std::shared_ptr<const Source> source,
                                               const ControlModel& control) {
@@ -80,6 +86,7 @@ ReadFile read_source(InputFile input, FileSettings settings, Source bytes) {
         file.notice = foreign(file, detection.reason);
         return file;
     }
+    if (classify(source->bytes()) == Content::empty) file.notice = empty(file);
     file.file = std::make_shared<const ProgramFile>(file.dialect->read(std::move(source), control_of(file)));
     return file;
 }
