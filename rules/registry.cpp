@@ -55,6 +55,7 @@
     RULE(single_block_suppression_not_restored) /* MAC515 */ \
     RULE(saved_after_change)                    /* MAC517 */ \
     RULE(modal_state_forced)                    /* MAC518 */ \
+    RULE(modal_code_as_number)                  /* MAC574 */ \
     RULE(bracket_depth)                         /* MAC701 */ \
     RULE(float_equality)                        /* MAC710 */ \
     RULE(float_loop_counter)                    /* MAC711 */ \

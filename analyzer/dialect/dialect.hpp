@@ -32,10 +32,14 @@ struct Detection {
     std::string reason; ///< "extension .nc", "HEIDENHAIN Klartext (BEGIN PGM in line 1)"
     bool not_nc_text; ///< no NC program of any kind (binary, C, JSON, noise): MAC003 when the user named the
                       ///< file
+    bool certain;     ///< the text bears marks of the dialect; else nothing in it speaks for another
 };
 [[nodiscard]] Detection detect_dialect(const Source& source);
 
 /// Whether a file with this name is worth opening when a folder is searched.
 [[nodiscard]] bool has_nc_extension(std::string_view path);
+/// Whether it is news that a file of a searched folder is no NC text; it is none of a README.txt, of a
+/// C header among Klartext programs.
+[[nodiscard]] bool is_worth_a_note(std::string_view path);
 
 } // namespace maclint

@@ -19,11 +19,13 @@ std::string_view without_tape_leader(std::string_view bytes) {
 }
 
 /// Controls that NC files really hold: tab, line ends, vertical tab and form feed, DC1-DC4 (tape reader and
-/// punch on and off), SUB (end of file of CP/M and DOS), DEL (rubbed-out tape).
+/// punch on and off), SUB (end of file of CP/M and DOS), DEL (rubbed-out tape); BEL, BS and ESC, which the
+/// log of a terminal leaves behind.
 bool is_stray(char c) {
     const auto value = static_cast<unsigned char>(c);
     if (value >= 0x20) return false;
-    return !((value >= 0x09 && value <= 0x0D) || (value >= 0x11 && value <= 0x14) || value == 0x1A);
+    return !((value >= 0x07 && value <= 0x0D) || (value >= 0x11 && value <= 0x14) || value == 0x1A ||
+             value == 0x1B);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 //! Settings are found one file after the other, reading and lowering go in parallel.
 #include "cli/input/read.hpp"
 
+#include "analyzer/program/readable.hpp"
 #include "analyzer/source/content.hpp"
 #include "analyzer/workspace/parallel.hpp"
 
@@ -42,6 +43,15 @@ Notice empty(const ReadFile& file) {
             "this file is empty, so there is nothing to check. Fetch it again if it should hold a program."};
 }
 
+/// Why a text without marks of its dialect is likely in another language; nothing for all others.
+std::optional<std::string> find_doubt(const ReadFile& file, const Detection& detection) {
+    if (file.settings.dialect != nullptr || detection.certain) return std::nullopt;
+    const Readable readable = count_readable(*file.file);
+    if (!readable.is_doubtful()) return std::nullopt;
+    return std::to_string(readable.unreadable) + " of " + std::to_string(readable.blocks) +
+           " blocks cannot be read as " + std::string(file.dialect->name);
+}
+
 /// A program file without programs, so that a finding has a place.
 std::shared_ptr<const ProgramFile> empty_file(std::shared_ptr<const Source> source,
                                               const ControlModel& control) {
@@ -74,7 +84,7 @@ ReadFile read_source(InputFile input, FileSettings settings, Source bytes) {
     const bool told = file.settings.dialect != nullptr;
     file.dialect = told ? file.settings.dialect : detection.dialect;
     file.dialect_reason = told ? file.settings.dialect_reason : detection.reason;
-    const bool not_nc = told ? is_no_text(*source) : detection.not_nc_text;
+    const bool not_nc = detection.not_nc_text && (!told || is_no_text(*source));
     if (not_nc && file.input.named) {
         if (file.dialect == nullptr) file.dialect = &dialects().front();
         file.not_nc = detection.reason;
@@ -83,11 +93,17 @@ ReadFile read_source(InputFile input, FileSettings settings, Source bytes) {
     }
     if (file.dialect == nullptr || not_nc) {
         file.dialect = nullptr;
-        file.notice = foreign(file, detection.reason);
+        if (!not_nc || is_worth_a_note(file.input.path)) file.notice = foreign(file, detection.reason);
         return file;
     }
     if (classify(source->bytes()) == Content::empty) file.notice = empty(file);
     file.file = std::make_shared<const ProgramFile>(file.dialect->read(std::move(source), control_of(file)));
+    if (auto doubt = find_doubt(file, detection)) {
+        file.notice = foreign(file, *doubt);
+        file.dialect_reason = *std::move(doubt);
+        file.dialect = nullptr;
+        file.file = nullptr;
+    }
     return file;
 }
 

@@ -120,6 +120,29 @@ TEST_F(Executable, TellsOfAFolderWithoutProgramsAndOfForeignFiles) {
     EXPECT_THAT(run({"--quiet", "part.h", "empty"}).err, IsEmpty());
 }
 
+TEST_F(Executable, GivesOneNoteForATextThatItsDialectCannotRead) {
+    std::string text;
+    for (int i = 0; i < 12; ++i) text += "G0 X5. Y5.\nX5. TO THE LEFT\n";
+    folder.write("odd.nc", text);
+    const Finished odd = run({"odd.nc"});
+    EXPECT_EQ(odd.status, 0);
+    EXPECT_THAT(odd.err, HasSubstr("odd.nc: this is not linted: 12 of 24 blocks cannot be read as fanuc."));
+    EXPECT_THAT(concise({"--dialect", "fanuc", "odd.nc"}), HasSubstr("odd.nc:2:"));
+    folder.write("ours.nc", "O1000\n" + text);
+    EXPECT_THAT(concise({"ours.nc"}), HasSubstr("ours.nc:3:"));
+    folder.write("short.nc", "G0 X5. Y5.\nX5. TO THE LEFT\n");
+    EXPECT_THAT(concise({"short.nc"}), HasSubstr("short.nc:2:"));
+}
+
+TEST_F(Executable, KeepsSilentAboutTextsThatNobodyTakesForPrograms) {
+    folder.write("O1.nc", good);
+    folder.write("README.txt", "These are the programs of the hinge,\nas the customer sent them.\n");
+    folder.write("driver.h", "#include <stdio.h>\n#define A 1\n");
+    EXPECT_THAT(run({"."}).err, IsEmpty());
+    folder.write("PART.MPF", "G0 X5\nM30\n");
+    EXPECT_THAT(run({"."}).err, HasSubstr("PART.MPF: this is not linted: SINUMERIK"));
+}
+
 TEST_F(Executable, TakesTheUsersWordForTheDialect) {
     folder.write("main.c", "int main(void) {\n    return 0;\n}\n");
     EXPECT_THAT(concise({"main.c"}), HasSubstr("MAC003"));

@@ -1,7 +1,7 @@
-//! Which dialect a file is for, and what else it may be.
-#include "analyzer/dialect/dialect.hpp"
+//! Which dialect a file is for, and what else it may be: one small text for each kind. The files of other
+//! people are in detect_corpus_test.cpp.
+#include "tests/dialect/detecting.hpp"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -12,39 +12,136 @@ namespace maclint {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::told;
 
 Detection detect(std::string path, std::string_view text) {
     return detect_dialect(Source::from_bytes(std::move(path), std::string(text)));
 }
 
-std::string_view dialect_of(const Detection& detection) {
-    return detection.dialect ? detection.dialect->name : "";
-}
+std::string told_of(std::string path, std::string_view text) { return told(detect(std::move(path), text)); }
+std::string told_of(std::string_view text) { return told_of("a.nc", text); }
 
 TEST(Detection, FanucProgramsAreOursWhateverTheirExtension) {
-    for (const char* path : {"O9100.nc", "O9100", "part.txt", "job.tap", "x.cnc"})
-        EXPECT_EQ(dialect_of(detect(path, "%\nO9100(DRILL)\n#1=#2\nM99\n%")), "fanuc") << path;
-    EXPECT_EQ(dialect_of(detect("x.nc", "(ONLY A COMMENT)\n")), "fanuc");
-    EXPECT_EQ(dialect_of(detect("x.nc", "")), "fanuc");
+    for (const char* path : {"O9100.nc", "O9100", "part.txt", "job.tap", "x.cnc", "x.ngc", "x.gcode"})
+        EXPECT_EQ(told_of(path, "%\nO9100(DRILL)\n#1=#2\nM99\n%"), "fanuc") << path;
+    EXPECT_EQ(told_of("(ONLY A COMMENT)\n"), "fanuc");
+    EXPECT_EQ(told_of("#100=5\nG0X#100\nM99\n"), "fanuc");
+    EXPECT_EQ(told_of("G0 X0 Y0\nG1 Z-1. F100.\nM30\n"), "fanuc");
+    EXPECT_EQ(told_of(""), "fanuc");
+}
+
+TEST(Detection, SemicolonsThatEndABlockSpeakForNobody) {
+    EXPECT_EQ(told_of("G0 X0 Y0;\nG1 Z-1. F100.;\n;\n;\n(TEXT);\nM30;\n"), "fanuc");
+    EXPECT_EQ(told_of("G0 X0; G1 Z-1. F100.; (DOWN)\n#1=5; IF[#1EQ5]GOTO10\nN10 M30\n"), "fanuc");
+}
+
+TEST(Detection, OneSlipDoesNotMakeAFanucProgramForeign) {
+    const std::string head = "%\nO0100(FLANGE)\nG90 G54 G0 X0 Y0\n";
+    const std::string tail = "\nG65 P9100 A1.\nIF[#1EQ#0]GOTO99\nN99 M30\n%\n";
+    for (const char* slip : {"; DRILL THE HOLES",
+                             "#<DEPTH>=5",
+                             "(MSG, LOAD TOOL 5)",
+                             "G64 P0.01",
+                             "END",
+                             "ENDIF",
+                             "#I=5",
+                             "G1 X5 *",
+                             "R1=5",
+                             "[TOOL CHANGE]",
+                             "G1 X50 BR2",
+                             "FRONT",
+                             "T=\"DRILL\"",
+                             "G1 X5. E0.5",
+                             "// DEBURR",
+                             "STOPRE",
+                             "L X+10 R0 FMAX",
+                             "G810 X5.",
+                             "%\nprose between two tapes\n%",
+                             "TOOL CALL 5",
+                             "X?"})
+        EXPECT_EQ(told_of(head + slip + tail), "fanuc") << slip;
 }
 
 TEST(Detection, NctIsToldByItsForms) {
-    EXPECT_EQ(dialect_of(detect("x.nc", "%O9601(POCKET)\nG1ZI#23F#9\nM99%")), "nct");
-    EXPECT_EQ(dialect_of(detect("x.nc", "%O9601(POCKET)\nG1Z#23F#9\nM99%")), "fanuc");
+    EXPECT_EQ(told_of("%O9601(POCKET)\nG1ZI#23F#9\nM99%"), "nct");
+    EXPECT_EQ(told_of("%O9601(POCKET)\nG1Z#23F#9\nM99%"), "fanuc");
 }
 
-TEST(Detection, OtherControlsAreNamed) {
-    EXPECT_THAT(detect("a.h", "0 BEGIN PGM DEMO MM\n1 TOOL CALL 5 Z S2000\n").reason, HasSubstr("Klartext"));
-    EXPECT_THAT(detect("a.MPF", "G0 X10\nM30").reason, HasSubstr("SINUMERIK"));
-    EXPECT_THAT(detect("a.nc", "DEF REAL DEPTH\nR1=5 R2=R1+3\nMSG(\"HELLO\")\nM17").reason,
-                HasSubstr("SINUMERIK"));
-    EXPECT_THAT(detect("a.ngc", "o100 sub\nG1 X#1\no100 endsub\n").reason, HasSubstr("LinuxCNC"));
-    EXPECT_THAT(detect("a.nc", "PROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 G0 X5\nEND").reason,
-                HasSubstr("DIN PLUS"));
-    for (const char* text : {"o100 sub\nG1 X#1\no100 endsub\n", "0 BEGIN PGM DEMO MM\n"}) {
-        EXPECT_EQ(detect("a.nc", text).dialect, nullptr);
-        EXPECT_FALSE(detect("a.nc", text).not_nc_text);
-    }
+TEST(Detection, KlartextIsToldByItsWords) {
+    EXPECT_EQ(told_of("a.h", "0 BEGIN PGM DEMO MM\n1 TOOL CALL 5 Z S2000\n"), "HEIDENHAIN Klartext");
+    EXPECT_EQ(told_of("12 TOOL CALL 5 Z S2000\n13 L Z+100 R0 FMAX M3\n"), "HEIDENHAIN Klartext");
+    EXPECT_EQ(told_of("5 FN 0: Q1 = +5\n6 LBL 1\n7 CALL LBL 1 REP 3\n"), "HEIDENHAIN Klartext");
+    EXPECT_EQ(told_of("%PART G71 *\nN10 T1 G17 S2000 *\nN20 G00 G40 G90 Z+100 *\n"), "HEIDENHAIN DIN/ISO");
+}
+
+TEST(Detection, SinumerikIsToldByItsExtensionOrItsWords) {
+    EXPECT_EQ(told_of("a.MPF", "G0 X10\nM30"), "SINUMERIK");
+    EXPECT_EQ(told_of("DEF REAL DEPTH\nR1=5 R2=R1+3\nMSG(\"HELLO\")\nM17"), "SINUMERIK");
+    EXPECT_EQ(told_of("%_N_PART_MPF\nG0 X10\nM30"), "SINUMERIK");
+    EXPECT_EQ(told_of("; rough\nG0 X=R1\nIF R1>5 GOTOF NEXT\nR3=R1\nNEXT:\nM30 ; done"), "SINUMERIK");
+}
+
+TEST(Detection, LinuxCncIsToldByOWordsNamesAndItsExtension) {
+    EXPECT_EQ(told_of("o100 sub\nG1 X#1\no100 endsub\n"), "LinuxCNC");
+    EXPECT_EQ(told_of("o<probe> call [1] [2]\nM2\n"), "LinuxCNC");
+    EXPECT_EQ(told_of("#<depth> = 5\nG1 Z#<depth>\nM2\n"), "LinuxCNC");
+    EXPECT_EQ(told_of("G21 G64 P0.01\nG1 X5 F100\nM2\n"), "LinuxCNC");
+    EXPECT_EQ(told_of("(debug, x is #1)\nG1 X5 F100\n(print, done)\nM2\n"), "LinuxCNC");
+    EXPECT_EQ(told_of("a.ngc", "G1 X5 F100\nM2\n"), "LinuxCNC");
+}
+
+TEST(Detection, GcodeWithRemarksBehindSemicolonsIsNotOurs) {
+    EXPECT_EQ(told_of("G28 ; home all axes\nM104 S200 ; hot end\nG92 E0\nG1 X5 Y5 E2.5 F1500\n"),
+              "a 3D printer");
+    EXPECT_EQ(told_of("; pocket for the hinge\nG21 ; metric\nG0 X5\nM5 ; stop\n"),
+              "G-code for LinuxCNC, GRBL, a 3D printer or the like");
+    EXPECT_EQ(told_of("$H\n$120=50\nG0 X5\n"), "GRBL");
+}
+
+TEST(Detection, WireErosionAndOkumaAreNamed) {
+    EXPECT_EQ(told_of("//\n//CUTTING CONDITIONS\nE001=10 16 15 09\nE002=09 23 03 07\nG92 X0 Y0\nE1\n"),
+              "wire erosion");
+    EXPECT_EQ(told_of("$PART.MIN%\nG15 H1\nVC1=5\nCALL O1000\nM02\n"), "OKUMA OSP");
+}
+
+TEST(Detection, DinPlusIsToldBySectionsAndFilesOfSubprograms) {
+    const std::string din_plus(testing::din_plus);
+    for (const char* text : {"PROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 G0 X5\nEND",
+                             "BEARBEITUNG\nN1 G0 X5\nENDE", "CHUCKING EQUIPMENT 2\nH0 D0 Z200\n",
+                             "FACE_C Z-25\nN1 G0 X5\n", "AUXIL_CONTOUR ID\"path\"\nN1 G0 X5 Z0\n",
+                             "SUBPROGRAM \"1\"\nN1 G0 X5\nRETURN\n", "%851.nc\nN1 G0 X60 Z2\nEND\n"})
+        EXPECT_EQ(told_of(text), din_plus) << text;
+    EXPECT_EQ(told_of("MEASURE.ncs", "N1 G0 X5\nRETURN\n"), din_plus);
+    EXPECT_EQ(told_of("MEASURE.ncs", ""), din_plus);
+}
+
+TEST(Detection, FragmentsOfDinPlusAreToldByVariablesAddressesAndCalls) {
+    const std::string din_plus(testing::din_plus);
+    for (const char* text :
+         {"N1 #l1=#l1+1\nN2 IF #l1 < 5\nN3 THEN\n", "#g200=5\n", "N5 IF NDEF(#__la)\nN6 THEN\n",
+          "N1 L\"GROOVE\" V1 LA5\n", "N1 T3 G95 F0.25 G96 S200 M3\nN2 G0 X62 Z2\n",
+          "N9 G1 X50 BR-2\nN10 G1 Zi-5 BR2\n", "N1 G810 NS7 NE12 P5\nN2 G14 Q0\n",
+          "$1$2 N1 M97\n$1 N2 M97 H1\n", "[//]\n[la=1; s=diameter]\n[//]\n",
+          "N1 UNIT ID\"START\"\nN2 END_OF_UNIT\n", "N10 G13 X? Z? R15\nN20 G12 X?\n"})
+        EXPECT_EQ(told_of(text), din_plus) << text;
+}
+
+TEST(Detection, TheNoteSaysWhatGaveTheLanguageAwayAndWhere) {
+    EXPECT_EQ(detect("a.nc", "G0 X5\n\no100 sub\no100 endsub\n").reason, "LinuxCNC (an o-word in line 3)");
+    EXPECT_EQ(detect("a.nc", "G0\n\r\rG1\n\r\r0 BEGIN PGM A MM\n").reason,
+              "HEIDENHAIN Klartext (BEGIN PGM in line 3)");
+    EXPECT_EQ(detect("a.spf", "G0 X5\n").reason, "SINUMERIK (extension .spf)");
+    EXPECT_FALSE(detect("a.nc", "o100 sub\no100 endsub\n").not_nc_text);
+}
+
+TEST(Detection, OnlyMarksOfFanucMakeItCertain) {
+    EXPECT_TRUE(detect("a.nc", "O1\nG0 X5\n").certain);
+    EXPECT_FALSE(detect("a.nc", "G0 X5\n").certain);
+}
+
+TEST(Detection, EveryLineEndIsOne) {
+    for (const char* text : {"%\n\r\rO1\n\r\rG0 X5\n\r\rM30\n\r\r%\n\r\r", "%\rO1\rG0 X5\rM30\r%\r"})
+        EXPECT_EQ(told_of(text), "fanuc");
 }
 
 TEST(Detection, WhatIsNoNcTextIsToldSo) {
@@ -61,33 +158,17 @@ TEST(Detection, WhatIsNoNcTextIsToldSo) {
                                  "ELF\x02\x01\x01\0\0\0\0\0\0\0\0\0\x03\0>\0\x01\0\0\0",
                                  24),
                 "binary");
-    expect_none("Dear customer,\nplease find attached the drawing.\nKind regards\n", "no NC program");
+    expect_none(
+        "Dear customer,\nplease find attached; thanks again\nthe drawing; it is final\nKind regards\n",
+        "no NC program");
 }
 
 TEST(Detection, ExtensionsWorthOpening) {
-    EXPECT_TRUE(has_nc_extension("parts/A.NC"));
-    EXPECT_TRUE(has_nc_extension("O9100"));
-    EXPECT_FALSE(has_nc_extension("README"));
-    EXPECT_FALSE(has_nc_extension("a.cpp"));
-}
-
-TEST(Detection, EveryFanucFileOfTheOuterCorpusIsOurs) {
-    const std::filesystem::path corpus = std::filesystem::path(MACLINT_SHARED) / "corpus";
-    if (!std::filesystem::exists(corpus)) GTEST_SKIP() << "the outer corpus is not at " << corpus;
-    const auto count = [&](const char* group, bool ours) {
-        std::size_t wrong = 0;
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus / group)) {
-            if (!entry.is_regular_file()) continue;
-            const auto source = Source::read_file(entry.path().string());
-            const Detection detection = detect_dialect(std::get<Source>(source));
-            if ((detection.dialect != nullptr) != ours) ++wrong;
-        }
-        return wrong;
-    };
-    EXPECT_EQ(count("fanuc-macro", true), 9U); // nine wire-erosion programs stand among the macros
-    EXPECT_EQ(count("fanuc-plain", true), 0U);
-    EXPECT_EQ(count("sinumerik", false), 0U);
-    EXPECT_EQ(count("heidenhain-tnc", false), 0U);
+    for (const char* path : {"parts/A.NC", "O9100", "a.ncs", "a.MPF", "plan.h"})
+        EXPECT_TRUE(has_nc_extension(path)) << path;
+    for (const char* path : {"README", "a.cpp", "a.json"}) EXPECT_FALSE(has_nc_extension(path)) << path;
+    EXPECT_TRUE(is_worth_a_note("noise.nc"));
+    EXPECT_FALSE(is_worth_a_note("README.txt"));
 }
 
 } // namespace

@@ -56,6 +56,19 @@ TEST(FanucTape, LeaderBeforeTheFirstMarkAndTextBehindTheLastAreNotRead) {
     EXPECT_EQ(programs_of("O5\n#1=1\n%\n#2=2"), "O5:\n\n#1 := 1\n");
 }
 
+TEST(FanucSplitter, AProgramNumberGluedToTheEndOfAProgramBeginsTheNextOne) {
+    EXPECT_THAT(blocks_of("M99O0810(Z)\nN5 M30O20\nM2O3"),
+                ElementsAre("M99", "O0810(Z)", "N5 M30", "O20", "M2", "O3"));
+    EXPECT_THAT(blocks_of("M99P120O7"), ElementsAre("M99P120", "O7"));
+    EXPECT_EQ(programs_of("O1\n#1=1\nM99O2(NEXT)\n#1=2\nM99\n"),
+              "O1:\n\n#1 := 1\nreturn\nO2:\n\n#1 := 2\nreturn\n");
+}
+
+TEST(FanucSplitter, OtherBlocksKeepTheirProgramNumber) {
+    EXPECT_THAT(blocks_of("M98O2\nM199O2\nM99 O2\nX30O2\nM30(O2)\nM99OX"),
+                ElementsAre("M98O2", "M199O2", "M99 O2", "X30O2", "M30(O2)", "M99OX"));
+}
+
 TEST(FanucTape, ProgramsBehindAMarkAreReadWhenAnotherMarkFollows) {
     EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\nO2\n#2=2\n%\n"), "O1:\n\n#1 := 1\nO2:\n\n#2 := 2\n");
     EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\nTEXT\n%\nO2\n#2=2\n%\n"), "O1:\n\n#1 := 1\nO2:\n\n#2 := 2\n");

@@ -1,4 +1,5 @@
-//! Rules about modal state that a program leaves behind: MAC501-MAC506, MAC515, MAC517, MAC518.
+//! Rules about modal state that a program leaves behind: MAC501-MAC506, MAC515, MAC517, MAC518; and about its
+//! codes that serve as numbers: MAC574.
 #include "tests/rules/raised.hpp"
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@ namespace {
 
 using test::lines_raised;
 using test::messages_raised;
+using test::path_raised;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -43,6 +45,51 @@ TEST(ModalState, LeftByACalledProgramIsThatPrograms) {
 
 TEST(ModalState, ThatAnUnknownProgramMayHaveChangedIsLeftAlone) {
     EXPECT_THAT(lines_raised("MAC501", "O9001\nG91 G0 X1\nG65 P9999\nM99\n"), IsEmpty());
+}
+
+TEST(ModalState, ThatEveryCallerSetsAgainBeforeItMovesHarmsNobody) {
+    const std::string sub = "O9001\nG91 G0 Z#26\nM99\n";
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z5.\nG90 G0 X1\nM30\n" + sub), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z5.\nG0 X1\nM30\n" + sub), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z5.\nM30\n" + sub), IsEmpty());
+    // One of two callers moves so.
+    EXPECT_THAT(
+        lines_raised("MAC501", "O1\nG65 P9001 Z5.\nG90 G0 X1\nM30\nO2\nG65 P9001 Z5.\nX1\nM30\n" + sub),
+        ElementsAre(10));
+    // Only on one way does the caller set it.
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z5.\nIF[#100EQ1]GOTO9\nG90\nN9 G0 X1\nM30\n" + sub),
+                ElementsAre(8));
+}
+
+TEST(ModalState, ThatACallerLeavesToItsOwnCallersMattersThere) {
+    const std::string subs = "O9001\nG65 P9002 Z#26\nM99\nO9002\nG91 G0 Z#26\nM99\n";
+    EXPECT_THAT(lines_raised("MAC501", subs), ElementsAre(5)); // nobody knows who calls O9001
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z1.\nG90 X1\nM30\n" + subs), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z1.\nG0 X1\nM30\n" + subs), ElementsAre(9));
+}
+
+TEST(ModalState, ThatTheNextCalledProgramSetsAgainHarmsNobody) {
+    const std::string sub = "O9001\nG91 G0 Z#26\nM99\n";
+    EXPECT_THAT(lines_raised("MAC501",
+                             "O1\nG65 P9001 Z5.\nG65 P9002\nG0 X1\nM30\n" + sub + "O9002\nG90 G0 X0\nM99\n"),
+                IsEmpty());
+    EXPECT_THAT(
+        lines_raised("MAC501", "O1\nG65 P9001 Z5.\nG65 P9002\nG90 X1\nM30\n" + sub + "O9002\nG0 X0\nM99\n"),
+        ElementsAre(7));
+}
+
+TEST(Feed, MattersToMovesThatHaveOne) {
+    const std::string sub = "O9001\nG1 Z#26 F#9\nG0 Z5.\nM99\n";
+    EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 Z1. F9.\nX1\nG1 X2 F100\nM30\n" + sub), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 Z1. F9.\nG28 X0\nG1 X2 F100\nM30\n" + sub), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 Z1. F9.\nG1 X2\nM30\n" + sub), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 Z1. F9.\nX#100\nG1 X2\nM30\n" + sub), ElementsAre(7));
+}
+
+TEST(Feed, SetByManyWordsFromOneArgumentIsStillThatOne) {
+    std::string text = "O9001\n";
+    for (int i = 0; i < 20; ++i) text += "G1 X" + std::to_string(i) + " F#9\n";
+    EXPECT_THAT(lines_raised("MAC503", text + "M99\n"), ElementsAre(21));
 }
 
 TEST(Compensation, LeftActiveIsReportedAtEveryEnd) {
@@ -121,6 +168,30 @@ TEST(ForcedState, IsANoteUnlessTheStateWasSaved) {
     EXPECT_THAT(lines_raised("MAC518", "O9001\nG90 G0 X1\nM99\n"), ElementsAre(2));
     EXPECT_THAT(lines_raised("MAC518", "O9001\n#1=#4003\nG90 G0 X1\nIF[#1EQ90]GOTO9\nG91\nN9 M99\n"),
                 IsEmpty());
+}
+
+TEST(ModalCode, IsNoAmount) {
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4019\n#12=#3*SIN[#10]\nM99\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4003\n#4=#3\nX[-#4/2]\nY[SQRT[#3]]\nZ[FIX[#3]*2]\nM99\n"),
+                ElementsAre(4, 5, 6));
+    EXPECT_THAT(lines_raised("MAC574", "O9001\nX[#4003*2]\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(path_raised("MAC574", "O9001\n#3=#4003\nIF[#1EQ1]GOTO5\n#5=1\nN5 #2=#3*2\nM99\n"),
+                ElementsAre(2, 3, 3, 5));
+}
+
+TEST(ModalCode, MayBeAddedComparedAndPutBack) {
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#1=[#4014-53]*20\n#2=#4014\n#3=[#2-53]*20\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4003\nIF[#3EQ90]GOTO9\nG91\nN9 G#3\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#33=#4012\nIF[#33NE[FUP[#33]]]GOTO9\nN9 M99\n"), IsEmpty());
+}
+
+TEST(ModalCode, IsNotWhatAVariableHoldsThatMayHoldSomethingElse) {
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4003\nG#3\n#3=#7\n#4=#3*2\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC574", "O9001\nIF[#1EQ1]GOTO9\n#3=#4003\nN9 #4=#3*2\nM99\n"), IsEmpty());
+}
+
+TEST(ModalCode, IsNotFeedOrSpeed) {
+    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4109\n#4=#3/2\n#5=SQRT[#4119*2]\nM99\n"), IsEmpty());
 }
 
 } // namespace

@@ -29,6 +29,10 @@ TEST(Classify, AcceptsTapeReaderControlsAndTheEndOfFileOfDos) {
     EXPECT_EQ(classify("\x12%\nO1\nM30\n%\n\x14\x1A"), Content::text);
 }
 
+TEST(Classify, AcceptsTheEscapeSequencesOfATerminal) {
+    EXPECT_EQ(classify("O1(\x1B[31mRED\x1B[0m \x1B]0;A\x07 \b\b)\nM30\n"), Content::text);
+}
+
 TEST(Classify, AcceptsOneStrayControlByteInAProgram) {
     EXPECT_EQ(classify("%\nO0001\nG0X0Y0Z50.\n\x01G1Z-5.F100\nM30\n%\n"), Content::text);
 }

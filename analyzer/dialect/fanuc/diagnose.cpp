@@ -356,13 +356,13 @@ UnreadableBlock names_in(const Program& program, Span block) {
     const std::span<const Token> tokens = clues.tokens();
     const VariableFamily& family = program.control->families[numbered];
     UnreadableBlock names{{}, {}, false, false};
-    std::vector<std::int64_t> written;
+    std::vector<std::int64_t> named;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const Token& token = tokens[i];
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
-        if (token.kind == TokenKind::variable && next != nullptr && next->kind == TokenKind::equals)
+        if (token.kind == TokenKind::variable)
             if (const std::optional<std::int64_t> number = read_integer(clues.text(token)))
-                written.push_back(*number);
+                named.push_back(*number);
         if (token.kind != TokenKind::letters) continue;
         const std::string word = clues.capitals(token);
         const Token* value = next;
@@ -386,8 +386,8 @@ UnreadableBlock names_in(const Program& program, Span block) {
             names.may_call_or_return |= code == 2 || code == 30 || (code >= 96 && code <= 99) || code == 198;
     }
     sort_unique(names.may_jump);
-    sort_unique(written);
-    for (const std::int64_t number : written) {
+    sort_unique(named);
+    for (const std::int64_t number : named) {
         const VariableRange* range = family.find(number);
         if (range != nullptr && range->meaning == Meaning::place)
             names.may_write.push_back({range->space, static_cast<std::int32_t>(number)});

@@ -81,6 +81,31 @@ bool begins_program(std::string_view text, Offset at) {
     return find_program_head(text, {at, size_of(text)}).has_value();
 }
 
+/// Whether `block` ends in M02, M30 or M99, with or without the block that M99 returns to.
+bool ends_program(std::string_view block) {
+    const auto digits_begin = [&](std::size_t end) {
+        while (end > 0 && is_digit(block[end - 1])) --end;
+        return end;
+    };
+    std::size_t number = digits_begin(block.size());
+    if (number > 1 && upper(block[number - 1]) == 'P') {
+        block = block.substr(0, number - 1);
+        while (!block.empty() && is_blank(block.back())) block.remove_suffix(1);
+        number = digits_begin(block.size());
+    }
+    if (number == 0 || upper(block[number - 1]) != 'M') return false;
+    const auto code = read_integer(block.substr(number));
+    return code == 2 || code == 30 || code == 99;
+}
+
+/// Whether a program number stands at `at`, glued to the end of the program before it: where that ended
+/// without an end of block, the control punches `M99O0810`.
+bool glued_program(std::string_view text, Offset begin, Offset at) {
+    if (at == begin || upper(text[at]) != 'O' || !is_digit(text[at - 1])) return false;
+    if (at + 1 == text.size() || !is_digit(text[at + 1])) return false;
+    return ends_program(text.substr(begin, at - begin));
+}
+
 /// The first line at or behind `from` that holds a program number and nothing else but comments: what
 /// follows is a program, even when noise left an odd number of marks before it.
 std::optional<Offset> find_program_alone_in_line(std::string_view text, Offset from) {
@@ -121,6 +146,11 @@ void cut_block(std::string_view text, Offset begin, RawBlock& block) {
             continue;
         }
         if (text[at] == '%' && at > first && ends_line(text, at)) {
+            block.span = {first, last};
+            block.next = at;
+            return;
+        }
+        if (glued_program(text, first, at)) {
             block.span = {first, last};
             block.next = at;
             return;

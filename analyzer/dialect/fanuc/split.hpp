@@ -21,8 +21,8 @@ struct RawBlock {
 /// Behind the blanks and the tape leader at `at`.
 [[nodiscard]] Offset skip_blanks(std::string_view text, Offset at);
 
-/// The block that begins at `begin`. It ends at `;`, at a line end, or before a tape mark at the end of its
-/// line.
+/// The block that begins at `begin`. It ends at `;`, at a line end, before a tape mark at the end of its
+/// line, or before the number of the next program in `M99O0810`.
 void cut_block(std::string_view text, Offset begin, RawBlock& block);
 
 /// The first tape mark at or behind `from`, which is the head of a line or behind a mark.

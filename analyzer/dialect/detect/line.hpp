@@ -1,0 +1,66 @@
+//! A line of a text of unknown language, cut into what the marks of languages look at.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace maclint::detect {
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
+constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+[[nodiscard]] std::string_view trim(std::string_view text);
+[[nodiscard]] bool starts_with_any(std::string_view text, std::span<const std::string_view> heads);
+
+/// A letter and its number, as they stand in plain G-code.
+struct Word {
+    char letter;
+    std::int32_t tenths; ///< ten times the number, for G38.2; bounded
+    std::uint8_t digits; ///< before the point
+};
+
+/// Everything but `as_written` is in capitals. Good until the next call of `read`.
+class Line {
+  public:
+    /// Takes the line apart; `text` has no line end.
+    void read(std::string_view text);
+
+    [[nodiscard]] std::string_view as_written() const { return as_written_; }
+    [[nodiscard]] std::string_view whole() const { return whole_; }
+    /// Without its number, its comments in round brackets, and what stands behind `;`.
+    [[nodiscard]] std::string_view code() const { return code_; }
+    /// Of the first comment in round brackets, without the bracket.
+    [[nodiscard]] std::string_view comment() const { return comment_; }
+    /// Behind the first `;`.
+    [[nodiscard]] std::string_view remark() const { return remark_; }
+    /// Of a line that holds nothing but letters with numbers; `is_plain` says whether it does.
+    [[nodiscard]] std::span<const Word> words() const { return {words_.data(), word_count_}; }
+    [[nodiscard]] bool is_plain() const { return plain_; }
+
+    [[nodiscard]] const Word* word(char letter) const;
+    [[nodiscard]] bool has(char letter, std::int32_t first_tenths, std::int32_t last_tenths) const;
+
+  private:
+    void split();
+    void read_words();
+
+    std::string_view as_written_, code_, comment_, remark_;
+    std::string whole_, without_comments_;
+    std::array<Word, 24> words_{};
+    std::size_t word_count_ = 0;
+    bool plain_ = false;
+};
+
+/// `line` without a sequence number `N10` or the bare number of a Klartext line.
+[[nodiscard]] std::string_view behind_number(std::string_view line);
+
+/// Whether a control of the Fanuc family could mean this: a word, a variable, a keyword, a comment, a mark.
+[[nodiscard]] bool looks_like_block(std::string_view whole);
+
+} // namespace maclint::detect

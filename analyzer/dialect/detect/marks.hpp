@@ -1,0 +1,61 @@
+//! What gives a language away: its marks, and how many of them a text holds.
+#pragma once
+
+#include "analyzer/dialect/detect/line.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace maclint::detect {
+
+/// Of two languages with the same evidence the first is named.
+enum class Language : std::uint8_t {
+    fanuc,
+    din_plus,
+    klartext,
+    heidenhain_iso,
+    sinumerik,
+    linuxcnc,
+    printer,
+    grbl,
+    wire_erosion,
+    okuma,
+    hobby, ///< G-code with remarks behind `;`, whoever reads it
+};
+constexpr std::size_t language_count = 11;
+
+/// "HEIDENHAIN Klartext"
+[[nodiscard]] std::string_view name_of(Language language);
+
+/// A language is told from four points on: one mark that nobody else writes, or several that others seldom
+/// do. What is written once may be a slip or a quotation.
+constexpr int enough = 4;
+
+/// The evidence of a text.
+class Evidence {
+  public:
+    /// `extension` in small letters, without its point.
+    explicit Evidence(std::string_view extension);
+    void add(const Line& line, std::size_t number);
+
+    [[nodiscard]] int points(Language language) const;
+    /// The language with most points, if they are enough and more than Fanuc has; else Fanuc.
+    [[nodiscard]] Language verdict() const;
+    /// The weightiest mark of the language and where it stands: "an o-word in line 3", "extension .mpf".
+    [[nodiscard]] std::string reason(Language language) const;
+
+  private:
+    static constexpr std::size_t most_marks = 128;
+    struct Sighting {
+        std::uint8_t times = 0;
+        std::uint32_t line = 0; ///< of the first
+    };
+
+    std::string_view extension_;
+    std::array<Sighting, most_marks> sightings_{};
+};
+
+} // namespace maclint::detect

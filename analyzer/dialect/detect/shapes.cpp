@@ -1,0 +1,157 @@
+//! The shapes of marks outside of DIN PLUS.
+#include "analyzer/dialect/detect/shapes.hpp"
+
+#include <algorithm>
+
+namespace maclint::detect {
+namespace {
+
+bool has_code(const Line& line, char letter, std::int32_t code) {
+    return line.has(letter, code * 10, code * 10);
+}
+
+std::size_t skip_digits(std::string_view text, std::size_t at) {
+    while (at < text.size() && is_digit(text[at])) ++at;
+    return at;
+}
+
+std::size_t skip_blanks(std::string_view text, std::size_t at) {
+    while (at < text.size() && is_blank(text[at])) ++at;
+    return at;
+}
+
+/// `name`, a number and `=`, as in `R10 =`, not inside a longer word.
+bool assigns(std::string_view code, std::string_view name) {
+    for (std::size_t at = code.find(name); at != std::string_view::npos; at = code.find(name, at + 1)) {
+        if (at > 0 && (is_capital(code[at - 1]) || code[at - 1] == '_')) continue;
+        const std::size_t digits = at + name.size();
+        const std::size_t end = skip_digits(code, digits);
+        const std::size_t sign = skip_blanks(code, end);
+        if (end != digits && sign < code.size() && code[sign] == '=') return true;
+    }
+    return false;
+}
+
+} // namespace
+
+bool tolerance_of_g64(const Line& line) { return has_code(line, 'G', 64) && line.word('P') != nullptr; }
+bool probing_move(const Line& line) { return line.has('G', 382, 385); }
+bool offset_by_l20(const Line& line) { return has_code(line, 'G', 10) && has_code(line, 'L', 20); }
+bool digital_output(const Line& line) { return line.has('M', 620, 680) && line.word('P') != nullptr; }
+bool extruder_zero(const Line& line) { return has_code(line, 'G', 92) && line.word('E') != nullptr; }
+bool work_offset_by_g15(const Line& line) { return has_code(line, 'G', 15) && line.word('H') != nullptr; }
+bool macro_call(const Line& line) {
+    return (line.code().starts_with("G65") || line.code().starts_with("G66")) &&
+           line.code().find('P') != std::string_view::npos;
+}
+
+bool extrusion(const Line& line) {
+    return line.has('G', 0, 10) && line.word('E') != nullptr &&
+           (line.word('X') != nullptr || line.word('Y') != nullptr);
+}
+
+bool heater(const Line& line) {
+    return line.word('S') != nullptr && (has_code(line, 'M', 104) || has_code(line, 'M', 109) ||
+                                         has_code(line, 'M', 140) || has_code(line, 'M', 190));
+}
+
+bool program_number(const Line& line) {
+    std::string_view code = trim(line.whole().substr(0, line.whole().find('(')));
+    while (!code.empty() && (code.back() == ';' || is_blank(code.back()))) code.remove_suffix(1);
+    if (code.starts_with("%")) code.remove_prefix(1);
+    if (code.size() < 2 || (code.front() != 'O' && code.front() != ':')) return false;
+    return skip_digits(code, 1) == code.size();
+}
+
+bool loop(const Line& line) {
+    return line.code().starts_with("WHILE") && line.code().find('[') != std::string_view::npos &&
+           line.code().find("DO") != std::string_view::npos;
+}
+
+bool goto_behind_condition(const Line& line) {
+    const std::string_view code = line.code();
+    if (!code.starts_with("IF")) return false;
+    const std::size_t close = code.rfind(']');
+    if (close == std::string_view::npos) return code.find("]GOTO") != std::string_view::npos;
+    const std::string_view behind = trim(code.substr(close + 1));
+    return behind.starts_with("GOTO") || behind.starts_with("THEN") ||
+           code.find("]THEN") != std::string_view::npos || code.find("]GOTO") != std::string_view::npos;
+}
+
+bool o_word(const Line& line) {
+    const std::string_view code = line.code();
+    if (code.size() < 3 || code.front() != 'O') return false;
+    std::size_t at = skip_blanks(code, 1);
+    if (at == code.size()) return false;
+    if (code[at] == '<' || code[at] == '[') {
+        at = code.find(code[at] == '<' ? '>' : ']', at);
+        if (at == std::string_view::npos) return false;
+        ++at;
+    } else {
+        const std::size_t digits = at;
+        at = skip_digits(code, at);
+        if (at == digits) return false;
+    }
+    static constexpr std::string_view words[] = {"SUB",    "ENDSUB",    "CALL",     "IF",      "ELSE",
+                                                 "ENDIF",  "WHILE",     "ENDWHILE", "DO",      "REPEAT",
+                                                 "RETURN", "ENDREPEAT", "BREAK",    "CONTINUE"};
+    return starts_with_any(trim(code.substr(at)), words);
+}
+
+bool klartext_function(const Line& line) {
+    const std::string_view code = line.code();
+    if (!code.starts_with("FN")) return false;
+    const std::size_t digits = skip_blanks(code, 2);
+    const std::size_t end = skip_digits(code, digits);
+    return end != digits && end < code.size() && code[end] == ':';
+}
+
+bool klartext_line(const Line& line) {
+    static constexpr std::string_view heads[] = {"L X", "L Y",  "L Z", "L IX", "L IY",  "L IZ",
+                                                 "L +", "CC X", "C X", "CR X", "LP PR", "CP IPA"};
+    const std::string_view code = line.code();
+    if (!starts_with_any(code, heads)) return false;
+    return code.find_first_of("+-") != std::string_view::npos;
+}
+
+bool ends_in_star(const Line& line) { return line.code().size() > 1 && line.code().back() == '*'; }
+
+bool r_parameter(const Line& line) { return assigns(line.code(), "R"); }
+
+bool array_element(const Line& line) {
+    const std::string_view code = line.code();
+    const std::size_t name = code.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_");
+    if (name == std::string_view::npos || name < 3 || code[name] != '[') return false;
+    const std::size_t sign = code.find_first_not_of(" \t", code.find(']') + 1);
+    return code.find(']') != std::string_view::npos && sign != std::string_view::npos && code[sign] == '=';
+}
+
+bool osp_variable(const Line& line) { return assigns(line.code(), "VC"); }
+
+bool condition_row(const Line& line) {
+    const std::string_view code = line.code();
+    if (code.empty() || (code.front() != 'E' && code.front() != 'H' && code.front() != 'C')) return false;
+    return assigns(code.substr(0, code.find('=') + 1), code.substr(0, 1));
+}
+
+bool setting(const Line& line) {
+    const std::string_view code = line.whole();
+    if (code.size() < 2 || code.front() != '$') return false;
+    if (code == "$H" || code == "$X" || code == "$$" || code == "$I" || code == "$#" || code == "$G")
+        return true;
+    const std::size_t end = skip_digits(code, 1);
+    return end > 1 && end < code.size() && code[end] == '=';
+}
+
+bool osp_file_name(const Line& line) {
+    return line.whole().starts_with("$") && line.whole().find(".MIN%") != std::string_view::npos;
+}
+
+bool remark(const Line& line) {
+    const std::string_view text = line.remark();
+    const auto capital = std::ranges::find_if(text, is_capital);
+    if (text.empty() || text.front() == '(' || capital == text.end()) return false;
+    return !looks_like_block(text);
+}
+
+} // namespace maclint::detect

@@ -1,0 +1,162 @@
+//! The shapes of DIN PLUS: a fragment without a section word must still be told [dinplus.md 1-3].
+#include "analyzer/dialect/detect/shapes.hpp"
+
+#include <algorithm>
+
+namespace maclint::detect {
+namespace {
+
+constexpr bool is_small(char c) { return c >= 'a' && c <= 'z'; }
+constexpr bool begins_number(char c) { return is_digit(c) || c == '-' || c == '+' || c == '.'; }
+
+/// Whether `test(text, at)` holds at any place of `text` behind `first`.
+template<typename Test>
+bool anywhere(std::string_view text, char first, Test test) {
+    for (std::size_t at = text.find(first); at != std::string_view::npos; at = text.find(first, at + 1))
+        if (test(text, at + 1)) return true;
+    return false;
+}
+
+// English, German and older words of the controls, and those that translated manuals print [dinplus.md 2.2].
+// Blanks and underscores are the same.
+// clang-format off
+constexpr std::string_view sections[] = {
+    "PROGRAM HEAD", "PROGRAMMKOPF", "OHJELMAN OTSIKKO", "CHUCKING EQUIPMENT", "CLAMPING DEVICE",
+    "SPANNMITTEL", "KIINNITYSLAITE", "TURRET", "REVOLVER", "REVOLVERI", "REVOLEVRI", "MAGAZINE", "MAGAZIN",
+    "MAKASIINI", "MANUAL TOOL", "HANDWERKZEUG", "CONTOUR", "CONTOUR GROUP", "KONTUR", "KONTURGRUPPE", "MUOTO",
+    "BLANK", "ROHTEIL", "AIHIO", "FINISHED", "FINISHED PART", "FERTIGTEIL", "VALMISOSA", "AUXIL BLANK",
+    "HILFSROHTEIL", "APUAIHIO", "AUXIL CONTOUR", "AUXILIARY CONTOUR", "HILFSKONTUR", "APUMUOTO", "FACE C",
+    "FRONT", "STIRN", "OTSAPINTA", "REAR C", "REAR SIDE", "RUECKSEITE", "TAKAPINTA", "LATERAL C", "SURFACE",
+    "MANTEL", "VAIPPA", "VAIPPAPINTA", "FACE Y", "FRONT Y", "REAR Y", "LATERAL Y", "MACHINING", "BEARBEITUNG",
+    "KONEISTUS", "SUBPROGRAM", "UNTERPROGRAMM", "ALIOHJELMA", "CONST", "VAR", "ASSIGNMENT", "ZUORDNUNG",
+};
+// clang-format on
+constexpr std::string_view ends[] = {"END", "ENDE", "LOPPU", "LOPPUUN"};
+
+bool is_one_of(std::span<const std::string_view> words, std::string_view head) {
+    const auto same = [](char a, char b) { return a == b || (a == ' ' && b == '_'); };
+    return std::ranges::any_of(words,
+                               [&](std::string_view word) { return std::ranges::equal(word, head, same); });
+}
+
+/// Whether one of the words heads a line without a number; behind it at most addresses stand.
+bool heads(std::span<const std::string_view> words, const Line& line) {
+    const std::string_view whole = line.whole();
+    if (whole.size() < 3 || !is_capital(whole[0]) || !is_capital(whole[1])) return false;
+    const auto ends_words = [](char c) {
+        return !is_capital(c) && !is_blank(c) && c != '_' && static_cast<unsigned char>(c) < 0x80;
+    };
+    const auto* const behind = std::ranges::find_if(whole, ends_words);
+    constexpr std::string_view after_names = ":;=("; // a label, a call, an assignment
+    if (behind != whole.end() && after_names.find(*behind) != std::string_view::npos) return false;
+    std::string_view head(whole.begin(), behind);
+    while (!(head = trim(head)).empty()) {
+        if (is_one_of(words, head)) return true;
+        const std::size_t blank = head.find_last_of(" \t");
+        if (blank == std::string_view::npos) return false;
+        const std::string_view last = head.substr(blank + 1);
+        if (last.size() > 2 && std::ranges::any_of(last, is_capital)) return false;
+        head = head.substr(0, blank);
+    }
+    return false;
+}
+
+} // namespace
+
+bool section_word(const Line& line) { return heads(sections, line); }
+
+bool end_of_program_word(const Line& line) { return heads(ends, line); }
+
+bool tool_feed_and_speed_in_one_block(const Line& line) {
+    const Word* tool = line.word('T');
+    if (tool == nullptr || tool->digits > 2 || line.word('F') == nullptr || line.word('S') == nullptr)
+        return false;
+    const bool feed = line.has('G', 930, 950) || line.has('G', 1930, 1950);
+    const bool speed = line.has('G', 960, 970) || line.has('G', 1960, 1970);
+    return feed && speed;
+}
+
+bool cycle_of_three_digits(const Line& line) {
+    return line.has('G', 3000, 3999) || line.has('G', 4000, 4099) || line.has('G', 7000, 9999);
+}
+
+bool tool_change_point(const Line& line) { return line.has('G', 140, 140) && line.word('Q') != nullptr; }
+
+bool c_axis_rapid_alone(const Line& line) {
+    return line.words().size() == 2 && line.has('G', 1100, 1100) && line.word('C') != nullptr;
+}
+
+bool variable_with_letter(const Line& line) {
+    constexpr std::string_view families = "LXCGINMDEWTA"; // dinplus.md 3.1
+    return anywhere(line.whole(), '#', [&](std::string_view text, std::size_t at) {
+        return at + 1 < text.size() && families.find(text[at]) != std::string_view::npos &&
+               is_digit(text[at + 1]);
+    });
+}
+
+bool named_variable(const Line& line) {
+    return anywhere(line.as_written(), '#', [](std::string_view text, std::size_t at) {
+        if (at >= text.size() || text[at] != '_') return false;
+        const std::size_t name = text.find_first_not_of('_', at);
+        return name != std::string_view::npos && is_small(text[name]);
+    });
+}
+
+bool incremental_address(const Line& line) {
+    return anywhere(line.as_written(), 'i', [](std::string_view text, std::size_t at) {
+        if (at >= text.size() || at < 2 || !is_capital(text[at - 2])) return false;
+        if (at >= 4 && is_capital(text[at - 3]) && is_capital(text[at - 4])) return false;
+        return begins_number(text[at]) || text[at] == '#' || text[at] == '_';
+    });
+}
+
+bool address_of_two_letters(const Line& line) {
+    // Without those that stand in the expressions of others (NE, AND, OR).
+    static constexpr std::string_view addresses[] = {"XK", "YK", "XE", "XS", "ZE", "ZS", "NS", "AN",
+                                                     "BR", "BE", "BF", "BD", "FP", "WB", "RB", "CY"};
+    const std::string_view code = line.code();
+    return std::ranges::any_of(addresses, [&](std::string_view address) {
+        return anywhere(code, address[0], [&](std::string_view text, std::size_t at) {
+            if (at + 1 >= text.size() || text[at] != address[1] || !begins_number(text[at + 1])) return false;
+            return at < 2 || !is_capital(text[at - 2]);
+        });
+    });
+}
+
+bool unknown_coordinate(const Line& line) {
+    return anywhere(line.code(), '?', [](std::string_view text, std::size_t at) {
+        return at >= 2 && text[at - 2] >= 'X' && text[at - 2] <= 'Z' && (at < 3 || !is_capital(text[at - 3]));
+    });
+}
+
+bool slide(const Line& line) {
+    const std::string_view whole = line.whole();
+    if (whole.size() < 4 || whole[0] != '$' || !is_digit(whole[1])) return false;
+    const std::string_view behind = trim(whole.substr(2));
+    return behind.front() == 'N' || behind.front() == '$';
+}
+
+bool file_name(const Line& line) {
+    const std::string_view whole = line.whole();
+    if (!whole.starts_with("%")) return false;
+    const std::string_view name = whole.substr(1, whole.find_first_of(" \t", 1) - 1);
+    return name.ends_with(".NC") || name.ends_with(".NCS") || name.ends_with(".JOB");
+}
+
+bool bracketed_remark(const Line& line) {
+    const std::string_view code = line.code();
+    static constexpr std::string_view others[] = {"IF", "WHILE", "DPRNT", "BPRNT", "SETVN", "O"};
+    static constexpr std::string_view functions[] = {"SIN", "COS",   "TAN", "ASIN", "ACOS", "ATAN", "SQRT",
+                                                     "ABS", "ROUND", "FIX", "FUP",  "EXP",  "LN",   "EXISTS"};
+    if (starts_with_any(code, others)) return false;
+    return anywhere(code, '[', [](std::string_view text, std::size_t at) {
+        if (at >= 2 && !is_blank(text[at - 2])) return false;
+        const std::string_view inside = trim(text.substr(at, text.find(']', at) - at));
+        if (inside.find('#') != std::string_view::npos || starts_with_any(inside, functions)) return false;
+        return inside.size() >= 3 && std::ranges::all_of(inside.substr(0, 3), is_capital);
+    });
+}
+
+bool elided_number(const Line& line) { return line.whole().starts_with("N.. "); }
+
+} // namespace maclint::detect

@@ -1,0 +1,144 @@
+//! MAC574: a modal G code that was read from a system variable is multiplied, divided or given to a function.
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/saved_state.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule modal_code_as_number{
+    .code = "MAC574",
+    .name = "modal-code-as-number",
+    .aliases = "",
+    .summary = "A G code read from a system variable is multiplied, divided or given to a function",
+    .why =
+        "The code of a modal group, 90 or 91 for instance, is a name and no amount. A position or size that "
+        "is computed from it is as wrong as the mode happens to be; mostly another variable was meant.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .on_by_default = true,
+    .off_reason = "",
+    .data_flow = true,
+    .messages = {{"copy", "'{0}' calculates with '{1}', which holds '{2}', a G code ({3}). Use the variable "
+                          "that is meant."},
+                 {"direct", "'{0}' calculates with '{1}', a G code ({2}). Use the variable that is meant."}},
+    .bad = {{"fanuc", "O9574(ELLIPSE POINT, A ANGLE D HEIGHT)\n"
+                      "#3=#4003\n"
+                      "#5=#7/2\n"
+                      "G90 G0 Y[#3*SIN[#1]]\n"
+                      "G#3\n"
+                      "M99\n"}},
+    .also = {},
+    .good = {{"fanuc", "O9574(ELLIPSE POINT, A ANGLE D HEIGHT)\n"
+                       "#3=#4003\n"
+                       "#5=#7/2\n"
+                       "G90 G0 Y[#5*SIN[#1]]\n"
+                       "G#3\n"
+                       "M99\n"},
+             {"fanuc", "O9574(FIRST VARIABLE OF THE WORK OFFSET)\n"
+                       "#100=5201+[#4014-53]*20\n"
+                       "M99\n"}},
+    .alarms = {},
+    .sources = {"SEED-001:1340-1357"},
+    .check = &check,
+};
+
+namespace {
+
+/// Sums are left out: `#4014-53` is the number of the work offset.
+bool wants_amounts(Operation operation) {
+    switch (operation) {
+    case Operation::multiply:
+    case Operation::divide:
+    case Operation::power:
+    case Operation::sine:
+    case Operation::cosine:
+    case Operation::tangent:
+    case Operation::arc_sine:
+    case Operation::arc_cosine:
+    case Operation::arc_tangent:
+    case Operation::arc_tangent_of_two:
+    case Operation::square_root:
+    case Operation::absolute:
+    case Operation::logarithm:
+    case Operation::exponential: return true;
+    default: return false;
+    }
+}
+
+/// What leaves a code a code: `IF[#33NEFIX[#33]]` finds G54.1.
+bool keeps_code(Operation operation) {
+    return operation == Operation::negate || operation == Operation::round ||
+           operation == Operation::truncate || operation == Operation::round_up;
+}
+
+/// `#3` of `-#3` and `FIX[#3]`.
+ExpressionId code_in(const Program& program, ExpressionId expression) {
+    const auto* apply = std::get_if<Apply>(&program.expressions[expression].node);
+    while (apply != nullptr && keeps_code(apply->operation)) {
+        expression = program.operands_of(*apply).front();
+        apply = std::get_if<Apply>(&program.expressions[expression].node);
+    }
+    return expression;
+}
+
+/// For every expression of the program the one that calculates with it as an amount.
+std::vector<std::optional<ExpressionId>> calculations(const Program& program) {
+    std::vector<std::optional<ExpressionId>> found(program.expressions.size());
+    for (ExpressionId id = 0; id < program.expressions.size(); ++id) {
+        const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
+        if (apply == nullptr || !wants_amounts(apply->operation)) continue;
+        for (const ExpressionId operand : program.operands_of(*apply)) found[code_in(program, operand)] = id;
+    }
+    return found;
+}
+
+/// What the code stands for; nothing when the source is no G code.
+std::optional<std::string> code_name(const ProgramAnalysis& analysis, const CopySource& source) {
+    if (source.group) {
+        const ModalGroup& group = analysis.control().groups[*source.group];
+        return group.letter == 'G' ? std::optional(std::string(group.name)) : std::nullopt;
+    }
+    if (source.range != nullptr && source.range->is_code) return "unknown group";
+    return std::nullopt;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    const auto calculation_with = calculations(program);
+    const auto text = [&](ExpressionId id) { return quoted(program, program.expressions[id].span); };
+    for (const dataflow::ModalRead& read : analysis.facts().modal_reads) {
+        const auto calculation = calculation_with[read.expression];
+        if (!calculation) continue;
+        const auto name = code_name(analysis, {read.expression, read.group, nullptr});
+        if (!name) continue;
+        Finding& finding = reporter.report(analysis.file(), program.expressions[*calculation].span, "direct",
+                                           {text(*calculation), text(read.expression), *name});
+        trace(finding, analysis, read.node, "the G code is used as a number here");
+    }
+    for (const dataflow::Read& read : analysis.facts().reads) {
+        const auto calculation = calculation_with[read.expression];
+        if (!calculation) continue;
+        const auto source = copy_source(analysis, read.expression, read.value);
+        const auto name = source ? code_name(analysis, *source) : std::nullopt;
+        if (!name) continue;
+        Finding& finding =
+            reporter.report(analysis.file(), program.expressions[*calculation].span, "copy",
+                            {text(*calculation), program.spell(read.place), text(source->expression), *name});
+        trace(finding, analysis, store_of(analysis, read.value)->node,
+              {&analysis.file(), program.expressions[source->expression].span, "the G code is read here"},
+              read.node, "and used as a number here");
+    }
+}
+
+} // namespace
+} // namespace maclint::rules
