@@ -100,6 +100,30 @@ TEST(FanucReader, MegabyteOfNoiseTakesUnderASecond) {
     EXPECT_LT(seconds_to_read(noise(1 << 20, 32, 126)), 3.0);
 }
 
+TEST(FanucReader, CodeInNoOrderTakesUnderASecondAMegabyte) {
+    static constexpr const char* pieces[] = {"G",   "01",   "X",  "#1",   "[",  "]",   "#",    "2",
+                                             "EQ",  "GT",   "IF", "GOTO", "=",  "+",   "*",    "SIN",
+                                             ",",   "THEN", "/",  "DO1",  "N1", "M98", "Z-1.", "FIX",
+                                             "AND", "ATAN", "<",  "O1",   ".5", "#["};
+    std::mt19937 random(5);
+    for (const std::size_t longest : {8U, 40U, 400U}) {
+        std::string text;
+        while (text.size() < 1 << 18) {
+            for (std::size_t i = 3 + random() % longest; i > 0; --i)
+                text += pieces[random() % std::size(pieces)];
+            text += '\n';
+        }
+        EXPECT_LT(seconds_to_read(text), 1.5) << longest; // six times the aim, for sanitizers
+    }
+}
+
+TEST(FanucReader, GoodBlocksBehindNoiseAreReadAsEver) {
+    std::string text;
+    for (int i = 0; i < 200; ++i) text += "X=*]" + std::to_string(i) + "\n";
+    text += "Z0/M08\nXSIN[30]\nIF[#1EQ#0]GOTON10\nN10 DPRNT[X#1[53]*OUT*OF*RANGE]\n#1=#2/[3]\n";
+    EXPECT_EQ(read(text).irregularities.size(), 200U);
+}
+
 TEST(FanucReader, BracketsWithoutEndAreNoTrouble) {
     EXPECT_LT(seconds_to_read("#1=" + std::string(100'000, '[')), 1.0);
     EXPECT_LT(seconds_to_read("#1=" + std::string(4000, '[') + "1" + std::string(90, ']')), 1.0);
