@@ -225,9 +225,25 @@ class Solver {
 };
 
 Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge,
-                   const Callees& callees)
-    : states_(std::make_unique<States>(program, std::move(knowledge))) {
-    Solver(program, graph, callees, *this).run();
+                   Callees callees)
+    : program_(&program)
+    , graph_(&graph)
+    , knowledge_(std::move(knowledge))
+    , callees_(std::move(callees))
+    , states_(std::make_unique<States>(program, knowledge_)) {
+    Solver(program, graph, callees_, *this).run();
+}
+
+std::optional<flow::EdgeId> Analysis::first_impossible(std::span<const flow::EdgeId> way) const {
+    States states(*program_, knowledge_); // of its own: rules ask on several threads
+    Transfer transfer(*program_, *graph_, states, callees_);
+    State state = states.at_entry();
+    for (const flow::EdgeId id : way) {
+        const flow::Edge& edge = graph_->edges[id];
+        state = transfer.along(edge, transfer.run(edge.from, state));
+        if (!state.reached) return id;
+    }
+    return std::nullopt;
 }
 
 Analysis::Analysis(Analysis&&) noexcept = default;

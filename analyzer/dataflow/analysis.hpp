@@ -12,9 +12,8 @@ namespace maclint::dataflow {
 
 class Analysis {
   public:
-    /// Solves at once. The references must outlive the analysis.
-    Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge,
-             const Callees& callees);
+    /// Solves at once. The references, and those that `callees` holds, must outlive the analysis.
+    Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge, Callees callees);
     Analysis(Analysis&&) noexcept;
     Analysis& operator=(Analysis&&) noexcept;
     ~Analysis();
@@ -26,6 +25,8 @@ class Analysis {
     [[nodiscard]] bool reached(flow::NodeId node) const { return reached_[node]; }
     /// Whether the edge can be taken.
     [[nodiscard]] bool passable(flow::EdgeId edge) const { return passable_[edge]; }
+    /// The first edge of a way from the program's start that cannot be taken by who came this way.
+    [[nodiscard]] std::optional<flow::EdgeId> first_impossible(std::span<const flow::EdgeId> way) const;
 
     [[nodiscard]] const Pool& pool() const;
     [[nodiscard]] const Origin& origin(OriginId id) const { return pool().origins[id]; }
@@ -35,6 +36,10 @@ class Analysis {
 
   private:
     friend class Solver;
+    const Program* program_;
+    const flow::Graph* graph_;
+    EntryKnowledge knowledge_;
+    Callees callees_;
     std::unique_ptr<States> states_;
     std::vector<bool> reached_;
     std::vector<bool> passable_;

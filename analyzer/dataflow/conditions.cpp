@@ -83,6 +83,22 @@ bool contradict(const Program& program, Atom a, Atom b) {
     return (around_smaller(region(a.operation)) & around_larger(region(b.operation))) == 0;
 }
 
+void collect(const Program& program, ExpressionId id, ReadSet& set) {
+    std::visit(overloaded{
+                   [](const Literal&) {},
+                   [](const Text&) {},
+                   [](const Vacant&) {},
+                   [&](const Load& load) { set.places.push_back(load.place); },
+                   [&](const Apply& apply) {
+                       if (apply.operation == Operation::unknown) set.closed = false;
+                       for (const ExpressionId operand : program.operands_of(apply))
+                           collect(program, operand, set);
+                   },
+                   [&](const auto&) { set.closed = false; },
+               },
+               program.expressions[id].node);
+}
+
 } // namespace
 
 namespace {
@@ -190,6 +206,12 @@ bool tests_any_vacancy(const Program& program, ExpressionId expression) {
     return is_vacancy_test(apply->operation) ||
            std::ranges::any_of(program.operands_of(*apply),
                                [&](ExpressionId operand) { return tests_any_vacancy(program, operand); });
+}
+
+ReadSet variables_of(const Program& program, ExpressionId expression) {
+    ReadSet set{{}, true};
+    collect(program, expression, set);
+    return set;
 }
 
 std::optional<std::size_t> first_contradiction(const Program& program, std::span<const Decision> decisions) {

@@ -11,6 +11,13 @@ namespace maclint::dataflow {
 /// The variable that the expression is, and nothing else.
 [[nodiscard]] std::optional<Place> plain_place(const Program& program, ExpressionId expression);
 
+/// The variables that an expression reads.
+struct ReadSet {
+    std::vector<Place> places;
+    bool closed; ///< nothing but `places` and constants decides the value
+};
+[[nodiscard]] ReadSet variables_of(const Program& program, ExpressionId expression);
+
 /// Whether the two say the same, brackets aside.
 [[nodiscard]] bool same_expression(const Program& program, ExpressionId a, ExpressionId b);
 

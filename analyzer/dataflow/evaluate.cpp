@@ -1,4 +1,5 @@
 //! Expressions: their values, the truth of conditions, and what a condition tells about its variables.
+#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/transfer.hpp"
 #include "analyzer/program/overloaded.hpp"
 
@@ -56,6 +57,14 @@ Value Transfer::load_at(const State& state, FamilyId family, const Value& index,
     }
 }
 
+/// #[#31+10] with a vacant #31 is #10 only by a mistake that is told at #31.
+bool Transfer::rests_on_vacant(const State& state, ExpressionId index) {
+    return std::ranges::any_of(variables_of(program_, index).places, [&](Place place) {
+        const Vacancy vacancy = states_.read(state, place).vacancy;
+        return vacancy == Vacancy::vacant || vacancy == Vacancy::maybe;
+    });
+}
+
 Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
     const Expression& expression = program_.expressions[id];
     return std::visit(
@@ -65,6 +74,7 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
             [&](const Load& load) { return record_read(state, load.place, id, use); },
             [&](const LoadAt& load) {
                 const Value index = evaluate(state, load.index, Use::index);
+                if (rests_on_vacant(state, load.index)) return opaque(id);
                 return load_at(state, load.family, index, id, use);
             },
             [&](const LoadModal& load) { return load_modal(state, load.group, id); },
@@ -100,6 +110,29 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
         expression.node);
 }
 
+/// AND (`all`) or OR of conditions. Whether they can all hold, or all fail, is asked one behind the other:
+/// of #1LT8 OR #1GT6 the second holds where the first fails.
+Truth Transfer::judge_chain(const State& state, std::span<const ExpressionId> operands, bool all) {
+    Truth apart{all, !all};
+    for (const ExpressionId operand : operands) {
+        const Truth part = judge(state, operand);
+        apart.can_hold = all ? apart.can_hold && part.can_hold : apart.can_hold || part.can_hold;
+        apart.can_fail = all ? apart.can_fail || part.can_fail : apart.can_fail && part.can_fail;
+    }
+    if (!(all ? apart.can_hold : apart.can_fail)) return apart;
+    Facts* const facts = std::exchange(facts_, nullptr); // what is read is recorded already
+    State agreed = state;
+    for (const ExpressionId operand : operands) {
+        const Truth part = judge(agreed, operand);
+        if (!(all ? part.can_hold : part.can_fail)) agreed.reached = false;
+        if (agreed.reached) refine(agreed, operand, all);
+        if (!agreed.reached) break;
+    }
+    facts_ = facts;
+    if (!agreed.reached) (all ? apart.can_hold : apart.can_fail) = false;
+    return apart;
+}
+
 Truth Transfer::judge(const State& state, ExpressionId id) {
     const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
     if (apply == nullptr) {
@@ -108,24 +141,8 @@ Truth Transfer::judge(const State& state, ExpressionId id) {
     }
     const auto operands = program_.operands_of(*apply);
     switch (apply->operation) {
-    case Operation::all_of: {
-        Truth truth{true, false};
-        for (const ExpressionId operand : operands) {
-            const Truth part = judge(state, operand);
-            truth.can_hold &= part.can_hold;
-            truth.can_fail |= part.can_fail;
-        }
-        return truth;
-    }
-    case Operation::any_of: {
-        Truth truth{false, true};
-        for (const ExpressionId operand : operands) {
-            const Truth part = judge(state, operand);
-            truth.can_hold |= part.can_hold;
-            truth.can_fail &= part.can_fail;
-        }
-        return truth;
-    }
+    case Operation::all_of: return judge_chain(state, operands, true);
+    case Operation::any_of: return judge_chain(state, operands, false);
     case Operation::not_of: {
         const Truth truth = judge(state, operands.front());
         return {truth.can_fail, truth.can_hold};

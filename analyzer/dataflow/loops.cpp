@@ -128,22 +128,6 @@ class LoopSearch {
     std::vector<flow::NodeId> exits_;
 };
 
-void collect(const Program& program, ExpressionId id, ReadSet& set) {
-    std::visit(overloaded{
-                   [](const Literal&) {},
-                   [](const Text&) {},
-                   [](const Vacant&) {},
-                   [&](const Load& load) { set.places.push_back(load.place); },
-                   [&](const Apply& apply) {
-                       if (apply.operation == Operation::unknown) set.closed = false;
-                       for (const ExpressionId operand : program.operands_of(apply))
-                           collect(program, operand, set);
-                   },
-                   [&](const auto&) { set.closed = false; },
-               },
-               program.expressions[id].node);
-}
-
 } // namespace
 
 bool Loop::holds(flow::NodeId node) const { return std::ranges::binary_search(body, node); }
@@ -151,12 +135,6 @@ bool Loop::holds(flow::NodeId node) const { return std::ranges::binary_search(bo
 std::vector<Loop> find_loops(const Program& program, const flow::Structures& structures,
                              const flow::Graph& graph, const Analysis& analysis) {
     return LoopSearch(program, structures, graph, analysis).run();
-}
-
-ReadSet variables_of(const Program& program, ExpressionId expression) {
-    ReadSet set{{}, true};
-    collect(program, expression, set);
-    return set;
 }
 
 std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analyzer/dataflow/analysis.hpp"
+#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/flow/structure.hpp"
 
 #include <optional>
@@ -33,14 +34,6 @@ struct Loop {
 /// does, else `back` is the last jump back in the text.
 [[nodiscard]] std::vector<Loop> find_traps(const Program& program, const flow::Structures& structures,
                                            const flow::Graph& graph, const Analysis& analysis);
-
-/// The variables that an expression reads; empty when it also reads something that changes by itself or
-/// cannot be known.
-struct ReadSet {
-    std::vector<Place> places;
-    bool closed; ///< nothing but `places` and constants decides the value
-};
-[[nodiscard]] ReadSet variables_of(const Program& program, ExpressionId expression);
 
 /// The assignments in the loop's body that change the variable.
 [[nodiscard]] std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place);

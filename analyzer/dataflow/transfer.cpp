@@ -192,6 +192,8 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
     const OriginId origin = states_.pool().origins(here());
     if (value.vacancy == Vacancy::maybe) {
         ModalValue either = states_.read(state, group);
+        // The same value set before, F#9 in the block above: this word has set it again, or neither has.
+        std::erase_if(either.parts, [&](const ModalPart& part) { return part.symbol == value.symbol; });
         either.parts.push_back({value.symbol, origin});
         std::ranges::sort(either.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
         states_.write(state, group, std::move(either));
@@ -236,7 +238,7 @@ void Transfer::call(State& state, const Call& call) {
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
     const Summary& summary = callees_(id);
     if (facts_ != nullptr)
-        facts_->calls.push_back({node_, effect_, summary.known, !summary.known || summary.may_stop});
+        facts_->calls.push_back({node_, id, summary.known, !summary.known || summary.may_stop});
     if (!summary.known) {
         forget_shared(state);
         if (program_.control->calls[call.kind].frame == Frame::shared)

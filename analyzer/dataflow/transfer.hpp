@@ -28,10 +28,12 @@ class Transfer {
     [[nodiscard]] Value evaluate(const State& state, ExpressionId id, Use use);
     [[nodiscard]] Value load_at(const State& state, FamilyId family, const Value& index, ExpressionId id,
                                 Use use);
+    [[nodiscard]] bool rests_on_vacant(const State& state, ExpressionId index);
     [[nodiscard]] Value load_modal(const State& state, GroupId group, ExpressionId id);
     [[nodiscard]] Value opaque(ExpressionId id);
     [[nodiscard]] Value opaque_place(Place place, std::uint32_t what_for);
     [[nodiscard]] Truth judge(const State& state, ExpressionId id);
+    [[nodiscard]] Truth judge_chain(const State& state, std::span<const ExpressionId> operands, bool all);
     void refine(State& state, ExpressionId id, bool holds);
     void refine_comparison(State& state, Operation operation, ExpressionId left, ExpressionId right);
     void refine_place(State& state, Place place, Operation operation, const Value& other);

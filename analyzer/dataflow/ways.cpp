@@ -27,7 +27,7 @@ void add_disturbing_nodes(const Facts& facts, Place place, flow::NodeId except,
 
 /// The edge whose condition cannot turn out so on this way.
 std::optional<flow::EdgeId> impossible_edge(const Program& program, const flow::Graph& graph,
-                                            const std::vector<flow::EdgeId>& way) {
+                                            const Analysis& analysis, const std::vector<flow::EdgeId>& way) {
     std::vector<Decision> decisions;
     std::vector<flow::EdgeId> deciding;
     for (const flow::EdgeId id : way) {
@@ -37,7 +37,7 @@ std::optional<flow::EdgeId> impossible_edge(const Program& program, const flow::
         deciding.push_back(id);
     }
     const auto at = first_contradiction(program, decisions);
-    return at ? std::optional(deciding[*at]) : std::nullopt;
+    return at ? std::optional(deciding[*at]) : analysis.first_impossible(way);
 }
 
 /// A search of everything: what it does not find is not there.
@@ -74,7 +74,7 @@ std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& p
         };
         auto way = graph.way(0, node, usable, whole(graph));
         if (!way) return std::nullopt;
-        const auto bad = impossible_edge(program, graph, *way);
+        const auto bad = impossible_edge(program, graph, analysis, *way);
         if (!bad) return way;
         impossible.push_back(*bad);
     }

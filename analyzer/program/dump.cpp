@@ -177,7 +177,7 @@ std::string describe(const Program& program, const Effect& effect) {
                     text += ' ' + describe(program, value);
                 return text;
             },
-            [](Motion) { return std::string("move"); },
+            [](Motion motion) { return std::string(motion.without_feed ? "rapid move" : "move"); },
             [](Synchronise) { return std::string("synchronise"); },
             [&](const Stop& what) {
                 static constexpr std::string_view kinds[] = {"alarm", "pause", "end"};

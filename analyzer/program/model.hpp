@@ -133,7 +133,10 @@ struct Values {
     Slice values; ///< Program::operands
 };
 
-struct Motion {};      ///< axes move
+/// Axes move.
+struct Motion {
+    bool without_feed = false; ///< at rapid traverse, whatever the motion mode is
+};
 struct Synchronise {}; ///< look-ahead stops here
 struct Stop {
     enum class Kind : std::uint8_t { alarm, pause, end } kind; ///< #3000; #3006, M00; M30
@@ -192,7 +195,7 @@ struct Guarded {
 
 /// A block that could not be read. What its words name may or may not happen.
 struct UnreadableBlock {
-    std::vector<Place> may_write;
+    std::vector<Place> may_write; ///< all that it names: it may change them, or be the test that was missing
     std::vector<std::int64_t> may_jump;
     bool may_open_or_close; ///< it names DO, END, IF …: balance findings that it may explain are held back
     bool may_call_or_return;

@@ -70,6 +70,12 @@ struct ModalGroup {
     std::string_view source;
 };
 
+/// A code of a group.
+struct GroupCode {
+    GroupId group;
+    double code;
+};
+
 /// What happens when a value is stored in a variable of a range.
 enum class OnWrite : std::uint8_t { store, set_modal, alarm, pause, forbidden };
 
@@ -145,6 +151,7 @@ struct ControlModel {
     std::vector<Place>
         formals;             ///< local variables that an argument letter of a call reaches (specification I)
     bool vacant_equals_zero; ///< whether EQ and NE take vacant for 0
+    std::optional<GroupCode> rapid; ///< the code under which moves ignore the feed
 
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;

@@ -97,7 +97,8 @@ Offset LineIndex::offset_at(std::uint32_t line, std::uint32_t column) const {
 
 Offset LineIndex::find_line_end(Offset from, Offset to) const {
     const char* const begin = bytes_.data();
-    return static_cast<Offset>(std::find_if(begin + from, begin + to, is_line_end) - begin);
+    const auto ends_line = [](char c) { return is_line_end(c); }; // a function itself would not be inlined
+    return static_cast<Offset>(std::find_if(begin + from, begin + to, ends_line) - begin);
 }
 
 std::uint32_t LineIndex::units(Offset from, Offset to) const {

@@ -19,6 +19,7 @@ using ProgramIndex = std::uint32_t; ///< place in Workspace::programs()
 struct CallSite {
     EffectId effect;
     std::optional<ProgramIndex> target; ///< empty: computed, not in the workspace, or several equally near
+    bool in_cycle;                      ///< caller and callee call each other, perhaps through others
     bool closes_cycle;                  ///< it calls a program from which its own program was called
     std::size_t candidates;             ///< programs of that number or name in the workspace
 };

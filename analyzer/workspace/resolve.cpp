@@ -68,7 +68,7 @@ const std::vector<ProgramIndex>* CallResolver::candidates(const Program& caller,
 
 CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) const {
     const auto& call = std::get<Call>(caller.program().effects[effect].what);
-    CallSite site{effect, {}, false, 0};
+    CallSite site{effect, {}, false, false, 0};
     const std::vector<ProgramIndex>* all = candidates(caller.program(), call);
     if (all == nullptr) return site;
     site.candidates = all->size();

@@ -64,12 +64,15 @@ class WorkspaceBuilder {
         analysis.recursive_ =
             components_.members[own].size() > 1 ||
             std::ranges::find(arrows_[analysis.index()], analysis.index()) != arrows_[analysis.index()].end();
-        static const dataflow::Summary unknown{};
-        const dataflow::Callees callees = [&](EffectId call) -> const dataflow::Summary& {
+        for (CallSite& site : analysis.calls_)
+            site.in_cycle = site.target && components_.of[*site.target] == own;
+        const dataflow::Callees callees = [&analysis,
+                                           &programs = programs_](EffectId call) -> const dataflow::Summary& {
+            static const dataflow::Summary unknown{};
             const CallSite* site = analysis.call_at(call);
             // Within a cycle no summary is there yet: its calls count as unknown, whatever the order of work.
-            if (site == nullptr || !site->target || components_.of[*site->target] == own) return unknown;
-            return programs_[*site->target].summary();
+            if (site == nullptr || !site->target || site->in_cycle) return unknown;
+            return programs[*site->target].summary();
         };
         analysis.structures_ = flow::pair_structures(program);
         analysis.graph_ = flow::build_graph(program, analysis.structures_,

@@ -26,7 +26,10 @@ extern const Rule recursive_call{
     .data_flow = true,
     .messages = {{"plain",
                   "'{0}' calls {1} again, from which it was called: {2}. The control runs out of call "
-                  "levels; use a loop."}},
+                  "levels; use a loop."},
+                 {"self",
+                  "'{0}' calls {1}, the very program it stands in. The control runs out of call levels; "
+                  "use a loop, or give this program another number when another one is meant."}},
     .bad = {{"fanuc", "O0001(MAIN)\n"
                       "G65P9412\n"
                       "M30\n"
@@ -65,7 +68,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             words += " > " + analysis.workspace().programs()[*next->target].program().name;
         }
         Finding& finding = reporter.report(
-            analysis.file(), span, "plain",
+            analysis.file(), span, cycle.empty() ? "self" : "plain",
             {quoted(analysis.program(), span), callee.program().name, words + " > " + callee.program().name});
         for (const Caller& step : cycle) {
             const ProgramAnalysis& calling = analysis.workspace().programs()[step.program];

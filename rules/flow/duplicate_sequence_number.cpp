@@ -3,6 +3,7 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -24,9 +25,12 @@ extern const Rule duplicate_sequence_number{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"plain",
-                  "N{0} stands twice, and '{1}' leads to it: which block is taken depends on where the "
-                  "search starts. Give one of them another number."}},
+    .messages =
+        {{"taken",
+          "N{0} stands twice, and '{1}' takes the one in line {2}, the next behind it. Give one of them "
+          "another number."},
+         {"plain", "N{0} stands twice, and '{1}' leads to it: which block is taken depends on where the "
+                   "search starts. Give one of them another number."}},
     .bad = {{"fanuc", "O9462(TWO)\n"
                       "IF[#100EQ1]GOTO20\n"
                       "N20 G0 X1.\n"
@@ -45,6 +49,13 @@ extern const Rule duplicate_sequence_number{
 
 namespace {
 
+/// The label that the jump takes, where it is a plain one.
+const flow::Label* taken_by(const ProgramAnalysis& analysis, EffectId jump) {
+    const auto& jumps = analysis.graph().jumps;
+    const auto found = std::ranges::find(jumps, jump, &flow::ResolvedJump::jump);
+    return found == jumps.end() || !found->target ? nullptr : &*found->target;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto& labels = analysis.graph().labels; // equal numbers stand together
     std::optional<EffectId> user;
@@ -54,9 +65,11 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             user = analysis.user_of_label(labels[i].number);
         if (!user) continue;
         const Span span = analysis.program().effects[*user].span;
-        Finding& finding =
-            reporter.report(analysis.file(), labels[i].span, "plain",
-                            {std::to_string(labels[i].number), quoted(analysis.program(), span)});
+        std::vector<std::string> words{std::to_string(labels[i].number), quoted(analysis.program(), span)};
+        const flow::Label* taken = taken_by(analysis, *user);
+        if (taken != nullptr) words.push_back(line_number(analysis.file(), taken->span.begin));
+        Finding& finding = reporter.report(analysis.file(), labels[i].span,
+                                           taken != nullptr ? "taken" : "plain", std::move(words));
         finding.related.push_back({&analysis.file(), labels[i - 1].span, "the same number stands here"});
         finding.related.push_back(remark_at_effect(analysis, *user, "this leads to it"));
     }

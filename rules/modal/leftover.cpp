@@ -27,16 +27,19 @@ std::optional<Leftover> leftover_of(const ProgramAnalysis& analysis, GroupId gro
         const dataflow::ModalValue& value = analysis.data().modal(exit.state, group);
         if (value.unknown) return std::nullopt;
         for (const dataflow::ModalPart& part : value.parts) {
-            const bool fault = part.origin != 0 && !is_from_call(analysis, part) &&
-                               is_fault(analysis.control().groups[group], group, exit, part);
-            // A way on which nothing sets the group, as when a word is ignored, puts nothing back.
-            elsewhere_right |= part.origin != 0 && !fault;
+            // A way on which nothing sets the group, as when a word is ignored, puts nothing back, nor does
+            // a called program.
+            if (part.origin == 0 || is_from_call(analysis, part)) continue;
+            const bool fault = is_fault(analysis.control().groups[group], group, exit, part);
+            elsewhere_right |= !fault;
             if (fault && (!last || span_of(analysis, last->part).begin < span_of(analysis, part).begin))
-                last = Leftover{group, part, &exit, true};
+                last = Leftover{group, part, &exit, true, {true, nullptr, {}}};
         }
     }
-    if (last) last->on_every_way = !elsewhere_right;
-    return last;
+    if (!last) return std::nullopt;
+    last->on_every_way = !elsewhere_right;
+    if (last->exit->exit.kind == flow::ExitKind::returns) last->aftermath = aftermath_of(analysis, group);
+    return last->aftermath.matters ? last : std::nullopt;
 }
 
 std::string words_for(flow::ExitKind kind) {
@@ -103,6 +106,9 @@ Finding& report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, co
     const Span end =
         exit.effect ? analysis.program().effects[*exit.effect].span : analysis.graph().nodes[exit.node].part;
     finding.related.push_back({&analysis.file(), end, words_for(exit.kind)});
+    if (leftover.aftermath.program != nullptr)
+        finding.related.push_back(
+            {&leftover.aftermath.program->file(), leftover.aftermath.block, "a caller moves so here"});
     return finding;
 }
 

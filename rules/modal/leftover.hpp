@@ -1,6 +1,7 @@
 //! Modal groups that a program leaves other than it found them.
 #pragma once
 
+#include "analyzer/workspace/aftermath.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/finding.hpp"
 #include "rules/rule.hpp"
@@ -17,6 +18,7 @@ struct Leftover {
     dataflow::ModalPart part;        ///< the last in the text that sets the group so
     const dataflow::ExitState* exit; ///< where it is still in force
     bool on_every_way;               ///< false: on other ways the program puts the group right
+    Aftermath aftermath;             ///< what callers do with it
 };
 
 /// Whether this way of a group at an exit is one that the rule speaks of.
@@ -24,7 +26,8 @@ using IsFault =
     std::function<bool(const ModalGroup&, GroupId, const dataflow::ExitState&, const dataflow::ModalPart&)>;
 
 /// One leftover for each group of this concern. A group of which somebody else may have changed something
-/// unknown is left out, and so is what a called program left: that program is told.
+/// unknown is left out, so is what a called program left: that program is told; and so is what every known
+/// caller sets again before it moves.
 [[nodiscard]] std::vector<Leftover> find_leftovers(const ProgramAnalysis& analysis, Concern concern,
                                                    const IsFault& is_fault);
 

@@ -110,6 +110,7 @@ bool repeats_another(const ProgramAnalysis& analysis, const dataflow::Condition&
 struct Sides {
     bool constant = true; ///< all are known numbers
     bool vacant = false;  ///< one has never been set
+    bool open = true;     ///< no comparison is decided by itself: #1LT8 OR #1GT6
 };
 
 Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
@@ -119,6 +120,7 @@ Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condi
              std::ranges::lower_bound(comparisons, condition.node, {}, &dataflow::Comparison::node);
          comparison != comparisons.end() && comparison->node == condition.node; ++comparison) {
         if (comparison->effect != condition.effect) continue;
+        sides.open &= comparison->truth.can_hold && comparison->truth.can_fail;
         for (const dataflow::Value* value : {&comparison->left, &comparison->right}) {
             sides.constant &= value->constant().has_value();
             sides.vacant |= value->vacancy == dataflow::Vacancy::vacant;
@@ -134,6 +136,7 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
     if (dataflow::tests_any_vacancy(program, condition.expression)) return false; // MAC222's and MAC228's
     const Sides sides = sides_of(analysis, condition);
     const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
+    if (sides.open) return true;
     if (sides.constant) return !depends_on_settings(analysis, reads);
     if (only_clamps(analysis, condition, reads) || repeats_another(analysis, condition)) return false;
     if (std::ranges::any_of(reads.places, [&](Place place) { return is_setting(analysis, place); }))
@@ -144,6 +147,7 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
+    if (analysis.structures().balance_in_doubt) return; // a loop that cannot be read may repeat the block
     for (const dataflow::Condition& condition : analysis.facts().conditions) {
         const dataflow::Truth truth = condition.truth;
         if (truth.can_hold == truth.can_fail || !is_defect(analysis, condition)) continue;

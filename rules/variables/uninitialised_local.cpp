@@ -28,7 +28,7 @@ extern const Rule uninitialised_local{
     .messages =
         {{"main", "'{0}' is vacant here: this program has not set it, and a program that nobody calls gets "
                   "no arguments. Set it first, or correct the number."},
-         {"called", "'{0}' is vacant here: this program has not set it, and no argument of a call reaches "
+         {"called", "'{0}' is vacant here: this program has not set it, and no letter of a call stands for "
                     "it. Set it first, or correct the number."},
          {"not-passed", "'{0}' is vacant here: this program has not set it, and no caller passes it. Set it "
                         "first, or pass the argument."},

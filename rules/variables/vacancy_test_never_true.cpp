@@ -25,11 +25,11 @@ extern const Rule vacancy_test_never_true{
     .off_reason = "",
     .data_flow = true,
     .messages = {{"never-vacant",
-                  "'{0}' never holds: {1} has been set on every way that leads here. Write 'EQ 0' if "
-                  "the value 0 is meant."},
+                  "'{0}' never holds: {1} has been set on every way that leads here. Test what it was made "
+                  "of, or write 'EQ 0' if the value 0 is meant."},
                  {"always-set",
-                  "'{0}' always holds: {1} has been set on every way that leads here. Write 'NE 0' if "
-                  "the value 0 is meant."}},
+                  "'{0}' always holds: {1} has been set on every way that leads here. Test what it was made "
+                  "of, or write 'NE 0' if the value 0 is meant."}},
     .bad = {{"fanuc", "O9228(CLEARANCE FROM R AND Z)\n"
                       "#33=#18-#26\n"
                       "IF[#33EQ#0]GOTO9\n"

@@ -116,7 +116,7 @@ TEST(FanucWords, ThatAreNoTargetsDoNotMove) {
 }
 
 TEST(FanucWords, ThatMoveOnTheirOwnAccordAlsoStopLookAhead) {
-    EXPECT_EQ(lower("G91G28Z0"), "distance mode=91; move; synchronise");
+    EXPECT_EQ(lower("G91G28Z0"), "distance mode=91; rapid move; synchronise");
     EXPECT_EQ(lower("G31Z-10.F100"), "feed=100; move; synchronise");
     EXPECT_EQ(lower("G53X0"), "move; synchronise");
 }
@@ -195,7 +195,7 @@ TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
     EXPECT_EQ(lower("IF[#1EQ2GOTO5"),
               "unreadable jumps 5 opens-or-closes\n! bracket-mismatch '[' -> a ']' is missing before 'GOTO'");
     EXPECT_EQ(lower("WHLE[#1LT5]DO1"), "unreadable opens-or-closes\n! unknown-keyword 'WHLE' -> WHILE");
-    EXPECT_EQ(lower("IF[#1LTE2]GOTO5"), "unreadable jumps 5 opens-or-closes\n! unknown-keyword 'LTE' -> LE");
+    EXPECT_EQ(lower("IF[#1LTE2]GOTO5"), "unreadable writes #1 jumps 5 opens-or-closes\n! unknown-keyword 'LTE' -> LE");
     EXPECT_EQ(lower("G65P9010A["),
               "unreadable calls-or-returns\n! bracket-mismatch '[' -> its ']' is missing");
     EXPECT_EQ(lower("#1="), "unreadable writes #1\n! unreadable '=' -> a value after '='");

@@ -74,6 +74,13 @@ TEST(FanucTape, ProgramsBehindAMarkAreReadWhenAnotherMarkFollows) {
     EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\nTEXT\n%\nO2\n#2=2\n%\n"), "O1:\n\n#1 := 1\nO2:\n\n#2 := 2\n");
 }
 
+TEST(FanucTape, AProgramBehindNoiseIsReadWhateverMarksTheNoiseHolds) {
+    const std::string good = "O1:\n\n#1 := 1\nO2:\n\n#2 := 2\n";
+    EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\n$?}X\n%\n%\n{Z~\nO2 (TWO)\n#2=2\n%\n"), good);
+    EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\n$?}X\nO2\n#2=2\n"), good);
+    EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\nO2 IS FOR MONDAY\n#2=2\n"), "O1:\n\n#1 := 1\n");
+}
+
 TEST(FanucTape, PercentInACommentIsNoMark) {
     EXPECT_EQ(programs_of("O1(80% OVERRIDE)\n#1=1 (100%)\n#2=2"), "O1:\n\n#1 := 1\n#2 := 2\n");
 }

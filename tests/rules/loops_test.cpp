@@ -98,5 +98,12 @@ TEST(InexactCounter, IsHarmlessWhenExactClampedOrWithRoomAtItsEnd) {
                 IsEmpty());
 }
 
+TEST(LoopStep, NamedByABlockThatCannotBeReadMayHaveBeenTestedThere) {
+    EXPECT_THAT(lines_raised("MAC320",
+                             "O9001\nOR[#17EQ#0]GOTO5\n#33=0\nWHILE[#33LT9]DO1\n#33=#33+#17\nG0 X#33\nEND1\n"
+                             "N5 M99\n"),
+                IsEmpty());
+}
+
 } // namespace
 } // namespace maclint

@@ -47,6 +47,51 @@ TEST(ModalState, ThatAnUnknownProgramMayHaveChangedIsLeftAlone) {
     EXPECT_THAT(lines_raised("MAC501", "O9001\nG91 G0 X1\nG65 P9999\nM99\n"), IsEmpty());
 }
 
+TEST(ModalState, ThatEveryCallerSetsAgainBeforeItMovesHarmsNobody) {
+    const std::string sub = "O9001\nG91 G0 Z#26\nM99\n";
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z5.\nG90 G0 X1\nM30\n" + sub), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z5.\nG0 X1\nM30\n" + sub), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z5.\nM30\n" + sub), IsEmpty());
+    // One of two callers moves so.
+    EXPECT_THAT(
+        lines_raised("MAC501", "O1\nG65 P9001 Z5.\nG90 G0 X1\nM30\nO2\nG65 P9001 Z5.\nX1\nM30\n" + sub),
+        ElementsAre(10));
+    // Only on one way does the caller set it.
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z5.\nIF[#100EQ1]GOTO9\nG90\nN9 G0 X1\nM30\n" + sub),
+                ElementsAre(8));
+}
+
+TEST(ModalState, ThatACallerLeavesToItsOwnCallersMattersThere) {
+    const std::string subs = "O9001\nG65 P9002 Z#26\nM99\nO9002\nG91 G0 Z#26\nM99\n";
+    EXPECT_THAT(lines_raised("MAC501", subs), ElementsAre(5)); // nobody knows who calls O9001
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z1.\nG90 X1\nM30\n" + subs), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z1.\nG0 X1\nM30\n" + subs), ElementsAre(9));
+}
+
+TEST(ModalState, ThatTheNextCalledProgramSetsAgainHarmsNobody) {
+    const std::string sub = "O9001\nG91 G0 Z#26\nM99\n";
+    EXPECT_THAT(lines_raised("MAC501",
+                             "O1\nG65 P9001 Z5.\nG65 P9002\nG0 X1\nM30\n" + sub + "O9002\nG90 G0 X0\nM99\n"),
+                IsEmpty());
+    EXPECT_THAT(
+        lines_raised("MAC501", "O1\nG65 P9001 Z5.\nG65 P9002\nG90 X1\nM30\n" + sub + "O9002\nG0 X0\nM99\n"),
+        ElementsAre(7));
+}
+
+TEST(Feed, MattersToMovesThatHaveOne) {
+    const std::string sub = "O9001\nG1 Z#26 F#9\nG0 Z5.\nM99\n";
+    EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 Z1. F9.\nX1\nG1 X2 F100\nM30\n" + sub), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 Z1. F9.\nG28 X0\nG1 X2 F100\nM30\n" + sub), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 Z1. F9.\nG1 X2\nM30\n" + sub), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 Z1. F9.\nX#100\nG1 X2\nM30\n" + sub), ElementsAre(7));
+}
+
+TEST(Feed, SetByManyWordsFromOneArgumentIsStillThatOne) {
+    std::string text = "O9001\n";
+    for (int i = 0; i < 20; ++i) text += "G1 X" + std::to_string(i) + " F#9\n";
+    EXPECT_THAT(lines_raised("MAC503", text + "M99\n"), ElementsAre(21));
+}
+
 TEST(Compensation, LeftActiveIsReportedAtEveryEnd) {
     EXPECT_THAT(lines_raised("MAC502", "O1\nG41 D1 G1 X5 F100\nG1 X9\nM30\n"), ElementsAre(2));
     EXPECT_THAT(lines_raised("MAC502", "O9001\nG52 X#1\nG0 X1\nM99\n"), ElementsAre(2));

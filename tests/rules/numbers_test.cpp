@@ -76,5 +76,24 @@ TEST(ConstantCondition, LeavesEndlessLoopsAndVacancyToOthers) {
     EXPECT_THAT(lines_raised("MAC718", "O1\n#1=5\nIF[#1EQ#0]GOTO9\nN9 M30\n"), IsEmpty());
 }
 
+TEST(ConstantCondition, ConditionsJoinedByOrMayLeaveNothing) {
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[[#1LT8]OR[#1GT6]]GOTO9\nG0 X1\nN9 M99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[[#1NE1]OR[#1NE2]]GOTO9\nG0 X1\nN9 M99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[[#1LT6]OR[#1GT8]]GOTO9\nG0 X1\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[[#1EQ1]OR[#2NE1]]GOTO9\nG0 X1\nN9 M99\n"), IsEmpty());
+}
+
+TEST(ConstantCondition, ConditionsJoinedByAndMayExcludeEachOther) {
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[[#1LT6]AND[#1GT8]]GOTO9\nG0 X1\nN9 M99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[[#1EQ6]AND[#1EQ8]]GOTO9\nG0 X1\nN9 M99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[[#1GT6]AND[#1LT8]]GOTO9\nG0 X1\nN9 M99\n"), IsEmpty());
+}
+
+TEST(ConstantCondition, BehindALoopThatCannotBeReadProvesNothing) {
+    EXPECT_THAT(lines_raised("MAC718", "O1\n#28=1\nWHILE[#28LT5]]DO1\nIF[#28LT5000]GOTO9\n#28=#28+1\nEND1\n"
+                                       "N9 M30\n"),
+                IsEmpty());
+}
+
 } // namespace
 } // namespace maclint

@@ -98,5 +98,19 @@ TEST(VacancyTest, MayHoldForACopyOfAnArgumentAndForWhatOthersSet) {
     EXPECT_THAT(lines_raised("MAC228", "O9001\nIF[#1EQ#0]THEN#1=5\nIF[#1EQ#0]GOTO9\nN9 M99\n"), IsEmpty());
 }
 
+TEST(UninitialisedLocal, ATestOfAnotherVariableOnTheWayIsHeeded) {
+    // #31 and #32 are set under the same tests: where #31 is not vacant, #32 is not either.
+    const std::string program = "O9001\nIF[#1EQ1]GOTO1\nIF[#1EQ2]GOTO2\nGOTO3\n"
+                                "N1 #32=1\n#31=1\nGOTO3\nN2 #32=2\n#31=2\nN3\n";
+    EXPECT_THAT(lines_raised("MAC209", program + "IF[#31EQ#0]GOTO9\nG0 X#32\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", program + "G0 X#32\nN9 M99\n"), ElementsAre(11));
+}
+
+TEST(UninitialisedLocal, AnIndexMadeOfAVacantVariableIsToldThere) {
+    EXPECT_THAT(lines_raised("MAC209", "O1\nG0 X#[#31+10]\nM30\n"), ElementsAre(2));
+    EXPECT_THAT(messages_raised("MAC209", "O1\nG0 X#[#31+10]\nM30\n"),
+                ElementsAre(::testing::HasSubstr("'#31'")));
+}
+
 } // namespace
 } // namespace maclint

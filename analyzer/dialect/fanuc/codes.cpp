@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint8_t own = own_effect;
 constexpr std::uint8_t sync = synchronises;
+constexpr std::uint8_t rapid = without_feed;
 constexpr auto mill = Machine::mill;
 constexpr auto lathe = Machine::lathe;
 constexpr auto both = Machine::both;
@@ -28,10 +29,10 @@ constexpr CodeFact facts[] = {
     {'G',  10.6, both,  no_axes,                   "T: retract"},
     {'G',  22,   mill,  no_axes,                   "T: stored stroke limits X Y Z I J K"},
     {'G',  22,   lathe, no_axes,                   "T: stored stroke limits X Z I K"},
-    {'G',  28,   both,  own | sync,                "T: reference position return"},
+    {'G',  28,   both,  own | sync | rapid,        "T: reference position return"},
     {'G',  29,   both,  own | sync,                "T: return from reference position"},
-    {'G',  30,   both,  own | sync,                "T: second reference position return"},
-    {'G',  30.1, both,  own | sync,                "T: floating reference position return"},
+    {'G',  30,   both,  own | sync | rapid,        "T: second reference position return"},
+    {'G',  30.1, both,  own | sync | rapid,        "T: floating reference position return"},
     {'G',  31,   both,  own | sync,                "6: G31 ends look-ahead on most controls"},
     {'G',  31.1, both,  own | sync,                "as G31"},
     {'G',  31.2, both,  own | sync,                "as G31"},

@@ -18,6 +18,7 @@ enum Trait : std::uint8_t {
     no_axes = 1 << 2,      ///< axis words beside it are no target of a move
     no_words = 1 << 3,     ///< no word beside it means what it usually does: neither axes nor F nor S
     limits_speed = 1 << 4, ///< S beside it is a limit, not the speed
+    without_feed = 1 << 5, ///< moves at rapid traverse, whatever the motion mode is
 };
 
 enum class Machine : std::uint8_t { mill, lathe, both };

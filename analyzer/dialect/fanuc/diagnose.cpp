@@ -19,9 +19,6 @@ using TokenKind = Token::Kind;
 constexpr Offset longest_looked_at = 64 * 1024;
 constexpr std::size_t longest_shown = 60;
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-
 std::string shown(std::string_view text) {
     if (text.size() <= longest_shown) return std::string(text);
     return std::string(text.substr(0, longest_shown)) + "...";
@@ -58,6 +55,16 @@ class Clues {
     [[nodiscard]] bool looks_like_expression(const Token& comment) const;
     [[nodiscard]] bool is_known(const Token& token, const Token* next, int depth) const;
     [[nodiscard]] bool has_word(std::string_view keyword) const;
+    /// The words of output and naming statements are text.
+    [[nodiscard]] bool begins_free_text(const Token& token) const {
+        const std::string word = capitals(token);
+        return word == "DPRNT" || word == "BPRNT" || word == "SETVN";
+    }
+    /// Whether a '/' divides nothing: at the head of a block, behind another one, before a word.
+    [[nodiscard]] bool marks_skip(std::size_t index, const Token* next) const {
+        return index == 0 || text(tokens_[index - 1]) == "/" ||
+               (next != nullptr && next->kind == TokenKind::letters);
+    }
     [[nodiscard]] Irregularity make(Irregular kind, Span span, std::string_view subject,
                                     std::string cure) const {
         return {kind, span, shown(subject), std::move(cure)};
@@ -182,14 +189,17 @@ std::optional<Irregularity> Clues::bracket_mismatch() const {
 bool Clues::is_known(const Token& token, const Token* next, int depth) const {
     std::string word = capitals(token);
     if (word.size() == 1) return true;
-    if (explain(word).known && !is_keyword(word) && split_keywords(word).empty()) return false;
     if (!split_keywords(word).empty()) return true;
-    if (depth > 0) return false;
-    // Letters before a keyword or behind one are addresses when a value follows: THENG1, XSIN[30].
-    const bool value_follows = gives_value(next);
+    const std::string_view behind_first = std::string_view(word).substr(1);
+    const bool value_follows = depth == 0 && gives_value(next);
+    // An address before a function, a label behind GOTO: XSIN[30], GOTON800.
+    if (value_follows && (is_function(behind_first) || word.ends_with("GOTON") || word.ends_with("GOTOO")))
+        return true;
+    if (explain(word).known || depth > 0) return false;
+    // Letters before a keyword or behind one are addresses when a value follows: THENG1.
     if (value_follows && !split_keywords(std::string_view(word).substr(0, word.size() - 1)).empty())
         return true;
-    if (is_function(std::string_view(word).substr(1))) return true;
+    if (is_function(behind_first)) return true;
     // Abbreviations of functions, and addresses left without a value.
     return word.size() == 2;
 }
@@ -203,7 +213,7 @@ std::optional<Irregularity> Clues::unknown_keyword() const {
         if (token.kind != TokenKind::letters) continue;
         if (i > 0 && tokens_[i - 1].kind == TokenKind::sharp) continue; // a name
         const std::string word = capitals(token);
-        if (word == "DPRNT" || word == "BPRNT" || word == "SETVN") return std::nullopt; // free text follows
+        if (begins_free_text(token)) return std::nullopt;
         const Token* next = at(i + 1);
         if (is_operator_word(word) && next != nullptr && next->kind == TokenKind::letters &&
             (capitals(*next) == "THEN" || capitals(*next) == "GOTO"))
@@ -245,10 +255,11 @@ std::optional<Irregularity> Clues::symbolic_comparison() const {
 std::optional<Irregularity> Clues::missing_value() const {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
         const Token& token = tokens_[i];
-        if (token.kind == TokenKind::operation && i == 0) continue; // a skip mark
         const Token* next = at(i + 1);
         if (next != nullptr && next->kind == TokenKind::comment) next = at(i + 2);
+        if (text(token) == "/" && marks_skip(i, next)) continue;
         if (token.kind == TokenKind::letters) {
+            if (begins_free_text(token)) return std::nullopt;
             const std::string word = last_keyword(token);
             std::string expected;
             if (word == "GOTO" && !gives_value(next)) expected = "a sequence number after 'GOTO'";
@@ -273,7 +284,7 @@ std::optional<Irregularity> Clues::remark() const {
         if (tokens_[i].kind != TokenKind::comment) continue;
         if (text(tokens_[i]).find('(', 1) == std::string_view::npos) continue;
         const Span tail{tokens_[i + 1].span.begin, tokens_.back().span.end};
-        if (text_[tail.end - 1] == ')')
+        if (text_[tail.end - 1] == ')' && tail.length() > 1)
             return make(Irregular::unreadable, tail, text_.substr(tail.begin, tail.length()),
                         "nothing behind the first ')', because comments do not nest");
     }
@@ -309,18 +320,6 @@ std::string expected_word(const syntax::Node& node) {
     return node.named ? name : "'" + name + "'";
 }
 
-Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& tree) {
-    Span span = block;
-    std::string expected;
-    if (const syntax::Node* error = first_error(tree)) {
-        if (error->missing)
-            expected = expected_word(*error);
-        else if (!error->span.empty())
-            span = {block.begin + error->span.begin, block.begin + error->span.end};
-    }
-    return {Irregular::unreadable, span, shown(text.substr(span.begin, span.length())), std::move(expected)};
-}
-
 void sort_unique(std::vector<std::int64_t>& numbers) {
     std::ranges::sort(numbers);
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
@@ -332,46 +331,24 @@ std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, S
     return Clues(text, block).parenthesis_as_bracket();
 }
 
-void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
-              std::vector<Irregularity>& irregularities) {
+std::optional<Irregularity> find_cause(std::string_view text, Span block) {
     const Clues clues(text, block);
     for (const auto cause : {&Clues::remark, &Clues::parenthesis_as_bracket, &Clues::bracket_mismatch,
-                             &Clues::unknown_keyword, &Clues::symbolic_comparison, &Clues::missing_value}) {
-        if (std::optional<Irregularity> found = (clues.*cause)()) {
-            irregularities.push_back(std::move(*found));
-            return;
-        }
-    }
-    irregularities.push_back(unreadable(text, block, tree));
+                             &Clues::unknown_keyword, &Clues::symbolic_comparison, &Clues::missing_value})
+        if (std::optional<Irregularity> found = (clues.*cause)()) return found;
+    return std::nullopt;
 }
 
-bool is_plausible(std::string_view text, Span block) {
-    constexpr Offset farthest = 48;
-    constexpr Offset most_stumbles = 32;
-    Offset without_digit = 0;
-    Offset stumbles = 0; // commas without a letter behind them, values that follow a value
-    char before = '\0';
-    for (Offset at = block.begin; at < block.end; ++at) {
-        const char c = text[at];
-        if (c == ' ' || c == '\t') continue;
-        if (c == '(') {
-            while (at < block.end && text[at] != ')' && text[at] != '\n' && text[at] != '\r') ++at;
-            continue;
-        }
-        const bool ends_value = before == ']' || is_digit(before);
-        if ((c == '[' || c == '#') && ends_value) ++stumbles;
-        if (before == ',' && !is_letter(c)) ++stumbles;
-        if (is_digit(c))
-            without_digit = 0;
-        else if (++without_digit > farthest)
-            break;
-        before = c;
+Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree) {
+    Span span = block;
+    std::string expected;
+    if (const syntax::Node* error = first_error(tree)) {
+        if (error->missing)
+            expected = expected_word(*error);
+        else if (!error->span.empty())
+            span = {block.begin + error->span.begin, block.begin + error->span.end};
     }
-    if (stumbles > most_stumbles) return false;
-    if (without_digit <= farthest) return true;
-    // The words of an output or naming statement are free text.
-    const std::string capitals = in_capitals(text.substr(block.begin, block.length()));
-    return capitals.find("PRNT") != std::string::npos || capitals.find("SETVN") != std::string::npos;
+    return {Irregular::unreadable, span, shown(text.substr(span.begin, span.length())), std::move(expected)};
 }
 
 UnreadableBlock names_in(const Program& program, Span block) {
@@ -379,13 +356,13 @@ UnreadableBlock names_in(const Program& program, Span block) {
     const std::span<const Token> tokens = clues.tokens();
     const VariableFamily& family = program.control->families[numbered];
     UnreadableBlock names{{}, {}, false, false};
-    std::vector<std::int64_t> written;
+    std::vector<std::int64_t> named;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const Token& token = tokens[i];
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
-        if (token.kind == TokenKind::variable && next != nullptr && next->kind == TokenKind::equals)
+        if (token.kind == TokenKind::variable)
             if (const std::optional<std::int64_t> number = read_integer(clues.text(token)))
-                written.push_back(*number);
+                named.push_back(*number);
         if (token.kind != TokenKind::letters) continue;
         const std::string word = clues.capitals(token);
         const Token* value = next;
@@ -409,8 +386,8 @@ UnreadableBlock names_in(const Program& program, Span block) {
             names.may_call_or_return |= code == 2 || code == 30 || (code >= 96 && code <= 99) || code == 198;
     }
     sort_unique(names.may_jump);
-    sort_unique(written);
-    for (const std::int64_t number : written) {
+    sort_unique(named);
+    for (const std::int64_t number : named) {
         const VariableRange* range = family.find(number);
         if (range != nullptr && range->meaning == Meaning::place)
             names.may_write.push_back({range->space, static_cast<std::int32_t>(number)});

@@ -12,13 +12,12 @@ namespace maclint::fanuc {
 /// What a block that could not be read names: places that it may write, labels that it may jump to.
 [[nodiscard]] UnreadableBlock names_in(const Program& program, Span block);
 
-/// Whether a block is worth parsing. In what people write, a digit is never far and values do not follow one
-/// another in dozens; the parser's time grows with the square of such rows.
-[[nodiscard]] bool is_plausible(std::string_view text, Span block);
+/// What is wrong with a block that does not parse, told from its text alone; none where only the parser can
+/// say what it stumbled over.
+[[nodiscard]] std::optional<Irregularity> find_cause(std::string_view text, Span block);
 
-/// Adds the cause of the errors in a block's tree; always one.
-void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
-              std::vector<Irregularity>& irregularities);
+/// Where the parser stumbled, for a block without a cause of its own.
+[[nodiscard]] Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree);
 
 /// A comment that stands where only a bracket makes sense: `X(#1+2)`, `SIN(30)`.
 [[nodiscard]] std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, Span block);

@@ -179,7 +179,8 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span, 
             {Values{{static_cast<Id>(program_.operands.size()), static_cast<Id>(computed.size())}}, span});
         program_.operands.insert(program_.operands.end(), computed.begin(), computed.end());
     }
-    if (moves && (traits & (no_axes | no_words)) == 0) effects.push_back({Motion{}, span});
+    if (moves && (traits & (no_axes | no_words)) == 0)
+        effects.push_back({Motion{(traits & without_feed) != 0}, span});
     if ((traits & synchronises) != 0) effects.push_back({Synchronise{}, span});
     for (const NcWord& word : words) {
         const bool lathe_tool = word.letter == 'T' && codes_.letters['T'] == Letter::not_plain;

@@ -7,6 +7,7 @@
 #include "analyzer/dialect/fanuc/machine_type.hpp"
 #include "analyzer/dialect/fanuc/numbers.hpp"
 #include "analyzer/dialect/fanuc/plain.hpp"
+#include "analyzer/dialect/fanuc/plausible.hpp"
 #include "analyzer/dialect/fanuc/shape.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
@@ -210,14 +211,21 @@ class Reader {
             return;
         }
         static const syntax::Tree nothing{.nodes = {}, .has_error = true};
-        const syntax::Tree& tree =
-            is_plausible(text_, block) ? parse(text_.substr(block.begin, block.length())) : nothing;
-        if (tree.has_error) {
-            if (!swallowed) diagnose(text_, block, tree, file_.irregularities);
-            add_unreadable(block);
+        const std::string_view code = text_.substr(block.begin, block.length());
+        const bool loud = noise_.is_loud();
+        std::optional<Irregularity> cause;
+        if (loud) cause = find_cause(text_, block);
+        const syntax::Tree& tree = !cause && is_plausible(code) ? parse(code) : nothing;
+        noise_.hear(tree.has_error);
+        if (!tree.has_error) {
+            BlockLowering(tree, block, program(), file_.irregularities).lower();
             return;
         }
-        BlockLowering(tree, block, program(), file_.irregularities).lower();
+        if (!swallowed) {
+            if (!loud) cause = find_cause(text_, block);
+            file_.irregularities.push_back(cause ? *std::move(cause) : find_stumble(text_, block, tree));
+        }
+        add_unreadable(block);
     }
 
     /// The block's tree, good until the next block; every thread has its own memory of trees.
@@ -288,6 +296,7 @@ class Reader {
     RunTotals run_;
     RawBlock raw_;
     std::string shape_;
+    Noise noise_;
     std::size_t waiting_ = 0; ///< first comment without a next block
     bool tape_open_ = true;
     bool program_open_ = false;

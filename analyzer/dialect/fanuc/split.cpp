@@ -106,6 +106,18 @@ bool glued_program(std::string_view text, Offset begin, Offset at) {
     return ends_program(text.substr(begin, at - begin));
 }
 
+/// The first line at or behind `from` that holds a program number and nothing else but comments: what
+/// follows is a program, even when noise left an odd number of marks before it.
+std::optional<Offset> find_program_alone_in_line(std::string_view text, Offset from) {
+    for (Offset at = skip_to_code(text, from); at < text.size();) {
+        const Offset end = line_end(text, at);
+        const std::optional<ProgramHead> head = find_program_head(text, {at, end});
+        if (head && skip_to_code(text.substr(0, end), head->span.end) == end) return at;
+        at = skip_to_code(text, end);
+    }
+    return std::nullopt;
+}
+
 /// Whether any line of `text` begins like a block.
 bool holds_blocks(std::string_view text) {
     for (Offset at = skip_to_code(text, 0); at < text.size(); at = skip_to_code(text, line_end(text, at)))
@@ -178,9 +190,11 @@ Offset behind_opening_mark(std::string_view text, Offset mark) {
 
 BehindMark behind_mark(std::string_view text, Offset mark) {
     const std::optional<Offset> next = find_tape_mark(text, mark + 1);
-    if (!next) return {size_of(text), false};
-    if (begins_program(text.substr(0, *next), skip_to_code(text, mark + 1))) return {mark + 1, false};
-    return {*next, true};
+    const std::string_view here = text.substr(0, next.value_or(size_of(text)));
+    if (next && begins_program(here, skip_to_code(here, mark + 1))) return {mark + 1, false};
+    if (const std::optional<Offset> program = find_program_alone_in_line(here, line_end(here, mark)))
+        return {*program, false};
+    return {size_of(here), next.has_value()};
 }
 
 std::optional<ProgramHead> find_program_head(std::string_view text, Span block) {

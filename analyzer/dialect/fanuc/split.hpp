@@ -43,7 +43,8 @@ struct BehindMark {
 };
 /// Behind the mark that opens a tape: the first block. A title on the mark's own line is passed over.
 [[nodiscard]] Offset behind_opening_mark(std::string_view text, Offset mark);
-/// Behind a mark in an open tape; the end of the text when nothing follows that the control reads.
+/// Behind a mark in an open tape: the next program, or the mark that opens the tape again, or the end of the
+/// text.
 [[nodiscard]] BehindMark behind_mark(std::string_view text, Offset mark);
 
 /// A program number or name that heads a block.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace maclint::fanuc {
 namespace {
@@ -13,12 +14,13 @@ constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' &&
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
 
-constexpr std::array control_words{"IF", "THEN", "GOTO", "WHILE", "DO", "END"};
-constexpr std::array operator_words{"EQ", "NE", "GT", "GE", "LT", "LE", "AND", "OR", "XOR", "MOD", "NOT"};
-constexpr std::array function_words{"SIN",  "COS", "TAN", "ASIN",  "ACOS", "ATAN", "ATN",
-                                    "SQRT", "SQR", "ABS", "ROUND", "RND",  "FIX",  "FUP",
-                                    "LN",   "EXP", "BIN", "BCD",   "ADP",  "POW",  "PRM"};
-constexpr std::array output_words{"POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"};
+constexpr std::string_view control_words[] = {"IF", "THEN", "GOTO", "WHILE", "DO", "END"};
+constexpr std::string_view operator_words[] = {"EQ",  "NE", "GT",  "GE",  "LT", "LE",
+                                               "AND", "OR", "XOR", "MOD", "NOT"};
+constexpr std::string_view function_words[] = {"SIN",  "COS", "TAN", "ASIN",  "ACOS", "ATAN", "ATN",
+                                               "SQRT", "SQR", "ABS", "ROUND", "RND",  "FIX",  "FUP",
+                                               "LN",   "EXP", "BIN", "BCD",   "ADP",  "POW",  "PRM"};
+constexpr std::string_view output_words[] = {"POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"};
 
 struct Foreign {
     std::string_view word, meant;
@@ -35,24 +37,25 @@ constexpr Foreign foreign_words[] = {
     {"ARCTAN", "ATAN"},  {"ARCSIN", "ASIN"}, {"ARCCOS", "ACOS"}, {"MODULO", "MOD"}, {"DIV", "/"},
 };
 
-template<std::size_t N>
-bool holds(const std::array<const char*, N>& words, std::string_view word) {
-    return std::ranges::any_of(words, [&](std::string_view known) { return known == word; });
+bool holds(std::span<const std::string_view> words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
 }
 
 /// Edits (insert, delete, change, swap of neighbours) between two short words.
 std::size_t distance(std::string_view a, std::string_view b) {
     constexpr std::size_t longest = 16;
     if (a.size() > longest || b.size() > longest) return longest;
-    std::array<std::array<std::size_t, longest + 1>, longest + 1> cost{};
-    for (std::size_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
-    for (std::size_t j = 0; j <= b.size(); ++j) cost[0][j] = j;
+    std::array<std::array<std::uint8_t, longest + 1>, longest + 1>
+        cost{}; // small: noise asks a million times
+    for (std::uint8_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
+    for (std::uint8_t j = 0; j <= b.size(); ++j) cost[0][j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i)
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
-            cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + change});
+            int least = std::min(cost[i - 1][j], cost[i][j - 1]) + 1;
+            least = std::min(least, cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1));
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+                least = std::min(least, cost[i - 2][j - 2] + 1);
+            cost[i][j] = static_cast<std::uint8_t>(least);
         }
     return cost[a.size()][b.size()];
 }
@@ -105,6 +108,7 @@ class Cutter {
         }
         if (c == '#') return variable();
         if (c == '(') return comment();
+        if (c == '<' && tokens_.empty() && pass_name()) return Kind::other;
         if (const Offset length = comparison_length(text_, at_); length != 0)
             return at_ += length, Kind::comparison;
         ++at_;
@@ -119,6 +123,14 @@ class Cutter {
         case ',': return Kind::comma;
         default: return Kind::other;
         }
+    }
+
+    /// `<FLANGE>` in place of a program number.
+    bool pass_name() {
+        const std::size_t close = text_.find_first_of(">\r\n", at_);
+        if (close == std::string_view::npos || text_[close] != '>') return false;
+        at_ = static_cast<Offset>(close) + 1;
+        return true;
     }
 
     Kind variable() {
@@ -187,10 +199,12 @@ std::vector<std::string_view> split_keywords(std::string_view capitals) {
 Misspelling explain(std::string_view capitals) {
     const auto* row = std::ranges::find(foreign_words, capitals, &Foreign::word);
     if (row != std::end(foreign_words)) return {true, std::string(row->meant)};
+    if (capitals.size() < 3) return {false, {}};
     std::string_view nearest;
     std::size_t least = capitals.size() >= 6 ? 2 : 1;
     for_each_keyword([&](std::string_view word) {
-        if (word.size() < 3 || capitals.size() < 3) return;
+        const std::size_t longer = std::max(word.size(), capitals.size());
+        if (word.size() < 3 || longer - std::min(word.size(), capitals.size()) > least) return;
         const std::size_t edits = distance(capitals, word);
         if (edits < least + (nearest.empty() ? 1 : 0)) {
             least = edits;

@@ -1,0 +1,49 @@
+//! One pass over the bytes of a block.
+#include "analyzer/dialect/fanuc/plausible.hpp"
+
+#include "analyzer/dialect/fanuc/tokens.hpp"
+
+#include <string>
+
+namespace maclint::fanuc {
+namespace {
+
+constexpr std::size_t farthest_digit = 48;
+constexpr std::size_t most_stumbles = 32;
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+/// The words of an output or naming statement are free text.
+bool holds_free_text(std::string_view block) {
+    const std::string capitals = in_capitals(block);
+    return capitals.find("PRNT") != std::string::npos || capitals.find("SETVN") != std::string::npos;
+}
+
+} // namespace
+
+bool is_plausible(std::string_view block) {
+    std::size_t without_digit = 0;
+    std::size_t stumbles = 0; // commas without a letter behind them, values that follow a value
+    char before = '\0';
+    for (std::size_t at = 0; at < block.size(); ++at) {
+        const char c = block[at];
+        if (c == ' ' || c == '\t') continue;
+        if (c == '(') {
+            at = std::min(block.find_first_of(")\r\n", at), block.size());
+            continue;
+        }
+        const bool ends_value = before == ']' || is_digit(before);
+        if ((c == '[' || c == '#') && ends_value) ++stumbles;
+        if (before == ',' && !is_letter(c)) ++stumbles;
+        if (is_digit(c))
+            without_digit = 0;
+        else if (++without_digit > farthest_digit)
+            break;
+        before = c;
+    }
+    if (stumbles > most_stumbles) return false;
+    return without_digit <= farthest_digit || holds_free_text(block);
+}
+
+} // namespace maclint::fanuc
