@@ -63,12 +63,24 @@ struct Survey {
     [[nodiscard]] bool is_nc_text() const { return blocks * 3 >= filled; }
 };
 
+std::size_t line_end(std::string_view text, std::size_t at) {
+    while (at < text.size() && text[at] != '\n' && text[at] != '\r') ++at;
+    return at;
+}
+
+/// LF, CR, CR LF and the LF CR CR of a tape are one line end each.
+std::size_t behind_line_end(std::string_view text, std::size_t at) {
+    const auto is = [&](std::size_t place, char c) { return place < text.size() && text[place] == c; };
+    if (is(at, '\r')) return at + (is(at + 1, '\n') ? 2 : 1);
+    return at + (is(at + 1, '\r') && is(at + 2, '\r') ? 3 : 1);
+}
+
 Survey survey(std::string_view text, std::string_view extension) {
     Survey result{Evidence(extension)};
     Line line;
     std::size_t number = 1;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        const std::size_t end = line_end(text, at);
         line.read(text.substr(at, end - at));
         if (!line.whole().empty()) {
             if (++result.filled == 1) result.nct_head = has_nct_head(line.whole());
@@ -76,14 +88,8 @@ Survey survey(std::string_view text, std::string_view extension) {
             result.evidence.add(line, number);
             if (result.nct_line == 0 && has_nct_form(line.code())) result.nct_line = number;
         }
-        at = end;
-        // LF, CR, CR LF and the LF CR CR of a tape are one line end each.
-        for (const std::string_view line_end : {"\n\r\r", "\r\n", "\n", "\r"}) {
-            if (!text.substr(at).starts_with(line_end)) continue;
-            at += line_end.size();
-            ++number;
-            break;
-        }
+        at = behind_line_end(text, end);
+        ++number;
     }
     return result;
 }
