@@ -22,7 +22,10 @@ std::unique_ptr<Workspace> analyse_text(std::string_view dialect, std::string te
 
 std::unique_ptr<Workspace> analyse_files(const std::vector<NamedText>& files, WorkspaceOptions options) {
     std::vector<WorkspaceFile> read;
-    for (const auto& [path, text] : files) read.push_back(read_as("fanuc", path, text));
+    for (const auto& [path, text] : files) {
+        const bool din = path.ends_with(".ncs") || text.find("MACHINING") != std::string::npos;
+        read.push_back(read_as(din ? "dinplus" : "fanuc", path, text));
+    }
     return Workspace::analyse(std::move(read), options);
 }
 

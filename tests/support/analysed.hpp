@@ -17,7 +17,8 @@ using NamedText = std::pair<std::string, std::string>;
 
 /// One program text of the dialect as a workspace of its own.
 [[nodiscard]] std::unique_ptr<Workspace> analyse_text(std::string_view dialect, std::string text);
-/// Several Fanuc files; `complete` declares that no other program is on the control.
+/// Several Fanuc or DIN PLUS files, the latter known by MACHINING or .ncs; `complete` declares that no other
+/// program is on the control.
 [[nodiscard]] std::unique_ptr<Workspace> analyse_files(const std::vector<NamedText>& files,
                                                        WorkspaceOptions options);
 /// The only program of a Fanuc text.

@@ -93,7 +93,8 @@ void Programs::open_section(const SectionWord& word, Span heading) {
     } else {
         Program& program = main();
         current_ = main_;
-        if (kind.name == "MACHINING" && program.started == Program::Started::unknown &&
+        // Names may be declared anywhere; everything else belongs to a program of its own.
+        if (!declares_names(kind) && program.started == Program::Started::unknown &&
             in_capitals(source_.path()).ends_with(".NC"))
             program.started = Program::Started::by_hand;
     }

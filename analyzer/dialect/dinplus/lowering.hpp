@@ -56,6 +56,7 @@ class BlockLowering {
     void check_alone(std::span<const Node* const> items);
     void check_then(std::span<const Node* const> items);
     void check_tokens();
+    void check_depth();
 
     // ---- words (lower_words.cpp)
     /// A word on its way to its effects.

@@ -12,7 +12,10 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\x1A'; }
+/// Leader, form feeds and the end mark of old editors count as blanks.
+constexpr bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\0' || c == '\f' || c == '\v' || c == '\x1A';
+}
 constexpr bool is_line_break(char c) { return c == '\n' || c == '\r'; }
 
 Offset size_of(std::string_view text) { return static_cast<Offset>(text.size()); }

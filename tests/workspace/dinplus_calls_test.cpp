@@ -1,0 +1,102 @@
+//! Calls by name: local subprograms, files, and what is handed to them.
+#include "tests/support/analysed.hpp"
+
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+constexpr WorkspaceOptions closed_workspace{.complete = true, .jobs = 1};
+
+const ProgramAnalysis& program(const Workspace& workspace, std::string_view name) {
+    for (const ProgramAnalysis& analysis : workspace.programs())
+        if (analysis.program().name == name) return analysis;
+    throw std::runtime_error("no such program");
+}
+
+/// The name and file that the only call of a program means; empty: unknown.
+std::string called_by(const Workspace& workspace, std::string_view caller) {
+    const ProgramAnalysis& analysis = program(workspace, caller);
+    if (analysis.calls().size() != 1) throw std::runtime_error("not one call");
+    const auto target = analysis.calls().front().target;
+    if (!target) return {};
+    const ProgramAnalysis& called = workspace.programs()[*target];
+    return called.program().name + " in " + called.file().source->path();
+}
+
+TEST(DinCalls, ALocalSubprogramIsKnownInItsFileOnly) {
+    const std::string sub = "SUBPROGRAM \"BORE\"\nRETURN\nEND\n";
+    const auto workspace = test::analyse_files(
+        {{"one.nc", "MACHINING\nL\"bore\"\n" + sub}, {"two.nc", "MACHINING\nL\"BORE\"\n"}}, closed_workspace);
+    EXPECT_EQ(called_by(*workspace, "one"), "BORE in one.nc");
+    EXPECT_EQ(called_by(*workspace, "two"), "");
+}
+
+TEST(DinCalls, V1LooksForAFileWhateverItsCase) {
+    const auto workspace =
+        test::analyse_files({{"one.nc", "MACHINING\nL\"Bore\" V1\nSUBPROGRAM \"BORE\"\nRETURN\nEND\n"},
+                             {"BORE.ncs", "MACHINING\nRETURN\n"}},
+                            closed_workspace);
+    EXPECT_EQ(called_by(*workspace, "one"), "BORE in BORE.ncs");
+}
+
+TEST(DinCalls, FoldersPathsAndOtherLanguagesStayUnknown) {
+    const auto workspace = test::analyse_files({{"one.nc", "MACHINING\nL\"tools/\" V1\n"},
+                                                {"two.nc", "MACHINING\nL\"O9000\" V1\n"},
+                                                {"O9000.nc", "O9000\nM99\n"}},
+                                               closed_workspace);
+    EXPECT_EQ(called_by(*workspace, "one"), "");
+    EXPECT_EQ(called_by(*workspace, "two"), "");
+}
+
+TEST(DinCalls, ATransferValueThatIsLeftOutIsVacant) {
+    const auto workspace =
+        test::analyse_files({{"main.nc", "MACHINING\nL\"SUB\" V1 LA1 LB2\nL\"SUB\" V1 LA3\nM30\n"},
+                             {"SUB.ncs", "MACHINING\nG0 X#__la Z#__lb Y#__lc\nRETURN\n"}},
+                            closed_workspace);
+    const auto& reads = program(*workspace, "SUB").facts().reads;
+    ASSERT_EQ(reads.size(), 3U);
+    EXPECT_EQ(reads[0].value.vacancy, dataflow::Vacancy::unknown);
+    EXPECT_EQ(reads[1].value.vacancy, dataflow::Vacancy::maybe);
+    EXPECT_EQ(reads[2].value.vacancy, dataflow::Vacancy::vacant);
+}
+
+TEST(DinCalls, LocalsAreLocal) {
+    const auto workspace = test::analyse_text(
+        "dinplus",
+        "MACHINING\n#l1=5\n#g1=6\nL\"S\"\n#l2=#l1\n#l3=#g1\nM30\nSUBPROGRAM \"S\"\n#l1=7\n#g1=8\nRETURN\n");
+    const auto& reads = program(*workspace, "test").facts().reads;
+    ASSERT_EQ(reads.size(), 2U);
+    EXPECT_EQ(reads[0].value.constant(), 5.0);
+    EXPECT_EQ(reads[1].value.constant(), 8.0);
+}
+
+TEST(DinFlow, BranchesJoinAndARestartLeaves) {
+    const auto workspace = test::analyse_text(
+        "dinplus",
+        "MACHINING\nINPUT(\"n\",#l1)\nIF #l1>3\nTHEN\n#l2=1\nELSE\n#l2=2\nENDIF\n#l3=#l2\nM99\nM30\n");
+    const ProgramAnalysis& analysis = program(*workspace, "test");
+    const auto& reads = analysis.facts().reads;
+    ASSERT_EQ(reads.size(), 2U);
+    EXPECT_EQ(reads[1].value.low, 1);
+    EXPECT_EQ(reads[1].value.high, 2);
+    ASSERT_EQ(analysis.facts().exits.size(), 1U); // M30 is never reached
+    EXPECT_EQ(analysis.facts().exits[0].exit.kind, flow::ExitKind::restarts);
+}
+
+TEST(DinFlow, ContoursRunBeforeTheMachining) {
+    const auto workspace =
+        test::analyse_text("dinplus", "VAR\n#_d=#l1\nBLANK\n#_d=120\nMACHINING\nG0 X#_d\nM30\n");
+    const auto& reads = program(*workspace, "test").facts().reads;
+    ASSERT_EQ(reads.size(), 1U);
+    EXPECT_EQ(reads[0].value.constant(), 120.0);
+}
+
+TEST(DinFlow, AValueOfTheControlMayBeMissing) {
+    const auto workspace =
+        test::analyse_text("dinplus", "MACHINING\n#l1=#a9(X,0)\nIF NDEF(l1)\nTHEN\nENDIF\nM30\n");
+    EXPECT_NE(program(*workspace, "test").facts().stores.at(0).value.vacancy, dataflow::Vacancy::set);
+}
+
+} // namespace
+} // namespace maclint
