@@ -1,7 +1,10 @@
 //! MAC402: a call of a program that is not there.
+#include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
+
+#include <algorithm>
 
 namespace maclint::rules {
 
@@ -16,7 +19,7 @@ extern const Rule program_not_found{
     .summary = "The called program is not among the programs of the control",
     .why = "The control stops with an alarm at the call, with the tool where it happens to be. Programs that "
            "stay on the control are not in every folder, so the rule speaks only where the configuration "
-           "declares the folder complete.",
+           "declares the folder complete, or where the call means a program of the same file.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .on_by_default = true,
@@ -29,24 +32,20 @@ extern const Rule program_not_found{
              "G65P9101\n"
              "M30\n",
              true},
-            {"dinplus",
-             "MACHINING\n"
-             "N10 L\"CHAMFER\" LA50\n"
-             "N20 M30\n"
-             "END\n",
-             true}},
+            {"dinplus", "MACHINING\n"
+                        "N10 L\"CHAMFER\" LA50\n"
+                        "N20 M30\n"
+                        "END\n"}},
     .also = {},
     .good = {{"fanuc", "O9402(MAIN)\n"
                        "M30\n"},
-             {"dinplus",
-              "MACHINING\n"
-              "N10 L\"CHAMFER\" LA50\n"
-              "N20 M30\n"
-              "SUBPROGRAM \"CHAMFER\"\n"
-              "N30 G0 X#__la\n"
-              "RETURN\n"
-              "END\n",
-              true}},
+             {"dinplus", "MACHINING\n"
+                         "N10 L\"CHAMFER\" LA50\n"
+                         "N20 M30\n"
+                         "SUBPROGRAM \"CHAMFER\"\n"
+                         "N30 G0 X#__la\n"
+                         "RETURN\n"
+                         "END\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "078", "NUMBER NOT FOUND"},
                {"FANUC 30i/0i-D", "076", "PROGRAM NOT FOUND"}},
     .sources = {"GH-ALM"},
@@ -55,15 +54,31 @@ extern const Rule program_not_found{
 
 namespace {
 
+/// The file holds a program up to its last word, and so all that belongs to it.
+bool is_closed(const ProgramAnalysis& analysis) {
+    const auto closes = [&](const Section& section) {
+        const SectionKind* kind = kind_of(analysis.control(), section);
+        return kind != nullptr && kind->role == SectionKind::Role::end;
+    };
+    return std::ranges::any_of(analysis.file().programs, [&](const Program& program) {
+        return std::ranges::any_of(program.sections, closes);
+    });
+}
+
+/// Whether all programs that the call may mean are there.
+bool knows_all(const ProgramAnalysis& analysis, const Call& call) {
+    const bool in_file = analysis.control().calls[call.kind].reach == Reach::same_file;
+    return analysis.workspace().complete() || (in_file && is_closed(analysis));
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    if (!analysis.workspace().complete()) return;
     const Program& program = analysis.program();
     for (const CallSite& site : analysis.calls()) {
         const auto& call = std::get<Call>(program.effects[site.effect].what);
         const auto* number = std::get_if<ExpressionId>(&call.program);
         const bool named = std::holds_alternative<Text>(call.program) ||
                            (number != nullptr && flow::constant_target(program, *number));
-        if (!named || site.candidates != 0) continue;
+        if (!named || site.candidates != 0 || !knows_all(analysis, call)) continue;
         const Span span = program.effects[site.effect].span;
         reporter.report(analysis.file(), span, "plain", {quoted(program, span)});
     }

@@ -8,7 +8,7 @@
 namespace maclint::rules {
 
 bool is_whole_main_program(const Program& program) {
-    if (program.started != Program::Started::by_hand || program.control->sections.empty()) return false;
+    if (program.started == Program::Started::by_call || program.control->sections.empty()) return false;
     const SectionKind& head = program.control->sections.front();
     const bool closed = std::ranges::any_of(program.sections, [&](const Section& section) {
         const SectionKind* kind = kind_of(*program.control, section);

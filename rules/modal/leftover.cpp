@@ -46,6 +46,7 @@ std::string words_for(flow::ExitKind kind) {
     switch (kind) {
     case flow::ExitKind::returns: return "the program returns here";
     case flow::ExitKind::ends: return "the program ends here";
+    case flow::ExitKind::restarts: return "the program begins again here";
     default: return "the program runs off its last block here";
     }
 }

@@ -68,7 +68,8 @@ ControlModel make() {
     };
     for (std::size_t i = 0; i < transfer_letters.size(); ++i)
         control.formals.push_back({spaces::transfer, static_cast<std::int32_t>(i)});
-    control.vacant_equals_zero = true;  // l.19721: an undefined variable may read as 0
+    control.rapid = GroupCode{*control.group_of('G', 0), 0}; // l.12254
+    control.vacant_equals_zero = true;                       // l.19721: an undefined variable may read as 0
     control.loops_left_by_jump = false; // the language has no jump [dinplus.md 4.1]; l.19801
     control.sections = section_kinds();
     control.references = {{"contour block", SectionKind::Role::contour, "l.10203, l.13166"}};
