@@ -16,6 +16,10 @@ namespace maclint::bench {
 /// at most one program more.
 [[nodiscard]] std::string macro_code(std::size_t bytes);
 
+/// A DIN PLUS program: contour, main part, and local subprograms of some 35 blocks (vacancy tests, loops,
+/// choices, contour references), each called from the main part. At least `bytes` long.
+[[nodiscard]] std::string expert_program(std::size_t bytes);
+
 /// One main program with `jumps` GOTO statements: short ones forward, long ones forward, counted ones
 /// backward.
 [[nodiscard]] std::string one_program_with_jumps(std::size_t jumps);

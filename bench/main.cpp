@@ -32,14 +32,15 @@ void measure(benchmark::State& state, const std::vector<std::string>& files,
     state.SetBytesProcessed(static_cast<std::int64_t>(bytes) * state.iterations());
 }
 
-void register_speed(const std::string& name, const std::vector<std::string>& files) {
-    const auto work = [files] { benchmark::DoNotOptimize(lint(files)); };
+void register_speed(const std::string& name, const std::vector<std::string>& files,
+                    std::string_view dialect = "fanuc") {
+    const auto work = [files, dialect] { benchmark::DoNotOptimize(lint(files, dialect)); };
     benchmark::RegisterBenchmark((name + "/maclint").c_str(), [files, work](benchmark::State& state) {
         measure(state, files, work);
     })->Unit(benchmark::kMillisecond);
-    const auto parse = [files] {
+    const auto parse = [files, dialect] {
         for (const std::string& file : files)
-            benchmark::DoNotOptimize(maclint::bench::parse_in_one_piece(file));
+            benchmark::DoNotOptimize(maclint::bench::parse_in_one_piece(file, dialect));
     };
     benchmark::RegisterBenchmark((name + "/parser_alone").c_str(), [files, parse](benchmark::State& state) {
         measure(state, files, parse);
@@ -60,12 +61,13 @@ std::size_t peak_memory(const std::function<void()>& work) {
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-void print_memory(const char* name, std::size_t bytes, const std::function<std::string(std::size_t)>& make) {
+void print_memory(const char* name, std::size_t bytes, const std::function<std::string(std::size_t)>& make,
+                  std::string_view dialect = "fanuc") {
     // The text is made in the child, too: what it costs to hold it once is taken off.
     const std::size_t empty = peak_memory([&] { benchmark::DoNotOptimize(make(bytes)); });
     const std::size_t full = peak_memory([&] {
         const std::vector<std::string> files{make(bytes)};
-        benchmark::DoNotOptimize(lint(files));
+        benchmark::DoNotOptimize(lint(files, dialect));
     });
     const double extra = static_cast<double>(full) - static_cast<double>(empty);
     std::printf("%-28s %8.1f MB of text: %8.1f MB beside the text itself (%.2f bytes a byte)\n", name,
@@ -83,11 +85,12 @@ double seconds(const std::function<void()>& work) {
     return best;
 }
 
-void print_growth(const char* name, std::size_t n, const std::function<std::string(std::size_t)>& make) {
+void print_growth(const char* name, std::size_t n, const std::function<std::string(std::size_t)>& make,
+                  std::string_view dialect = "fanuc") {
     const std::vector<std::string> once{make(n)};
     const std::vector<std::string> twice{make(2 * n)};
-    const double a = seconds([&] { benchmark::DoNotOptimize(lint(once)); });
-    const double b = seconds([&] { benchmark::DoNotOptimize(lint(twice)); });
+    const double a = seconds([&] { benchmark::DoNotOptimize(lint(once, dialect)); });
+    const double b = seconds([&] { benchmark::DoNotOptimize(lint(twice, dialect)); });
     std::printf("%-28s n = %8zu: %8.1f ms, 2n: %8.1f ms, growth %.2f\n", name, n, a * 1e3, b * 1e3, b / a);
 }
 
@@ -98,20 +101,25 @@ int main(int argc, char** argv) {
     std::printf("Peak memory\n");
     print_memory("CAM output", 50 * megabyte, make::cam_output);
     print_memory("macro code", 2 * megabyte, make::macro_code);
+    print_memory("DIN PLUS", 2 * megabyte, make::expert_program, "dinplus");
     std::printf("\nGrowth from n to 2n (best of three)\n");
     print_growth("size, CAM output (bytes)", 10 * megabyte, make::cam_output);
     print_growth("size, macro code (bytes)", megabyte, make::macro_code);
+    print_growth("size, DIN PLUS (bytes)", megabyte, make::expert_program, "dinplus");
     print_growth("jumps", 4000, make::one_program_with_jumps);
     print_growth("variables", 4000, make::one_program_with_variables);
     print_growth("call depth", 1000, make::call_chain);
-    print_growth("line noise (bytes)", megabyte / 2,
-                 [](std::size_t bytes) { return make::line_noise(bytes, 1); });
+    const auto noise = [](std::size_t bytes) { return make::line_noise(bytes, 1); };
+    print_growth("line noise (bytes)", megabyte / 2, noise);
+    print_growth("line noise, DIN PLUS (bytes)", megabyte / 2, noise, "dinplus");
     std::printf("\nSpeed, beside the parser alone on the same text in one piece\n");
     std::fflush(stdout);
     register_speed("cam/one_file", {make::cam_output(10 * megabyte)});
     register_speed("cam/thousand_files", a_thousand(make::cam_output, 10 * megabyte));
     register_speed("macro/one_file", {make::macro_code(2 * megabyte)});
     register_speed("macro/thousand_files", a_thousand(make::macro_code, 4 * megabyte));
+    register_speed("dinplus/one_file", {make::expert_program(2 * megabyte)}, "dinplus");
+    register_speed("dinplus/thousand_files", a_thousand(make::expert_program, 4 * megabyte), "dinplus");
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();

@@ -12,11 +12,12 @@
 #include <tree_sitter/api.h>
 
 extern "C" const TSLanguage* tree_sitter_fanuc();
+extern "C" const TSLanguage* tree_sitter_dinplus();
 
 namespace maclint::bench {
 
-std::size_t lint(const std::vector<std::string>& files) {
-    const Dialect& dialect = *find_dialect("fanuc");
+std::size_t lint(const std::vector<std::string>& files, std::string_view dialect_name) {
+    const Dialect& dialect = *find_dialect(dialect_name);
     const ControlModel& control = *find_control(dialect.default_control);
     std::vector<WorkspaceFile> workspace;
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -31,9 +32,9 @@ std::size_t lint(const std::vector<std::string>& files) {
     return run_rules(*analysed, selection, 1).size();
 }
 
-std::size_t parse_in_one_piece(const std::string& text) {
+std::size_t parse_in_one_piece(const std::string& text, std::string_view dialect) {
     const std::unique_ptr<TSParser, decltype(&ts_parser_delete)> parser(ts_parser_new(), &ts_parser_delete);
-    ts_parser_set_language(parser.get(), tree_sitter_fanuc());
+    ts_parser_set_language(parser.get(), dialect == "dinplus" ? tree_sitter_dinplus() : tree_sitter_fanuc());
     const std::unique_ptr<TSTree, decltype(&ts_tree_delete)> tree(
         ts_parser_parse_string(parser.get(), nullptr, text.data(), static_cast<std::uint32_t>(text.size())),
         &ts_tree_delete);

@@ -3,14 +3,15 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace maclint::bench {
 
 /// Reads, analyses and runs all default rules over the files as one workspace; the number of findings.
-[[nodiscard]] std::size_t lint(const std::vector<std::string>& files);
+[[nodiscard]] std::size_t lint(const std::vector<std::string>& files, std::string_view dialect = "fanuc");
 
-/// tree-sitter with our Fanuc grammar on the text in one piece; the number of nodes under the root.
-[[nodiscard]] std::size_t parse_in_one_piece(const std::string& text);
+/// tree-sitter with our grammar of the dialect on the text in one piece; the number of nodes under the root.
+[[nodiscard]] std::size_t parse_in_one_piece(const std::string& text, std::string_view dialect = "fanuc");
 
 } // namespace maclint::bench

@@ -11,16 +11,16 @@ namespace maclint::dataflow {
 /// The variable that the expression is, and nothing else.
 [[nodiscard]] std::optional<Place> plain_place(const Program& program, ExpressionId expression);
 
-/// Whether vacant is a value that the variable can be given and asked for; otherwise a variable that nothing
-/// has set is undefined.
-[[nodiscard]] bool may_hold_vacant(const Program& program, Place place);
-
 /// The variables that an expression reads.
 struct ReadSet {
     std::vector<Place> places;
     bool closed; ///< nothing but `places` and constants decides the value
 };
 [[nodiscard]] ReadSet variables_of(const Program& program, ExpressionId expression);
+
+/// Whether vacant is a value that the variable can be given and asked for; otherwise a variable that nothing
+/// has set is undefined.
+[[nodiscard]] bool may_hold_vacant(const Program& program, Place place);
 
 /// Whether the two say the same, brackets aside.
 [[nodiscard]] bool same_expression(const Program& program, ExpressionId a, ExpressionId b);

@@ -1,5 +1,6 @@
 //! Tells which dialect a file is written in, or what it is instead, by its extension and the beginning of its
 //! text.
+#include "analyzer/dialect/detect/first_program.hpp"
 #include "analyzer/dialect/detect/line.hpp"
 #include "analyzer/dialect/detect/marks.hpp"
 #include "analyzer/dialect/detect/other_text.hpp"
@@ -62,12 +63,24 @@ struct Survey {
     [[nodiscard]] bool is_nc_text() const { return blocks * 3 >= filled; }
 };
 
+std::size_t line_end(std::string_view text, std::size_t at) {
+    while (at < text.size() && text[at] != '\n' && text[at] != '\r') ++at;
+    return at;
+}
+
+/// LF, CR, CR LF and the LF CR CR of a tape are one line end each.
+std::size_t behind_line_end(std::string_view text, std::size_t at) {
+    const auto is = [&](std::size_t place, char c) { return place < text.size() && text[place] == c; };
+    if (is(at, '\r')) return at + (is(at + 1, '\n') ? 2 : 1);
+    return at + (is(at + 1, '\r') && is(at + 2, '\r') ? 3 : 1);
+}
+
 Survey survey(std::string_view text, std::string_view extension) {
     Survey result{Evidence(extension)};
     Line line;
     std::size_t number = 1;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        const std::size_t end = line_end(text, at);
         line.read(text.substr(at, end - at));
         if (!line.whole().empty()) {
             if (++result.filled == 1) result.nct_head = has_nct_head(line.whole());
@@ -75,14 +88,8 @@ Survey survey(std::string_view text, std::string_view extension) {
             result.evidence.add(line, number);
             if (result.nct_line == 0 && has_nct_form(line.code())) result.nct_line = number;
         }
-        at = end;
-        // LF, CR, CR LF and the LF CR CR of a tape are one line end each.
-        for (const std::string_view line_end : {"\n\r\r", "\r\n", "\n", "\r"}) {
-            if (!text.substr(at).starts_with(line_end)) continue;
-            at += line_end.size();
-            ++number;
-            break;
-        }
+        at = behind_line_end(text, end);
+        ++number;
     }
     return result;
 }
@@ -92,30 +99,14 @@ Detection foreign(const Evidence& evidence, Language language) {
             true};
 }
 
-// Extensions that are worth opening, if only to say that the file is not linted. Files without one are when
-// they are named like a program: O9100.
-constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "ngc", "gcode", "gc",
-                                           "g",   "eia", "iso", "pim", "min", "fan", "nct",   "mac",
-                                           "prg", "pgm", "sub", "txt", "ncs", "mpf", "spf",   "h"};
-
-bool is_program_name(std::string_view name) {
-    return name.size() >= 2 && detect::upper(name[0]) == 'O' &&
-           std::ranges::all_of(name.substr(1), detect::is_digit);
-}
-
-} // namespace
-
-Detection detect_dialect(const Source& source) {
+Detection judge(Content content, std::string_view text, const std::string& extension) {
     const Dialect* fanuc = find_dialect("fanuc");
-    const std::string extension = extension_of(source.path());
-    std::string_view text = source.bytes();
-    switch (classify(text)) {
+    switch (content) {
     case Content::empty: text = {}; break; // the extension may tell
     case Content::utf16: return {nullptr, "UTF-16 text, which no control reads", true, true};
     case Content::binary: return {nullptr, "a binary file", true, true};
-    case Content::text: text.remove_prefix(byte_order_mark_length(text)); break;
+    case Content::text: break;
     }
-    text = text.substr(0, looked_at);
     if (const auto other = detect::find_other_text(text)) return {nullptr, std::string(*other), true, true};
 
     const Survey found = survey(text, extension);
@@ -134,6 +125,38 @@ Detection detect_dialect(const Source& source) {
         return {find_dialect("nct"), "an NCT form in line " + std::to_string(found.nct_line), false, certain};
     return {fanuc, extension.empty() ? std::string("content") : "extension ." + extension + " and content",
             false, certain};
+}
+
+bool is_of_fanuc_family(const Dialect* dialect) {
+    return dialect != nullptr && (dialect == find_dialect("fanuc") || dialect == find_dialect("nct"));
+}
+
+// Extensions that are worth opening, if only to say that the file is not linted. Files without one are when
+// they are named like a program: O9100.
+constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "ngc", "gcode", "gc",
+                                           "g",   "eia", "iso", "pim", "min", "fan", "nct",   "mac",
+                                           "prg", "pgm", "sub", "txt", "ncs", "mpf", "spf",   "h"};
+
+bool is_program_name(std::string_view name) {
+    return name.size() >= 2 && detect::upper(name[0]) == 'O' &&
+           std::ranges::all_of(name.substr(1), detect::is_digit);
+}
+
+} // namespace
+
+Detection detect_dialect(const Source& source) {
+    const std::string extension = extension_of(source.path());
+    const std::string_view bytes = source.bytes();
+    const std::string_view text = bytes.substr(byte_order_mark_length(bytes), looked_at);
+    Detection whole = judge(classify(bytes), text, extension);
+    if (whole.certain && is_of_fanuc_family(whole.dialect)) return whole;
+    // What line noise behind a good program looks like is chance.
+    const std::string_view first = detect::first_program(text);
+    if (first.empty() || first.size() == text.size()) return whole;
+    Detection head = judge(Content::text, first, extension);
+    if (!is_of_fanuc_family(head.dialect)) return whole;
+    head.certain = true;
+    return head;
 }
 
 bool has_nc_extension(std::string_view path) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace maclint {
 
@@ -16,15 +17,17 @@ std::string in_capitals(std::string_view text) {
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     constexpr std::size_t longest = 16;
     if (a.size() > longest || b.size() > longest) return longest;
-    std::array<std::array<std::size_t, longest + 1>, longest + 1> cost{};
-    for (std::size_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
-    for (std::size_t j = 0; j <= b.size(); ++j) cost[0][j] = j;
+    std::array<std::array<std::uint8_t, longest + 1>, longest + 1>
+        cost{}; // small: noise asks a million times
+    for (std::uint8_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
+    for (std::uint8_t j = 0; j <= b.size(); ++j) cost[0][j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i)
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
-            cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + change});
+            int least = std::min(cost[i - 1][j], cost[i][j - 1]) + 1;
+            least = std::min(least, cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1));
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+                least = std::min(least, cost[i - 2][j - 2] + 1);
+            cost[i][j] = static_cast<std::uint8_t>(least);
         }
     return cost[a.size()][b.size()];
 }

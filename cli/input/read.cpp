@@ -37,6 +37,12 @@ Notice foreign(const ReadFile& file, const std::string& reason) {
             "this is not linted: " + reason + ". Name its dialect with --dialect if that is wrong."};
 }
 
+/// An empty file is no error, but seldom what somebody meant.
+Notice empty(const ReadFile& file) {
+    return {NoticeKind::left_out, file.input.path,
+            "this file is empty, so there is nothing to check. Fetch it again if it should hold a program."};
+}
+
 /// Why a text without marks of its dialect is likely in another language; nothing for all others.
 std::optional<std::string> find_doubt(const ReadFile& file, const Detection& detection) {
     if (file.settings.dialect != nullptr || detection.certain) return std::nullopt;
@@ -78,7 +84,7 @@ ReadFile read_source(InputFile input, FileSettings settings, Source bytes) {
     const bool told = file.settings.dialect != nullptr;
     file.dialect = told ? file.settings.dialect : detection.dialect;
     file.dialect_reason = told ? file.settings.dialect_reason : detection.reason;
-    const bool not_nc = told ? is_no_text(*source) : detection.not_nc_text;
+    const bool not_nc = detection.not_nc_text && (!told || is_no_text(*source));
     if (not_nc && file.input.named) {
         if (file.dialect == nullptr) file.dialect = &dialects().front();
         file.not_nc = detection.reason;
@@ -90,6 +96,7 @@ ReadFile read_source(InputFile input, FileSettings settings, Source bytes) {
         if (!not_nc || is_worth_a_note(file.input.path)) file.notice = foreign(file, detection.reason);
         return file;
     }
+    if (classify(source->bytes()) == Content::empty) file.notice = empty(file);
     file.file = std::make_shared<const ProgramFile>(file.dialect->read(std::move(source), control_of(file)));
     if (auto doubt = find_doubt(file, detection)) {
         file.notice = foreign(file, *doubt);

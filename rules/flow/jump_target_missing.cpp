@@ -30,7 +30,9 @@ extern const Rule jump_target_missing{
                   "correct the jump."},
                  {"computed",
                   "'{0}' jumps to N{1} here, which this program does not have. Check the value before "
-                  "the jump."}},
+                  "the jump."},
+                 {"impossible",
+                  "'{0}' jumps to N{1}, but sequence numbers go from 1 to 99999999. Correct the jump."}},
     .bad = {{"fanuc", "O9301(CHECK)\n"
                       "IF[#100EQ1]GOTO70\n"
                       "#100=1\n"
@@ -42,12 +44,19 @@ extern const Rule jump_target_missing{
                        "N70 M30\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "128", "ILLEGAL MACRO SEQUENCE NUMBER"},
                {"FANUC 30i/0i-D", "078", "SEQUENCE NUMBER NOT FOUND"},
+               {"FANUC 30i/0i-D", "1128", "SEQUENCE NUMBER OUT OF RANGE"},
                {"NCT", "3070", "NOT EXISTING BLOCK NO. P"}},
     .sources = {"NCT-188", "GH-ALM"},
     .check = &check,
 };
 
 namespace {
+
+/// The 30i takes the longest ones; N0 is wrong, but some controls find it.
+bool can_exist(std::int64_t number) {
+    constexpr std::int64_t greatest = 99'999'999;
+    return number >= 0 && number <= greatest;
+}
 
 std::string number_word(double number) { return std::to_string(static_cast<long long>(number)); }
 
@@ -62,7 +71,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
         if (!jump.number || jump.target) continue;
         const auto& target = std::get<Jump>(program.effects[jump.jump].what).target;
-        missing(jump.node, jump.jump, "constant", quoted(program, program.expressions[target].span));
+        missing(jump.node, jump.jump, can_exist(*jump.number) ? "constant" : "impossible",
+                quoted(program, program.expressions[target].span));
     }
     for (const dataflow::ComputedJump& jump : analysis.facts().computed_jumps) {
         const auto number = jump.target.constant();

@@ -8,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace maclint::test {
 namespace {
@@ -109,17 +108,6 @@ TEST_F(Executable, ReadsNamedFilesWhateverTheirName) {
     EXPECT_THAT(concise({"program.txt"}), HasSubstr("program.txt:4:"));
 }
 
-TEST_F(Executable, SurvivesLoopsOfFoldersAndFindsAFileOnce) {
-    folder.write("a/O1001.nc", bad);
-    fs::create_directory_symlink(folder.path(), folder.path() / "a/up");
-    fs::create_symlink("O1001.nc", folder.path() / "a/O1001-link.nc");
-    fs::create_symlink("O-loop.nc", folder.path() / "a/O-loop.nc");
-    const Finished finished = run({"--format", "concise", "--quiet", ".", "a", "a/O1001.nc"});
-    EXPECT_EQ(finished.status, 2); // the link that leads to itself
-    EXPECT_THAT(finished.err, HasSubstr("O-loop.nc: cannot be read"));
-    EXPECT_EQ(std::count(finished.out.begin(), finished.out.end(), '\n'), 1) << finished.out;
-}
-
 TEST_F(Executable, TellsOfAFolderWithoutProgramsAndOfForeignFiles) {
     fs::create_directory(folder.path() / "empty");
     folder.write("part.h", "0  BEGIN PGM PART MM\n1  L X+0 Y+0 FMAX\n2  END PGM PART MM\n");
@@ -159,20 +147,6 @@ TEST_F(Executable, TakesTheUsersWordForTheDialect) {
     folder.write("main.c", "int main(void) {\n    return 0;\n}\n");
     EXPECT_THAT(concise({"main.c"}), HasSubstr("MAC003"));
     EXPECT_THAT(concise({"--dialect", "fanuc", "main.c"}), Not(HasSubstr("MAC003")));
-}
-
-TEST_F(Executable, ReportsANamedFileThatIsNoProgram) {
-    folder.write("photo.nc", std::string_view("\x89PNG\r\n\x1A\n\0\0\0\x0DIHDR", 16));
-    EXPECT_THAT(concise({"photo.nc"}), HasSubstr("photo.nc:1:1: error[MAC003]"));
-    EXPECT_THAT(concise({"."}), IsEmpty());
-}
-
-TEST_F(Executable, TellsOfAFileThatMayNotBeRead) {
-    if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
-    fs::permissions(folder.write("O1.nc", good), fs::perms::none);
-    const Finished finished = run({"."});
-    EXPECT_EQ(finished.status, 2);
-    EXPECT_THAT(finished.err, HasSubstr("O1.nc: cannot be read: you have no permission"));
 }
 
 TEST_F(Executable, LooksAroundANamedFileForThoseItCalls) {

@@ -34,7 +34,7 @@ TEST(DinWords, AxesMoveByACodeOrByTheLastMotion) {
     EXPECT_EQ(din("N1 X10 Zi-2"), "N1 move");
     EXPECT_EQ(din("N1 G95 F0.1 X10"), "N1 kind of feed=95; feed=0.1.; move");
     EXPECT_EQ(din("N1 G59 Z100"), "N1 zero shift=59");
-    EXPECT_EQ(din("N1 G14 Q0"), "N1 to the tool change position; move");
+    EXPECT_EQ(din("N1 G14 Q0"), "N1 to the tool change position; rapid move");
     EXPECT_EQ(din("N1 GO X5"), "N1 motion mode=0; move");
 }
 

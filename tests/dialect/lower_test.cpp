@@ -192,9 +192,10 @@ TEST(FanucOutput, SendsVariables) {
 
 TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
     EXPECT_EQ(lower("N5 #1=SIN(30)"), "N5 unreadable writes #1\n! parenthesis-as-bracket 'SIN' -> [30]");
-    EXPECT_EQ(lower("IF[#1EQ2GOTO5"),
-              "unreadable jumps 5 opens-or-closes\n! bracket-mismatch '[' -> a ']' is missing before 'GOTO'");
-    EXPECT_EQ(lower("WHLE[#1LT5]DO1"), "unreadable opens-or-closes\n! unknown-keyword 'WHLE' -> WHILE");
+    EXPECT_EQ(lower("IF[#1EQ2GOTO5"), "unreadable writes #1 jumps 5 opens-or-closes\n! bracket-mismatch '[' "
+                                      "-> a ']' is missing before 'GOTO'");
+    EXPECT_EQ(lower("WHLE[#1LT5]DO1"),
+              "unreadable writes #1 opens-or-closes\n! unknown-keyword 'WHLE' -> WHILE");
     EXPECT_EQ(lower("IF[#1LTE2]GOTO5"),
               "unreadable writes #1 jumps 5 opens-or-closes\n! unknown-keyword 'LTE' -> LE");
     EXPECT_EQ(lower("G65P9010A["),

@@ -1,6 +1,7 @@
 //! Runs the built executable.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,9 @@ struct Finished {
 /// Runs maclint in a folder with `input` as its standard input.
 [[nodiscard]] Finished run_maclint(const std::string& folder, const std::vector<std::string>& arguments,
                                    const std::string& input);
+
+/// The same as a user who may not read everything, whoever runs the tests; nothing when that cannot be had.
+[[nodiscard]] std::optional<Finished>
+run_maclint_without_privileges(const std::string& folder, const std::vector<std::string>& arguments);
 
 } // namespace maclint::test

@@ -36,6 +36,10 @@ void Line::split() {
     remark_ = {};
     without_comments_.clear();
     const std::string_view whole = whole_;
+    if (std::ranges::none_of(whole, [](char c) { return c == '(' || c == ';'; })) {
+        code_ = behind_number(whole);
+        return;
+    }
     for (std::size_t at = 0; at < whole.size();) {
         if (whole[at] == ';') {
             remark_ = trim(whole.substr(at + 1));

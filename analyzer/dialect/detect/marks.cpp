@@ -16,7 +16,7 @@ enum class In : std::uint8_t {
     code,    ///< any other code, by shape
     head,    ///< the beginning of the code
     inside,  ///< anywhere in the code
-    line,    ///< the beginning of the line
+    line,    ///< the beginning of a line that does not begin with a letter
     comment, ///< the beginning of a comment in round brackets
     remark,  ///< behind `;`
 };
@@ -175,6 +175,23 @@ constexpr Mark marks[] = {
 };
 // clang-format on
 
+constexpr std::size_t places = static_cast<std::size_t>(In::remark) + 1;
+using Rows = std::array<std::uint8_t, std::size(marks)>;
+
+/// The rows of `marks` that look at one place, so that a plain line is asked for a dozen marks only.
+struct Index {
+    std::array<Rows, places> rows{};
+    std::array<std::size_t, places> counts{};
+
+    constexpr Index() {
+        for (std::size_t i = 0; i < std::size(marks); ++i) {
+            const auto place = static_cast<std::size_t>(marks[i].in);
+            rows[place][counts[place]++] = static_cast<std::uint8_t>(i);
+        }
+    }
+};
+constexpr Index by_place;
+
 struct Extension {
     std::string_view extension;
     Language language;
@@ -222,7 +239,7 @@ bool concerns(In in, const Line& line) {
     case In::code:
     case In::head:
     case In::inside: return !line.is_plain();
-    case In::line: return true;
+    case In::line: return !is_capital(line.whole().front());
     case In::comment: return !line.comment().empty();
     case In::remark: return !line.remark().empty();
     }
@@ -246,11 +263,13 @@ Evidence::Evidence(std::string_view extension)
 }
 
 void Evidence::add(const Line& line, std::size_t number) {
-    for (std::size_t i = 0; i < std::size(marks); ++i) {
-        const Mark& mark = marks[i];
-        Sighting& sighting = sightings_[i];
-        if (sighting.times == mark.most || !concerns(mark.in, line) || !holds(mark, line)) continue;
-        if (sighting.times++ == 0) sighting.line = static_cast<std::uint32_t>(number);
+    for (std::size_t place = 0; place < places; ++place) {
+        if (!concerns(static_cast<In>(place), line)) continue;
+        for (const std::uint8_t row : std::span(by_place.rows[place]).first(by_place.counts[place])) {
+            Sighting& sighting = sightings_[row];
+            if (sighting.times == marks[row].most || !holds(marks[row], line)) continue;
+            if (sighting.times++ == 0) sighting.line = static_cast<std::uint32_t>(number);
+        }
     }
 }
 

@@ -41,8 +41,9 @@ bool digital_output(const Line& line) { return line.has('M', 620, 680) && line.w
 bool extruder_zero(const Line& line) { return has_code(line, 'G', 92) && line.word('E') != nullptr; }
 bool work_offset_by_g15(const Line& line) { return has_code(line, 'G', 15) && line.word('H') != nullptr; }
 bool macro_call(const Line& line) {
-    return (line.code().starts_with("G65") || line.code().starts_with("G66")) &&
-           line.code().find('P') != std::string_view::npos;
+    const std::string_view code = line.code();
+    return code.starts_with("G6") && code.size() > 2 && (code[2] == '5' || code[2] == '6') &&
+           code.find('P') != std::string_view::npos;
 }
 
 bool extrusion(const Line& line) {
@@ -56,6 +57,8 @@ bool heater(const Line& line) {
 }
 
 bool program_number(const Line& line) {
+    constexpr std::string_view beginnings = "O:%";
+    if (beginnings.find(line.whole().front()) == std::string_view::npos) return false;
     std::string_view code = trim(line.whole().substr(0, line.whole().find('(')));
     while (!code.empty() && (code.back() == ';' || is_blank(code.back()))) code.remove_suffix(1);
     if (code.starts_with("%")) code.remove_prefix(1);

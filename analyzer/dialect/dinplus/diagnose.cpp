@@ -66,8 +66,14 @@ class Clues {
 
     /// Capital words of three or more letters are keywords or nothing; two of them can be addresses.
     [[nodiscard]] std::optional<Irregularity> unknown_keyword() const {
-        for (const Token& token : tokens_) {
+        std::vector<bool> selectors; // of the open brackets: behind a variable, as in #w0(WTL)
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            const Token& token = tokens_[i];
+            if (token.kind == TokenKind::open)
+                selectors.push_back(i > 0 && tokens_[i - 1].kind == TokenKind::variable);
+            if (token.kind == TokenKind::close && !selectors.empty()) selectors.pop_back();
             if (token.kind != TokenKind::letters || token.span.length() < 3) continue;
+            if (!selectors.empty() && selectors.back()) continue;
             if (!std::ranges::all_of(text(token), [](char c) { return is_capital(c) || c == '_'; })) continue;
             const std::string capitals = capitals_of(text(token));
             if (capitals.front() == '_' || capitals == "HID" || is_keyword(capitals)) continue;
@@ -85,7 +91,9 @@ class Clues {
     std::vector<Token> tokens_;
 };
 
-Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& tree) {
+} // namespace
+
+Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree) {
     Span span = block;
     std::string expected;
     const auto error = std::ranges::find_if(
@@ -99,76 +107,38 @@ Irregularity unreadable(std::string_view text, Span block, const syntax::Tree& t
     return {Irregular::unreadable, span, shown(text.substr(span.begin, span.length())), std::move(expected)};
 }
 
-} // namespace
-
-void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
-              std::vector<Irregularity>& irregularities) {
+std::optional<Irregularity> find_cause(std::string_view text, Span block) {
     const Clues clues(text, block);
     for (const auto cause :
-         {&Clues::unclosed_text, &Clues::placeholder, &Clues::bracket_mismatch, &Clues::unknown_keyword}) {
-        if (std::optional<Irregularity> found = (clues.*cause)()) {
-            irregularities.push_back(std::move(*found));
-            return;
-        }
-    }
-    irregularities.push_back(unreadable(text, block, tree));
+         {&Clues::unclosed_text, &Clues::placeholder, &Clues::bracket_mismatch, &Clues::unknown_keyword})
+        if (std::optional<Irregularity> found = (clues.*cause)()) return found;
+    return std::nullopt;
 }
 
-bool is_plausible(std::string_view text, Span block) {
-    constexpr std::size_t most_stumbles = 24;
-    constexpr std::size_t most_open = 48;
-    constexpr std::size_t most_keywords = 64;
-    std::size_t stumbles = 0;
-    std::size_t open = 0;
-    std::size_t keywords = 0;
-    bool operand = false; // what stands before ends a value
-    bool closed = false;  // that is a parenthesis
-    char sign = '\0';     // the operator that stands before
-    for (const Token& token : tokens_of(text, block)) {
-        const char first = text[token.span.begin];
-        const char before = std::exchange(sign, '\0');
-        const bool after_close = std::exchange(closed, token.kind == TokenKind::close);
-        switch (token.kind) {
-        case TokenKind::sign: {
-            const bool may_begin =
-                first == '-' || first == '+' || first == '>' || first == '=' || first == '/';
-            if (!operand && !may_begin) ++stumbles;
-            if (first == '=' || (!operand && may_begin)) ++stumbles;
-            operand = false;
-            sign = first;
-            break;
-        }
-        case TokenKind::close:
-            if (!operand || open == 0) ++stumbles;
-            open -= open == 0 ? 0 : 1;
-            operand = true;
-            break;
-        case TokenKind::open:
-            if (operand && after_close) ++stumbles; // `(1)(1)`
-            ++open;
-            operand = false;
-            break;
-        case TokenKind::other:
-        case TokenKind::unclosed_text: ++stumbles; break;
-        case TokenKind::variable:
-            if (token.span.length() == 1 || operand) ++stumbles;
-            operand = true;
-            break;
-        case TokenKind::comment: break;
-        case TokenKind::letters:
-            // An address where an operand is due.
-            if (before != '\0' && before != ',' && first != '_' && token.span.length() < 3) ++stumbles;
-            if (token.span.length() > 2 || text.substr(token.span.begin, 2) == "IF") ++keywords;
-            operand = first == '_';
-            break;
-        default: operand = true; break;
-        }
-        if (stumbles > most_stumbles || open > most_open || keywords > most_keywords) return false;
+namespace {
+
+/// The variable that `#l1`, `#_depth`, `#__la` or, as DEF wants it, `__la` names.
+std::optional<Place> place_named(std::string_view written, const Surroundings& around) {
+    const std::size_t begin = written.find_first_not_of("# \t");
+    if (begin == std::string_view::npos) return std::nullopt;
+    const std::string_view name = written.substr(begin);
+    if (name.starts_with("__")) return transfer_place(name.substr(2));
+    if (name.starts_with('_')) {
+        const auto alias = std::ranges::find(around.aliases, name, &std::pair<std::string, Place>::first);
+        return alias == around.aliases.end() ? std::nullopt : std::optional(alias->second);
     }
-    return true;
+    const std::optional<FamilyId> family = begin == 0 ? std::nullopt : family_of(name.front());
+    const std::optional<std::int64_t> number = read_integer(name);
+    if (!family || !number || *number > INT32_MAX) return std::nullopt;
+    const auto n = static_cast<std::int32_t>(*number);
+    const VariableRange* range = control().families[*family].find(n);
+    if (range == nullptr || range->meaning != Meaning::place) return std::nullopt;
+    return Place{range->space, n};
 }
 
-UnreadableBlock names_in(const Program& program, Span block) {
+} // namespace
+
+UnreadableBlock names_in(const Program& program, const Surroundings& around, Span block) {
     const Clues clues(program.text, block);
     const std::span<const Token> tokens = clues.tokens();
     UnreadableBlock names{{}, {}, false, false};
@@ -178,24 +148,16 @@ UnreadableBlock names_in(const Program& program, Span block) {
         const Token& token = tokens[i];
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
         const std::string_view written = clues.text(token);
-        if (token.kind == TokenKind::variable && written.size() > 2 && next != nullptr &&
-            clues.text(*next) == "=") {
-            const std::optional<FamilyId> family = family_of(written[1]);
-            const std::optional<std::int64_t> number = read_integer(written.substr(2));
-            if (!family || !number || *number > INT32_MAX) continue;
-            const auto n = static_cast<std::int32_t>(*number);
-            const VariableRange* range = program.control->families[*family].find(n);
-            if (range != nullptr && range->meaning == Meaning::place)
-                names.may_write.push_back({range->space, n});
-        }
+        const bool name = token.kind == TokenKind::variable || written.front() == '_';
+        if (const std::optional<Place> place = name ? place_named(written, around) : std::nullopt)
+            if (std::ranges::find(names.may_write, *place) == names.may_write.end())
+                names.may_write.push_back(*place);
         if (token.kind != TokenKind::letters) continue;
-        const std::string capitals = capitals_of(written);
-        std::string meant = capitals;
-        if (capitals.size() > 2 && !is_keyword(capitals) && guesses++ < most_guesses)
-            meant = meant_by(capitals);
+        std::string meant = capitals_of(written);
+        if (meant.size() > 2 && !is_keyword(meant) && guesses++ < most_guesses) meant = meant_by(meant);
         names.may_open_or_close |= is_structural(meant);
-        const bool calls = capitals == "L" && next != nullptr && next->kind == TokenKind::text;
-        const bool leaves = capitals == "M" && next != nullptr && next->kind == TokenKind::number;
+        const bool calls = meant == "L" && next != nullptr && next->kind == TokenKind::text;
+        const bool leaves = meant == "M" && next != nullptr && next->kind == TokenKind::number;
         names.may_call_or_return |= meant == "RETURN" || calls || leaves;
     }
     return names;

@@ -1,22 +1,22 @@
 //! Says why a block cannot be read, in the user's words.
 #pragma once
 
+#include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/syntax/tree.hpp"
 
+#include <optional>
 #include <string_view>
-#include <vector>
 
 namespace maclint::dinplus {
 
-/// Appends one irregularity: the most exact cause that is found for the errors in the block's tree.
-void diagnose(std::string_view text, Span block, const syntax::Tree& tree,
-              std::vector<Irregularity>& irregularities);
+/// The cause of an error in a block that its text shows: a text or bracket left open, a word that is none.
+[[nodiscard]] std::optional<Irregularity> find_cause(std::string_view text, Span block);
 
-/// Whether a block is worth parsing. Noise costs the parser quadratic time.
-[[nodiscard]] bool is_plausible(std::string_view text, Span block);
+/// Where the parser gave up, for a block without an evident cause.
+[[nodiscard]] Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree);
 
 /// What an unreadable block may do, judged by the words in it.
-[[nodiscard]] UnreadableBlock names_in(const Program& program, Span block);
+[[nodiscard]] UnreadableBlock names_in(const Program& program, const Surroundings& around, Span block);
 
 } // namespace maclint::dinplus

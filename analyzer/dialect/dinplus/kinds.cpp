@@ -109,6 +109,29 @@ constexpr std::pair<std::string_view, Field> fields[] = {
 
 const TSLanguage* grammar() { return tree_sitter_dinplus(); }
 
+bool is_word(Kind kind) {
+    switch (kind) {
+    case Kind::literal_word:
+    case Kind::word:
+    case Kind::extended_word:
+    case Kind::empty_word:
+    case Kind::malformed_word:
+    case Kind::letter_o_word:
+    case Kind::lower_case_word: return true;
+    default: return false;
+    }
+}
+
+bool is_head(Kind kind) {
+    switch (kind) {
+    case Kind::slide:
+    case Kind::skip:
+    case Kind::block_number:
+    case Kind::computed_block_number: return true;
+    default: return false;
+    }
+}
+
 Kind kind_of(const syntax::Node& node) {
     static const std::vector<Kind> table = kinds_by_symbol<Kind>(grammar, kinds, Kind::token);
     if (node.symbol == syntax::error_symbol) return Kind::error;

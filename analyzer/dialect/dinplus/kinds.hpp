@@ -123,6 +123,11 @@ enum class Field : std::uint8_t {
     version,
 };
 
+/// Address and value, or what was meant as such.
+[[nodiscard]] bool is_word(Kind kind);
+/// Slides, skip marks and block numbers, which stand before what a block does.
+[[nodiscard]] bool is_head(Kind kind);
+
 [[nodiscard]] Kind kind_of(const syntax::Node& node);
 [[nodiscard]] Field field_of(const syntax::Node& node);
 

@@ -76,7 +76,8 @@ void BlockLowering::lower_words(std::span<const Node* const> nodes, Effects& eff
 
 void BlockLowering::lower_commands(std::span<const NcWord> words, Span span, Effects& effects) {
     bool moves = false;
-    bool goes_on = true; // no code but those that may stand beside a motion
+    bool at_rapid = true; // every code that moves does so at rapid traverse
+    bool goes_on = true;  // no code but those that may stand beside a motion
     bool synchronises = false;
     for (const NcWord& word : words) {
         if (word.address != "G" && word.address != "M") continue;
@@ -84,6 +85,7 @@ void BlockLowering::lower_commands(std::span<const NcWord> words, Span span, Eff
             word.literal ? find_code(word.address.front(), *word.literal, Context::machining) : nullptr;
         const std::uint16_t traits = fact == nullptr ? 0 : fact->traits;
         moves |= (traits & Trait::moves) != 0;
+        at_rapid &= (traits & Trait::moves) == 0 || (traits & approaches) != 0;
         synchronises |= (traits & Trait::synchronises) != 0;
         if (word.address == "G") goes_on &= (traits & (feed_word | speed_word)) != 0;
         if (word.value) lower_code(word, words, effects);
@@ -93,7 +95,7 @@ void BlockLowering::lower_commands(std::span<const NcWord> words, Span span, Eff
             effects.push_back({ToolChange{ToolChange::Kind::change}, this->span(*word.node)});
     if (goes_on)
         moves |= std::ranges::any_of(words, [](const NcWord& w) { return w.value && is_axis(w.address); });
-    if (moves) effects.push_back({Motion{}, span});
+    if (moves) effects.push_back({Motion{at_rapid && !goes_on}, span});
     if (synchronises) effects.push_back({Synchronise{}, span});
     for (const NcWord& word : words) {
         if (word.address != "M" || !word.literal) continue;
@@ -107,7 +109,7 @@ void BlockLowering::lower_code(const NcWord& code, std::span<const NcWord> words
     const char letter = code.address.front();
     const Span here = span(*code.node);
     if (!code.literal) { // G#l1
-        if (letter == 'G') effects.push_back({SetModal{std::nullopt, *code.value}, here});
+        if (letter == 'G') effects.push_back({SetModal{std::nullopt, *code.value, 'G'}, here});
         return;
     }
     const CodeFact* fact = find_code(letter, *code.literal, Context::machining);

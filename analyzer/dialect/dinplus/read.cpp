@@ -6,9 +6,11 @@
 #include "analyzer/dialect/dinplus/diagnose.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/dialect/dinplus/plausible.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
 #include "analyzer/dialect/dinplus/shape.hpp"
 #include "analyzer/dialect/dinplus/split.hpp"
+#include "analyzer/dialect/noise.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/words.hpp"
 #include "analyzer/syntax/memory.hpp"
@@ -110,10 +112,16 @@ class Reader {
     void parse() {
         static const syntax::Tree nothing{.nodes = {}, .has_error = true};
         const Span block = raw_.span;
-        const syntax::Tree& tree =
-            is_plausible(text_, block) ? tree_of(text_.substr(block.begin, block.length())) : nothing;
+        const bool loud = noise_.is_loud();
+        std::optional<Irregularity> cause;
+        if (loud) cause = find_cause(text_, block);
+        const syntax::Tree& tree = !cause && is_plausible(text_, block)
+                                       ? tree_of(text_.substr(block.begin, block.length()))
+                                       : nothing;
+        noise_.hear(tree.has_error);
         if (tree.has_error) {
-            diagnose(text_, block, tree, file_.irregularities);
+            if (!loud) cause = find_cause(text_, block);
+            file_.irregularities.push_back(cause ? *std::move(cause) : find_stumble(text_, block, tree));
             return add_unreadable();
         }
         for (const syntax::Node& node : tree.nodes) {
@@ -171,7 +179,7 @@ class Reader {
         block.words.first = static_cast<Id>(program.words.size());
         block.effects.first = static_cast<Id>(program.effects.size());
         if (part.surroundings.effects) {
-            program.effects.push_back({names_in(program, raw_.span), raw_.span});
+            program.effects.push_back({names_in(program, part.surroundings, raw_.span), raw_.span});
             block.effects.count = 1;
         }
         program.items.emplace_back(block);
@@ -179,9 +187,7 @@ class Reader {
 
     /// The block number stands at the head of the text whatever is wrong behind it.
     void take_unreadable_head(Block& block) const {
-        Offset at = first_code();
-        while (at < block.span.end && (text_[at] == '$' || text_[at] == '/' || is_digit(text_[at]))) ++at;
-        at = skip_blanks(text_, at);
+        Offset at = behind_marks(text_, first_code());
         if (at >= block.span.end || (text_[at] != 'N' && text_[at] != 'n')) return;
         const Offset letter = at;
         at = skip_blanks(text_, at + 1);
@@ -231,6 +237,7 @@ class Reader {
     Programs programs_;
     RawBlock raw_;
     std::string shape_;
+    Noise noise_;
     std::size_t waiting_ = 0; ///< first comment without a next block
 };
 

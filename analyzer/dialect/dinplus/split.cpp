@@ -70,6 +70,16 @@ Offset skip_blanks(std::string_view text, Offset at) {
     return at;
 }
 
+Offset behind_marks(std::string_view text, Offset at) {
+    at = skip_blanks(text, at);
+    while (at < text.size() && (text[at] == '$' || text[at] == '/')) {
+        do ++at;
+        while (at < text.size() && is_digit(text[at]));
+        at = skip_blanks(text, at);
+    }
+    return at;
+}
+
 Span words_at(std::string_view text, Offset at) {
     const auto is_part = [](char c) {
         return is_capital(c) || (c >= 'a' && c <= 'z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
@@ -92,9 +102,7 @@ Span words_at(std::string_view text, Offset at) {
 }
 
 bool begins_block(std::string_view text, Offset at) {
-    at = skip_blanks(text, at);
-    while (at < text.size() && (text[at] == '$' || text[at] == '/' || is_digit(text[at]))) ++at;
-    at = skip_blanks(text, at);
+    at = behind_marks(text, at);
     if (at >= text.size()) return false;
     if (text[at] == 'N') {
         const Offset digits = skip_blanks(text, at + 1);

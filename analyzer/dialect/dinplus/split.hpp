@@ -20,6 +20,9 @@ struct RawBlock {
 /// Behind the blanks, the byte order mark and the leader at `at`.
 [[nodiscard]] Offset skip_blanks(std::string_view text, Offset at);
 
+/// Behind the slides and skip marks at `at`, and the blanks around them: `$1 /2`.
+[[nodiscard]] Offset behind_marks(std::string_view text, Offset at);
+
 /// The block that begins at `begin`, the head of a line. It ends at the line end; a comment that nobody
 /// closes ends with the line before which blocks visibly begin again.
 void cut_block(std::string_view text, Offset begin, RawBlock& block);

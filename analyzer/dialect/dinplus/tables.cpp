@@ -59,6 +59,7 @@ ControlModel make() {
     control.spaces = variable_spaces();
     control.families = variable_families();
     control.groups = modal_groups();
+    control.rapid = GroupCode{*control.group_of('G', 0), 0};
     control.calls = {
         {"call of a local subprogram", Frame::fresh, Counted::subprogram, When::once, 0, "l.10403, l.20751",
          Reach::same_file},

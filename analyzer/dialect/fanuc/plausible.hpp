@@ -2,7 +2,6 @@
 //! block costs.
 #pragma once
 
-#include <algorithm>
 #include <string_view>
 
 namespace maclint::fanuc {
@@ -10,24 +9,5 @@ namespace maclint::fanuc {
 /// Whether a block can be parsed in time that anybody waits for. In what people write, a digit is never far
 /// and values do not follow one another in dozens; the parser's time grows with the square of such rows.
 [[nodiscard]] bool is_plausible(std::string_view block);
-
-/// Whether the reader is inside line noise: nearly every block has an error, dozens in a row. There only
-/// blocks without an evident cause of an error are parsed. Some good blocks, and it is quiet again.
-class Noise {
-  public:
-    [[nodiscard]] bool is_loud() const { return level_ >= loud; }
-    void hear(bool error) {
-        if (error)
-            level_ = std::min(level_ + 1, loudest);
-        else
-            level_ -= std::min(level_, good_block);
-    }
-
-  private:
-    static constexpr unsigned loud = 32;
-    static constexpr unsigned loudest = 40;
-    static constexpr unsigned good_block = 4; ///< up to four errors for one good block stay quiet
-    unsigned level_ = 0;
-};
 
 } // namespace maclint::fanuc

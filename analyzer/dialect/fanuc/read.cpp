@@ -10,6 +10,7 @@
 #include "analyzer/dialect/fanuc/shape.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/noise.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/words.hpp"
 #include "analyzer/syntax/memory.hpp"

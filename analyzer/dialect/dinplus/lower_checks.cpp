@@ -1,0 +1,124 @@
+//! What is wrong in a block that the parser could read.
+#include "analyzer/dialect/dinplus/keywords.hpp"
+#include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/dialect/dinplus/sections.hpp"
+
+#include <algorithm>
+
+namespace maclint::dinplus {
+namespace {
+
+/// Nodes that do nothing, and are told or passed over elsewhere.
+bool is_aside(Kind kind) {
+    return is_head(kind) || kind == Kind::stray_parenthesis || kind == Kind::stray_bracket ||
+           kind == Kind::foreign_comment;
+}
+
+/// Keywords that must be alone in their block [l.19668].
+bool wants_to_be_alone(Kind kind) {
+    return kind == Kind::if_statement || kind == Kind::then_statement || kind == Kind::else_statement ||
+           kind == Kind::endif_statement;
+}
+
+bool opens_bracket(Kind kind) {
+    return kind == Kind::parenthesis || kind == Kind::argument_list || kind == Kind::selector_list ||
+           kind == Kind::vacancy_test;
+}
+
+} // namespace
+
+/// IF, THEN, ELSE and ENDIF stand alone in their block [l.19668].
+void BlockLowering::check_alone(std::span<const Node* const> items) {
+    const auto content = std::ranges::count_if(items, [](const Node* n) { return !is_aside(kind_of(*n)); });
+    if (content < 2 || !around_.effects) return;
+    const auto keyword =
+        std::ranges::find_if(items, [](const Node* n) { return wants_to_be_alone(kind_of(*n)); });
+    if (keyword == items.end()) return;
+    Span place = span(**keyword);
+    constexpr Offset length_of_if = 2;
+    if (kind_of(**keyword) == Kind::if_statement) place.end = place.begin + length_of_if;
+    report(Irregular::not_alone, place, "");
+}
+
+/// An IF is followed by THEN: the next block, unless nobody can tell what that one is.
+void BlockLowering::check_then(std::span<const Node* const> items) {
+    for (const Node* item : items) {
+        const Kind kind = kind_of(*item);
+        if (is_aside(kind)) continue;
+        if (around_.waiting_if && kind != Kind::then_statement && kind != Kind::unknown_statement)
+            report(Irregular::then_missing, *around_.waiting_if, "THEN");
+        around_.waiting_if.reset();
+        if (kind == Kind::if_statement) around_.waiting_if = span(*item);
+    }
+}
+
+/// What is wrong with single nodes of a block that the parser could read.
+void BlockLowering::check_tokens() {
+    static constexpr std::pair<std::string_view, std::string_view> signs[] = {
+        {"EQ", "=="}, {"NE", "<>"}, {"GT", ">"},  {"GE", ">="}, {"LT", "<"},
+        {"LE", "<="}, {"=<", "<="}, {"=>", ">="}, {"!=", "<>"}, {"><", "<>"}};
+    check_depth();
+    std::vector<const Node*> parents(tree_.nodes.size(), nullptr);
+    for (const Node& node : tree_.nodes) {
+        for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_.nodes[c].next_sibling)
+            parents[c] = &node;
+        const Node* parent = parents[static_cast<std::size_t>(&node - tree_.nodes.data())];
+        switch (kind_of(node)) {
+        case Kind::assignment_sign:
+        case Kind::equality_sign: {
+            const bool comparison = kind_of(node) == Kind::assignment_sign;
+            const Span whole = span(*parent);
+            const Span sign = span(node);
+            report(comparison ? Irregular::assignment_in_condition : Irregular::comparison_as_assignment,
+                   sign,
+                   std::string(program_.slice({whole.begin, sign.begin})) + (comparison ? "==" : "=") +
+                       std::string(program_.slice({sign.end, whole.end})));
+            break;
+        }
+        case Kind::foreign_operator: {
+            const auto* sign = std::ranges::find(signs, upper_text(node),
+                                                 &std::pair<std::string_view, std::string_view>::first);
+            report(Irregular::unknown_keyword, span(node),
+                   sign == std::end(signs) ? "" : std::string(sign->second));
+            break;
+        }
+        case Kind::unknown_function:
+            report(Irregular::unknown_keyword, span(node), meant_by(capitals_of(text(node))));
+            break;
+        case Kind::stray_parenthesis:
+            report(Irregular::bracket_mismatch, span(node), "a '(' is missing before it");
+            break;
+        case Kind::stray_bracket:
+            report(Irregular::bracket_mismatch, span(node), "no '[' opens a comment before it");
+            break;
+        case Kind::unclosed_string:
+            report(Irregular::unreadable, span(node), "a '\"' at the end of the text");
+            break;
+        case Kind::typographic_string:
+            report(Irregular::unreadable, span(node), "straight quotation marks '\"'");
+            break;
+        case Kind::double_sharp: report(Irregular::unreadable, span(node), "a single '#'"); break;
+        case Kind::foreign_variable:
+            report(Irregular::unreadable, span(node), "a letter behind '#', as in #l1");
+            break;
+        default: break;
+        }
+    }
+}
+
+/// Reports the first bracket of the block that opens one level too many. Parents stand before their children.
+void BlockLowering::check_depth() {
+    std::vector<int> depths(tree_.nodes.size(), 0);
+    for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
+        const Node& node = tree_.nodes[i];
+        if (opens_bracket(kind_of(node)) && ++depths[i] > program_.control->limits.bracket_levels) {
+            const auto bracket = static_cast<Offset>(text(node).find('('));
+            const Offset begin = span(node).begin + bracket;
+            return report(Irregular::bracket_depth, {begin, begin + 1}, "");
+        }
+        for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_.nodes[c].next_sibling)
+            depths[c] = depths[i];
+    }
+}
+
+} // namespace maclint::dinplus

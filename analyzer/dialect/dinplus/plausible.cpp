@@ -1,0 +1,66 @@
+//! One pass over the tokens of a block.
+#include "analyzer/dialect/dinplus/plausible.hpp"
+
+#include "analyzer/dialect/dinplus/tokens.hpp"
+
+#include <utility>
+
+namespace maclint::dinplus {
+
+using Kind = Token::Kind;
+
+bool is_plausible(std::string_view text, Span block) {
+    constexpr std::size_t most_stumbles = 24;
+    constexpr std::size_t most_open = 48;
+    constexpr std::size_t most_keywords = 64;
+    std::size_t stumbles = 0;
+    std::size_t open = 0;
+    std::size_t keywords = 0;
+    bool operand = false; // what stands before ends a value
+    bool closed = false;  // that is a parenthesis
+    char sign = '\0';     // the operator that stands before
+    for (const Token& token : tokens_of(text, block)) {
+        const char first = text[token.span.begin];
+        const char before = std::exchange(sign, '\0');
+        const bool after_close = std::exchange(closed, token.kind == Kind::close);
+        switch (token.kind) {
+        case Kind::sign: {
+            const bool may_begin =
+                first == '-' || first == '+' || first == '>' || first == '=' || first == '/';
+            if (!operand && !may_begin) ++stumbles;
+            if (first == '=' || (!operand && may_begin)) ++stumbles;
+            operand = false;
+            sign = first;
+            break;
+        }
+        case Kind::close:
+            if (!operand || open == 0) ++stumbles;
+            open -= open == 0 ? 0 : 1;
+            operand = true;
+            break;
+        case Kind::open:
+            if (operand && after_close) ++stumbles; // `(1)(1)`
+            ++open;
+            operand = false;
+            break;
+        case Kind::other:
+        case Kind::unclosed_text: ++stumbles; break;
+        case Kind::variable:
+            if (token.span.length() == 1 || operand) ++stumbles;
+            operand = true;
+            break;
+        case Kind::comment: break;
+        case Kind::letters:
+            // An address where an operand is due.
+            if (before != '\0' && before != ',' && first != '_' && token.span.length() < 3) ++stumbles;
+            if (token.span.length() > 2 || text.substr(token.span.begin, 2) == "IF") ++keywords;
+            operand = first == '_';
+            break;
+        default: operand = true; break;
+        }
+        if (stumbles > most_stumbles || open > most_open || keywords > most_keywords) return false;
+    }
+    return true;
+}
+
+} // namespace maclint::dinplus
