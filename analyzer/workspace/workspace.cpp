@@ -90,7 +90,9 @@ class WorkspaceBuilder {
     static bool runs_on_its_own(const ProgramAnalysis& analysis) {
         if (!analysis.callers_.empty()) return false;
         const Program::Started started = analysis.program().started;
-        if (started != Program::Started::unknown) return started == Program::Started::by_hand;
+        // Where programs have sections, one that does not show how it is started is a fragment.
+        if (started != Program::Started::unknown || !analysis.control().sections.empty())
+            return started == Program::Started::by_hand;
         bool returns = false;
         flow::for_each_effect(analysis.program(), [&](EffectId id) {
             returns |= std::holds_alternative<Return>(analysis.program().effects[id].what);
@@ -108,9 +110,25 @@ class WorkspaceBuilder {
             for (const Argument& argument : program.arguments_of(call))
                 entry.passed_somewhere.push_back(argument.formal);
         }
-        if (workspace_.complete() && !analysis.callers_.empty()) entry.arguments = what_all_pass(analysis);
+        if (workspace_.complete() && !analysis.callers_.empty())
+            entry.arguments = what_all_pass(analysis);
+        else if (analysis.program().local && !analysis.callers_.empty())
+            entry.arguments = what_callers_in_the_file_pass(analysis);
         entry.handed_down = handed_down_to(analysis);
         return entry;
+    }
+
+    /// All callers of a local program are there. What they leave out may still be asked for in it: such
+    /// blocks count as reached.
+    std::optional<std::vector<std::pair<Place, dataflow::Vacancy>>>
+    what_callers_in_the_file_pass(const ProgramAnalysis& analysis) const {
+        auto arguments = what_all_pass(analysis);
+        if (!arguments) return arguments;
+        for (const Place formal : analysis.control().formals)
+            if (std::ranges::find(*arguments, formal, &std::pair<Place, dataflow::Vacancy>::first) ==
+                arguments->end())
+                arguments->emplace_back(formal, dataflow::Vacancy::maybe);
+        return arguments;
     }
 
     /// What the programs from which this one is called, directly or through others, hand down to it; nothing

@@ -6,8 +6,16 @@
 namespace maclint::rules {
 namespace {
 
+/// The last block of a fragment is not its end.
 bool returns(const ProgramAnalysis& analysis, flow::ExitKind kind) {
-    return kind == flow::ExitKind::returns || (kind == flow::ExitKind::runs_off && !analysis.is_main());
+    const bool called =
+        analysis.program().started == Program::Started::by_call || !analysis.callers().empty();
+    return kind == flow::ExitKind::returns || (kind == flow::ExitKind::runs_off && called);
+}
+
+bool ends(const ProgramAnalysis& analysis, flow::ExitKind kind) {
+    return kind == flow::ExitKind::ends || kind == flow::ExitKind::restarts ||
+           (kind == flow::ExitKind::runs_off && analysis.is_main());
 }
 
 /// Some program that calls this one ends or returns with what the call left on.
@@ -25,6 +33,12 @@ bool is_left_by_a_caller(const ProgramAnalysis& analysis, GroupId group) {
 }
 
 } // namespace
+
+std::optional<GroupId> find_own_group(const ControlModel& control, std::string_view name) {
+    const auto row = std::ranges::find(control.groups, name, &ModalGroup::name);
+    if (row == control.groups.end() || row->concern != Concern::own_rule) return std::nullopt;
+    return static_cast<GroupId>(row - control.groups.begin());
+}
 
 bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
                     const dataflow::ModalPart& part) {
@@ -47,7 +61,7 @@ std::optional<Leftover> left_at_end(const ProgramAnalysis& analysis, std::string
     const auto leftovers = find_leftovers(
         analysis, Concern::own_rule,
         [&](const ModalGroup& group, GroupId, const dataflow::ExitState& exit, const auto& part) {
-            return group.name == name && group.cancel && !returns(analysis, exit.exit.kind) &&
+            return group.name == name && group.cancel && ends(analysis, exit.exit.kind) &&
                    is_switched_on(analysis, group, part);
         });
     if (leftovers.empty()) return std::nullopt;

@@ -9,6 +9,9 @@
 
 namespace maclint::rules {
 
+/// The group of this name, where rules of its own speak of it.
+[[nodiscard]] std::optional<GroupId> find_own_group(const ControlModel& control, std::string_view name);
+
 /// What a called program has switched on itself and leaves on when it returns. What a subprogram may switch
 /// on for its caller counts only when a caller is there that leaves it on.
 [[nodiscard]] std::vector<Leftover> left_at_return(const ProgramAnalysis& analysis);

@@ -43,9 +43,18 @@ extern const Rule missing_end{
 
 namespace {
 
-/// The last block, or the last heading where no block follows it.
+/// The machining part breaks off with a block that nobody can read, or has none: the text is a sketch, or its
+/// last word is told as what it is.
+bool is_cut_off(const Program& program) {
+    if (program.items.empty() || program.sections.back().items.count == 0) return true;
+    const auto* last = std::get_if<Block>(&program.items.back());
+    return last != nullptr &&
+           std::ranges::any_of(program.effects_in(last->effects), [](const Effect& effect) {
+               return std::holds_alternative<UnreadableBlock>(effect.what);
+           });
+}
+
 Span last_of(const Program& program) {
-    if (program.items.empty()) return program.sections.back().heading;
     const Item& last = program.items.back();
     if (const auto* block = std::get_if<Block>(&last)) return block->span;
     Span span = std::get<Run>(last).span;
@@ -65,7 +74,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const bool runs = std::ranges::any_of(kinds, [&](const SectionKind& kind) {
         return kind.role == SectionKind::Role::machining && has_section(program, kind);
     });
-    if (!runs || end == kinds.end() || has_section(program, *end)) return;
+    if (!runs || is_cut_off(program) || end == kinds.end() || has_section(program, *end)) return;
     reporter.report(analysis.file(), last_of(program), "plain", {std::string(end->name)});
 }
 

@@ -69,12 +69,6 @@ namespace {
 constexpr std::string_view compensation = "radius compensation";
 constexpr std::string_view plane = "plane";
 
-std::optional<GroupId> find_group(const ControlModel& control, std::string_view name) {
-    const auto row = std::ranges::find(control.groups, name, &ModalGroup::name);
-    if (row == control.groups.end()) return std::nullopt;
-    return static_cast<GroupId>(row - control.groups.begin());
-}
-
 /// Whether the word sets another plane than the one that is in force on every way.
 bool changes_plane(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write) {
     if (!write.group || analysis.control().groups[*write.group].name != plane) return false;
@@ -110,8 +104,8 @@ void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const datafl
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const auto group = find_group(analysis.control(), compensation);
-    if (!group || analysis.control().groups[*group].concern != Concern::own_rule) return;
+    const auto group = find_own_group(analysis.control(), compensation);
+    if (!group) return;
     std::vector<dataflow::OriginId> told; // one finding for each block that switches it on
     for (const Leftover& leftover : left_at_return(analysis)) // those are told as such
         if (leftover.group == *group) told.push_back(leftover.part.origin);

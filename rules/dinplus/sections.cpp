@@ -9,13 +9,16 @@ namespace maclint::rules {
 
 bool is_whole_main_program(const Program& program) {
     if (program.started == Program::Started::by_call || program.control->sections.empty()) return false;
-    const SectionKind& head = program.control->sections.front();
-    const bool closed = std::ranges::any_of(program.sections, [&](const Section& section) {
+    bool closed = false;
+    bool divided = false;
+    for (const Section& section : program.sections) {
         const SectionKind* kind = kind_of(*program.control, section);
-        return kind != nullptr && kind->role == SectionKind::Role::end;
-    });
+        const bool ends = kind != nullptr && kind->role == SectionKind::Role::end;
+        closed |= ends;
+        divided |= kind != nullptr && !ends;
+    }
     const bool named = program.name_span.end > program.name_span.begin;
-    return first_heading(program).end != 0 && (closed || named || has_section(program, head));
+    return divided && (closed || named || has_section(program, program.control->sections.front()));
 }
 
 bool has_section(const Program& program, const SectionKind& kind) {

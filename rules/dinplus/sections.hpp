@@ -5,8 +5,9 @@
 
 namespace maclint::rules {
 
-/// A program that an operator starts and that is there from its beginning: it names itself, has a head, or is
-/// closed. The blocks of a fragment prove nothing by what they lack.
+/// A program that an operator starts, that is divided into sections, and that is there from its beginning: it
+/// names itself, has a head, or is closed. A fragment proves nothing by what it lacks, and the manual itself
+/// writes short programs without any section but END.
 [[nodiscard]] bool is_whole_main_program(const Program& program);
 
 [[nodiscard]] bool has_section(const Program& program, const SectionKind& kind);

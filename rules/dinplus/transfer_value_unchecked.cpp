@@ -31,8 +31,7 @@ extern const Rule transfer_value_unchecked{
                  {"zero-test", "'{2}' does not tell a value left out, as by the call in {1}, from a "
                                "0 that is passed. Ask with NDEF."}},
     .bad = {{"dinplus", "MACHINING\n"
-                        "N10 L\"CHAMFER\" LA50 LC1\n"
-                        "N11 L\"CHAMFER\" LA90\n"
+                        "N10 L\"CHAMFER\" LA50\n"
                         "N12 M30\n"
                         "SUBPROGRAM \"CHAMFER\"\n"
                         "N20 G0 X#__la Z2\n"
@@ -40,8 +39,7 @@ extern const Rule transfer_value_unchecked{
                         "RETURN\n"
                         "END\n"},
             {"dinplus", "MACHINING\n"
-                        "N10 L\"CHAMFER\" LA50 LC1\n"
-                        "N11 L\"CHAMFER\" LA90\n"
+                        "N10 L\"CHAMFER\" LA50\n"
                         "N12 M30\n"
                         "SUBPROGRAM \"CHAMFER\"\n"
                         "N20 G0 X#__la Z2\n"
@@ -53,8 +51,7 @@ extern const Rule transfer_value_unchecked{
                         "END\n"}},
     .also = {},
     .good = {{"dinplus", "MACHINING\n"
-                         "N10 L\"CHAMFER\" LA50 LC1\n"
-                         "N11 L\"CHAMFER\" LA90\n"
+                         "N10 L\"CHAMFER\" LA50\n"
                          "N12 M30\n"
                          "SUBPROGRAM \"CHAMFER\"\n"
                          "N20 G0 X#__la Z2\n"

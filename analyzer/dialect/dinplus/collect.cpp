@@ -105,7 +105,10 @@ void Programs::open_subprogram(const SectionWord& word, Span heading) {
     std::string_view rest = source_.bytes().substr(heading.begin, heading.length());
     rest = rest.substr(std::min(rest.find_first_of("\"[0123456789"), rest.size()));
     std::string_view name = rest;
-    if (rest.starts_with('"')) name = rest.substr(1, rest.find('"', 1) - 1);
+    if (rest.starts_with('"'))
+        name = rest.substr(1, rest.find('"', 1) - 1);
+    else // word processors make other quotation marks of them
+        name = rest.substr(0, rest.find_first_not_of("0123456789"));
     name = trim(name.substr(0, name.find('[')));
     main(); // also when the subprograms stand first
     current_ = file_.programs.size();

@@ -1,0 +1,222 @@
+//! Rules of DIN PLUS: what their examples do not show.
+#include "rules/rule.hpp"
+#include "tests/support/analysed.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+namespace maclint {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::vector<Finding> findings(const Workspace& workspace, std::string_view code) {
+    return run_rules(workspace, {{find_rule(code)}}, 1);
+}
+
+std::vector<std::uint32_t> lines_in(const Workspace& workspace, std::string_view code) {
+    std::vector<std::uint32_t> lines;
+    for (const Finding& finding : findings(workspace, code))
+        lines.push_back(finding.file->source->position(finding.span.begin).line);
+    return lines;
+}
+
+/// 1-based lines on which the rule speaks of a main program.
+std::vector<std::uint32_t> lines(std::string_view code, std::string text) {
+    return lines_in(*test::analyse_text("dinplus", std::move(text)), code);
+}
+
+// ---- pairs
+
+TEST(IfUnbalanced, TellsACrossingOnceAndOnlyForTheWordThatComesTooEarly) {
+    const std::string text = "MACHINING\nIF #g1==1\nTHEN\nWHILE #g2<5\nENDIF\nENDWHILE\nEND\n";
+    EXPECT_THAT(lines("DIN401", text), ElementsAre(5));
+    EXPECT_THAT(lines("DIN404", text), IsEmpty());
+}
+
+TEST(IfUnbalanced, ALoopThatIsNeverClosedIsTheLoopsFaultAlone) {
+    const std::string text = "MACHINING\nIF #g1==1\nTHEN\nWHILE #g2<5\n#g2=#g2+1\nENDIF\nEND\n";
+    EXPECT_THAT(lines("DIN401", text), IsEmpty());
+    EXPECT_THAT(lines("DIN404", text), ElementsAre(4));
+}
+
+TEST(IfUnbalanced, IsSilentWhereABlockThatNobodyCanReadMayCloseIt) {
+    EXPECT_THAT(lines("DIN401", "MACHINING\nIF #g1==1\nTHEN\nN5 NDIF\nG14 Q0\nEND\n"), IsEmpty());
+}
+
+TEST(IfUnbalanced, LeavesAnIfWithoutThenToTheRuleForThat) {
+    const std::string text = "MACHINING\nIF #g1==1\nG14 Q0\nM30\nEND\n";
+    EXPECT_THAT(lines("DIN402", text), ElementsAre(2));
+    EXPECT_THAT(lines("DIN401", text), IsEmpty());
+}
+
+TEST(SwitchUnbalanced, TellsBranchesWithoutSwitchOnce) {
+    EXPECT_THAT(lines("DIN409", "MACHINING\nCASE 1\nG14 Q0\nBREAK\nCASE 2\nBREAK\nENDSWITCH\nBREAK\nEND\n"),
+                ElementsAre(2, 8));
+}
+
+TEST(UnitUnbalanced, TellsTheInnerOneOfTwoUnitsThatAreBothClosed) {
+    EXPECT_THAT(lines("DIN015", "MACHINING\nUNIT ID\"A\"\nUNIT ID\"B\"\nEND_OF_UNIT\nEND_OF_UNIT\nEND\n"),
+                ElementsAre(3));
+}
+
+// ---- branches
+
+std::string branches(const std::string& first) {
+    return "MACHINING\nINPUT(\"Size\",#l1)\nSWITCH #l1\nCASE 1\n" + first +
+           "CASE 2\nG0 X30\nBREAK\nENDSWITCH\nM30\nEND\n";
+}
+
+TEST(CaseWithoutBreak, LooksAtTheWaysOutOfTheBranchAndNotAtTheText) {
+    EXPECT_THAT(lines("DIN410", branches("G0 X20\n")), ElementsAre(4));
+    EXPECT_THAT(lines("DIN410", branches("IF #g1==1\nTHEN\nBREAK\nELSE\nBREAK\nENDIF\n")), IsEmpty());
+    EXPECT_THAT(lines("DIN410", branches("IF #g1==1\nTHEN\nBREAK\nENDIF\n")), ElementsAre(4));
+    EXPECT_THAT(lines("DIN410", branches("G0 X20\nM30\n")), IsEmpty());
+}
+
+// ---- sections
+
+TEST(Sections, AFragmentLacksNothing) {
+    for (const std::string_view code : {"DIN101", "DIN102"}) {
+        EXPECT_THAT(lines(code, "FINISHED\nN1 G0 X0 Z0\nN2 G1 X50\n"), IsEmpty()) << code;
+        EXPECT_THAT(lines(code, "MACHINING\nN1 G14 Q0\n"), IsEmpty()) << code;
+        EXPECT_THAT(lines(code, "N1 G14 Q0\n"), IsEmpty()) << code;
+    }
+}
+
+TEST(Sections, AProgramWithAHeadIsWhole) {
+    EXPECT_THAT(lines("DIN101", "PROGRAM HEAD\n#UNIT METRIC\nFINISHED\nN1 G0 X0 Z0\n"), ElementsAre(1));
+    EXPECT_THAT(lines("DIN102", "PROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 M30\n"), ElementsAre(4));
+}
+
+TEST(Sections, BehindEndTheFirstThingIsTold) {
+    EXPECT_THAT(lines("DIN103", "MACHINING\nM30\nEND\n[said]\nSUBPROGRAM \"A\"\nG14 Q0\nRETURN\n"),
+                ElementsAre(5));
+    EXPECT_THAT(lines("DIN103", "MACHINING\nM30\nEND\n[said]\n\n"), IsEmpty());
+}
+
+// ---- references
+
+std::string with_cycle(const std::string& contour, const std::string& behind) {
+    return contour + "MACHINING\nN10 T1\nN11 G810 NS7 P2\nN12 M30\n" + behind + "END\n";
+}
+
+TEST(ContourReference, MayLeadToASubprogramAndIntoContoursThatAreDescribedElsewhere) {
+    const std::string contour = "FINISHED\nN1 G0 X0 Z0\n";
+    EXPECT_THAT(lines("DIN704", with_cycle(contour, "")), ElementsAre(5));
+    EXPECT_THAT(lines("DIN704", with_cycle(contour, "SUBPROGRAM \"C\"\nN7 G1 X5\nRETURN\n")), IsEmpty());
+    EXPECT_THAT(lines("DIN704", with_cycle(contour + "L\"SHAPE\" V1\n", "")), IsEmpty());
+    EXPECT_THAT(lines("DIN704", with_cycle("", "")), IsEmpty());
+}
+
+TEST(ContourReference, IsLookedForInTheMainProgramFromASubprogram) {
+    const std::string text = "FINISHED\nN1 G0 X0 Z0\nN2 G1 X20\nMACHINING\nL\"CUT\"\nM30\nSUBPROGRAM "
+                             "\"CUT\"\nG810 NS2 P2\nG810 NS3 P2\nRETURN\nEND\n";
+    EXPECT_THAT(lines("DIN704", text), ElementsAre(9));
+}
+
+TEST(DuplicateBlock, CountsOnlyWhereTheReferenceLooks) {
+    const std::string head = "FINISHED\nN1 G0 X0 Z0\nN2 G1 X20\n";
+    EXPECT_THAT(lines("MAC462", head + "MACHINING\nN2 T1\nN3 G810 NS2 P2\nM30\nEND\n"), IsEmpty());
+    EXPECT_THAT(lines("MAC462", head + "N2 G1 Z-9\nMACHINING\nN3 T1\nM30\nEND\n"), IsEmpty());
+    EXPECT_THAT(lines("MAC462", "MACHINING\nN20 T1\nN20 T2\nM99 NS20\nEND\n"), ElementsAre(3));
+}
+
+TEST(RestartTarget, MustStandInTheMachiningPart) {
+    EXPECT_THAT(lines("DIN415", "FINISHED\nN1 G0 X0 Z0\nMACHINING\nN2 T1\nN3 M99 NS1\nEND\n"),
+                ElementsAre(5));
+    EXPECT_THAT(lines("DIN415", "MACHINING\nN2 T1\nN3 M99\nEND\n"), IsEmpty());
+    EXPECT_THAT(lines("DIN415", "MACHINING\nN2 T1\nN3 M99 NS#l1\nEND\n"), IsEmpty());
+}
+
+// ---- variables
+
+std::string called(const std::string& calls, const std::string& body) {
+    return "MACHINING\n" + calls + "M30\nSUBPROGRAM \"S\"\n" + body + "RETURN\nEND\n";
+}
+
+TEST(TransferValue, NeedsNoQuestionWhenEveryCallPassesIt) {
+    EXPECT_THAT(lines("DIN330", called("L\"S\" LA1\nL\"S\" LA2\n", "G0 X#__la\n")), IsEmpty());
+    EXPECT_THAT(lines("DIN330", called("L\"S\" LA1\nL\"S\"\n", "G0 X#__la\n")), ElementsAre(6));
+    EXPECT_THAT(lines("DIN330", "MACHINING\nG0 X#__la\nRETURN\n"), IsEmpty());
+}
+
+TEST(TransferValue, IsAskedForByNdefOnTheWay) {
+    EXPECT_THAT(
+        lines("DIN330", called("L\"S\"\nL\"S\" LA1\n", "IF NDEF(__la)\nTHEN\nRETURN\nENDIF\nG0 X#__la\n")),
+        IsEmpty());
+    EXPECT_THAT(
+        lines("DIN330", called("L\"S\"\nL\"S\" LA1\n", "IF NDEF(__la)\nTHEN\nG14 Q0\nENDIF\nG0 X#__la\n")),
+        ElementsAre(10));
+}
+
+TEST(UninitialisedLocal, IsNotOneThatACallerHandsDown) {
+    EXPECT_THAT(lines("MAC209", called("#l1=5\nL\"S\"\n", "G0 X#l1\n")), ElementsAre(6));
+    EXPECT_THAT(lines("MAC209", called("#l1(5)\nL\"S\"\n", "G0 X#l1\n")), IsEmpty());
+}
+
+TEST(LoopVariable, MustBeSetOnEveryWayToTheLoop) {
+    const std::string loop = "WHILE #c4<10\nG0 X10\n#c4=#c4+1\nENDWHILE\nM30\nEND\n";
+    EXPECT_THAT(lines("DIN407", "MACHINING\nIF #g1==1\nTHEN\n#c4=0\nENDIF\n" + loop), ElementsAre(6));
+    EXPECT_THAT(lines("DIN407", "MACHINING\n#c4=0\n" + loop), IsEmpty());
+    EXPECT_THAT(lines("DIN407", "MACHINING\nWHILE #g4<10\nG0 X10\n#g4=#g4+1\nENDWHILE\nM30\nEND\n"),
+                IsEmpty());
+}
+
+TEST(ConstantCondition, ALoopThatAPauseCanEndMayRunForEver) {
+    EXPECT_THAT(lines("MAC718", "MACHINING\nWHILE 1==1\nG0 X1\nENDWHILE\nEND\n"), ElementsAre(2));
+    EXPECT_THAT(lines("MAC718", "MACHINING\nWHILE 1==1\nG0 X1\nM0\nENDWHILE\nEND\n"), IsEmpty());
+    EXPECT_THAT(lines("MAC319", "MACHINING\nWHILE 1==1\nG0 X1\nENDWHILE\nEND\n"), IsEmpty());
+}
+
+// ---- what stays switched on
+
+TEST(RadiusCompensation, IsToldOnceWhereverItIsStillActive) {
+    const std::string text = "MACHINING\nG42\nG1 Z-30\nG14 Q0\nT2\nM30\nEND\n";
+    EXPECT_THAT(lines("DIN619", text), ElementsAre(2));
+    EXPECT_THAT(lines("DIN619", "MACHINING\nG41 Q1\nG1 X5\nG19\nG40\nM30\nEND\n"), ElementsAre(2));
+    EXPECT_THAT(lines("DIN619", "MACHINING\nG18\nG42\nG18\nG1 X5\nG40\nM30\nEND\n"), IsEmpty());
+}
+
+TEST(RadiusCompensation, OfASubprogramIsTheSubprogramsOwnFault) {
+    const std::string text = called("L\"S\"\nG0 X9\n", "G42\nG1 Z-5\nG14 Q0\n");
+    EXPECT_THAT(lines("DIN519", text), ElementsAre(6));
+    EXPECT_THAT(lines("DIN619", text), IsEmpty());
+}
+
+TEST(RadiusCompensation, OfASubprogramIsNoFaultWhenEveryCallerCancelsItBeforeItMoves) {
+    EXPECT_THAT(lines("DIN519", called("L\"S\"\nG40\nG0 X9\n", "G42\nG1 Z-5\n")), IsEmpty());
+}
+
+TEST(Mirroring, MayBeSwitchedOnForACallerThatSwitchesItOff) {
+    EXPECT_THAT(lines("DIN519", called("L\"S\"\nG0 X9\nG30 Q0\n", "G30 H1 Q3\n")), IsEmpty());
+    EXPECT_THAT(lines("DIN519", called("L\"S\"\nG0 X9\n", "G30 H1 Q3\n")), ElementsAre(6));
+}
+
+TEST(ZeroShifts, AShiftIsLeftOnDeliberately) {
+    EXPECT_THAT(lines("DIN519", called("L\"S\"\nG0 X9\n", "G56 Z-5\n")), IsEmpty());
+}
+
+TEST(ProgramNotFound, ALocalSubprogramMustBeInTheFile) {
+    EXPECT_THAT(lines("MAC402", "MACHINING\nL\"A\"\nM30\nEND\n"), ElementsAre(2));
+    EXPECT_THAT(lines("MAC402", "MACHINING\nL\"A\"\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines("MAC402", "MACHINING\nL\"A\" V1\nM30\nEND\n"), IsEmpty());
+}
+
+TEST(Severity, FollowsTheLanguage) {
+    const auto found = [](std::string_view dialect, std::string text) {
+        const auto workspace = test::analyse_text(dialect, std::move(text));
+        return findings(*workspace, "MAC412").at(0).severity;
+    };
+    EXPECT_EQ(found("fanuc", "O1\nM98P1\nM30\n"), Severity::error);
+    EXPECT_EQ(found("dinplus", called("L\"S\"\n", "L\"S\"\n")), Severity::warning);
+}
+
+} // namespace
+} // namespace maclint
