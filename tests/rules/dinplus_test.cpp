@@ -56,6 +56,10 @@ TEST(IfUnbalanced, LeavesAnIfWithoutThenToTheRuleForThat) {
     EXPECT_THAT(lines("DIN401", text), IsEmpty());
 }
 
+TEST(IfUnbalanced, TellsBranchesWithoutIfOnce) {
+    EXPECT_THAT(lines("DIN401", "MACHINING\nTHEN\nG14 Q0\nELSE\nT1\nENDIF\nENDIF\nEND\n"), ElementsAre(2, 7));
+}
+
 TEST(SwitchUnbalanced, TellsBranchesWithoutSwitchOnce) {
     EXPECT_THAT(lines("DIN409", "MACHINING\nCASE 1\nG14 Q0\nBREAK\nCASE 2\nBREAK\nENDSWITCH\nBREAK\nEND\n"),
                 ElementsAre(2, 8));
@@ -154,6 +158,10 @@ TEST(TransferValue, IsAskedForByNdefOnTheWay) {
     EXPECT_THAT(
         lines("DIN330", called("L\"S\"\nL\"S\" LA1\n", "IF NDEF(__la)\nTHEN\nG14 Q0\nENDIF\nG0 X#__la\n")),
         ElementsAre(10));
+}
+
+TEST(TransferValue, IsNotJudgedWhereNobodyKnowsWhatAnIfGuards) {
+    EXPECT_THAT(lines("DIN330", called("L\"S\"\n", "IF DEF(__la)\nTHEN\nG0 X#__la\n")), IsEmpty());
 }
 
 TEST(UninitialisedLocal, IsNotOneThatACallerHandsDown) {
