@@ -169,6 +169,11 @@ TEST(UninitialisedLocal, IsNotOneThatACallerHandsDown) {
     EXPECT_THAT(lines("MAC209", called("#l1(5)\nL\"S\"\n", "G0 X#l1\n")), IsEmpty());
 }
 
+TEST(UninitialisedLocal, MayBeTheCounterOfALoop) {
+    EXPECT_THAT(lines("MAC209", "MACHINING\nWHILE #l1<3\nG0 X1\n#l1=#l1+1\nENDWHILE\nM30\nEND\n"),
+                ElementsAre(2));
+}
+
 TEST(LoopVariable, MustBeSetOnEveryWayToTheLoop) {
     const std::string loop = "WHILE #c4<10\nG0 X10\n#c4=#c4+1\nENDWHILE\nM30\nEND\n";
     EXPECT_THAT(lines("DIN407", "MACHINING\nIF #g1==1\nTHEN\n#c4=0\nENDIF\n" + loop), ElementsAre(6));
