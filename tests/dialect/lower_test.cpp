@@ -191,6 +191,8 @@ TEST(FanucOutput, SendsVariables) {
 // ---- blocks that cannot be read
 
 TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
+    EXPECT_EQ(lower("#1=ATAN(ABS(#2)/#3)"),
+              "unreadable writes #1 writes #3\n! parenthesis-as-bracket 'ATAN' -> [ABS(#2]");
     EXPECT_EQ(lower("N5 #1=SIN(30)"), "N5 unreadable writes #1\n! parenthesis-as-bracket 'SIN' -> [30]");
     EXPECT_EQ(lower("IF[#1EQ2GOTO5"), "unreadable writes #1 jumps 5 opens-or-closes\n! bracket-mismatch '[' "
                                       "-> a ']' is missing before 'GOTO'");

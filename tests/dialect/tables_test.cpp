@@ -40,8 +40,7 @@ TEST(Controls, VariableRangesAreSortedAndDoNotOverlap) {
 TEST(Controls, CustomaryAndCancellingCodesBelongToTheirGroup) {
     for (const ControlModel* control : controls()) {
         for (const ModalGroup& group : control->groups) {
-            if (group.letter != 'G' || group.name == fanuc::group_names::local_offset) continue;
-            if (!group.cancel_words.empty() && group.cancel == 0) continue; // G16 Q0: no code stands for it
+            if (group.letter != 'G' || !group.cancel_words.empty()) continue; // ended by more than a code
             const auto is_member = [&](double code) {
                 return std::ranges::find(group.members, code) != group.members.end();
             };

@@ -18,7 +18,7 @@ void append_values(std::vector<ModalGroup>& groups) {
     groups.push_back({group_names::speed,        'S', Concern::value,       {},   {},  none, none, "SEED-001:1365"});
     groups.push_back({"single-block suppression",'#', Concern::suppression, {},   {0}, none, 0,    "SEED-001:214-220, #3003"});
     groups.push_back({"feed-hold suppression",   '#', Concern::suppression, {},   {0}, none, 0,    "SEED-001:226-234, #3004"});
-    groups.push_back({group_names::local_offset, 'G', Concern::operation,   {52}, {0}, 0,    0,    "T: G52 shifts until G52 X0 Y0 Z0"});
+    groups.push_back({group_names::local_offset, 'G', Concern::operation,   {52}, {0}, 0,    0,    "T: G52 shifts until G52 X0 Y0 Z0", "G52 X0 Y0 Z0"});
     // clang-format on
 }
 
