@@ -41,6 +41,7 @@ class Solver {
     Solver(const Program& program, const flow::Graph& graph, const Callees& callees, Analysis& result)
         : program_(program)
         , graph_(graph)
+        , callees_(callees)
         , states_(*result.states_)
         , transfer_(program, graph, states_, callees)
         , result_(result)
@@ -164,6 +165,7 @@ class Solver {
                 add_resume_label(std::get<Return>(program_.effects[*exit.exit.effect].what));
         }
         summary.returns = left.reached;
+        summary.written_for_callers = written_for_callers();
         if (!left.reached) return;
         for (std::size_t space = 0; space < most_spaces; ++space)
             if (left.forgotten[space] != 0) summary.forgotten.push_back(static_cast<SpaceId>(space));
@@ -178,6 +180,28 @@ class Solver {
                 summary.groups.push_back(describe(static_cast<GroupId>(key), states_.pool().modals[id]));
             }
         });
+    }
+
+    /// Variables that a caller may have handed down and that this program, or one that it calls, writes.
+    [[nodiscard]] std::optional<std::vector<std::string>> written_for_callers() const {
+        const auto& spaces = program_.control->spaces;
+        std::vector<std::string> written;
+        if (std::ranges::none_of(spaces, &VariableSpace::handed_down)) return written;
+        const auto add = [&](Place place) {
+            const VariableSpace& space = spaces[place.space];
+            if (space.handed_down && !space.written_once) written.push_back(program_.spell(place));
+        };
+        for (const Store& store : result_.facts_.stores) add(store.place);
+        for (const Disturbance& disturbance : result_.facts_.disturbances)
+            if (disturbance.place) add(*disturbance.place);
+        for (const CallMade& call : result_.facts_.calls) {
+            const auto& below = callees_(call.effect).written_for_callers;
+            if (!below) return std::nullopt;
+            written.insert(written.end(), below->begin(), below->end());
+        }
+        std::ranges::sort(written);
+        written.erase(std::ranges::unique(written).begin(), written.end());
+        return written;
     }
 
     [[nodiscard]] bool may_stop() const {
@@ -214,6 +238,7 @@ class Solver {
 
     const Program& program_;
     const flow::Graph& graph_;
+    const Callees& callees_;
     States& states_;
     Transfer transfer_;
     Analysis& result_;

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -33,6 +34,9 @@ struct Summary {
     std::vector<SpaceId> forgotten; ///< spaces of which anything may have changed
     std::vector<GroupChange> groups;
     std::vector<std::int64_t> resume_labels; ///< M99 P
+    /// Variables, as they are spelled, that it writes and that may be the caller's, handed down to it;
+    /// absent: any of them.
+    std::optional<std::vector<std::string>> written_for_callers;
 };
 
 /// The summary of the program that a call means; never null, an unknown program has Summary{}.

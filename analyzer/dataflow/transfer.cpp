@@ -245,6 +245,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         if (program_.control->calls[call.kind].frame == Frame::shared)
             for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
                 if (program_.control->spaces[i].scope == Scope::frame) forget(state, static_cast<SpaceId>(i));
+        change_handed_down(state, summary);
         doubt_groups(state, std::nullopt);
         return;
     }
@@ -269,7 +270,19 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         value.origin = states_.pool().origins(here());
         disturb(state, change.place, value);
     }
+    change_handed_down(state, summary);
     change_groups(state, summary);
+}
+
+/// What this program hands down to all that it calls, they may change.
+void Transfer::change_handed_down(State& state, const Summary& summary) {
+    const auto& written = summary.written_for_callers;
+    for (const Place place : program_.handed_down) {
+        if (program_.control->spaces[place.space].written_once) continue;
+        if (written && std::ranges::find(*written, program_.spell(place)) == written->end()) continue;
+        const Place meant = program_.meant_by(place);
+        disturb(state, meant, opaque_place(meant, 7));
+    }
 }
 
 void Transfer::change_groups(State& state, const Summary& summary) {

@@ -52,6 +52,7 @@ class Transfer {
     void doubt_groups(State& state, std::optional<char> letter);
     void call(State& state, const Call& call);
     void run_program(State& state, EffectId id, const Call& call);
+    void change_handed_down(State& state, const Summary& summary);
     void change_groups(State& state, const Summary& summary);
     void forget(State& state, SpaceId space);
     void forget_shared(State& state);

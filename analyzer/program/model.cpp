@@ -66,6 +66,11 @@ Span Program::span_of(ItemId item) const {
     return std::visit([](const auto& part) { return part.span; }, items[item]);
 }
 
+Place Program::meant_by(Place place) const {
+    const auto alias = std::ranges::find(aliases, place, &std::pair<Place, Place>::first);
+    return alias == aliases.end() ? place : alias->second;
+}
+
 std::string Program::spell(Place place) const {
     const VariableSpace& space = control->spaces[place.space];
     const auto index = static_cast<std::size_t>(place.number);

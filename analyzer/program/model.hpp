@@ -308,6 +308,7 @@ class Program {
     std::vector<ModalSetting> settings;
     std::vector<std::string> names; ///< of named variables
     std::vector<Place> handed_down; ///< locals that all programs called from here see, too: #l1(200)
+    std::vector<std::pair<Place, Place>> aliases; ///< names, and the variables that they stand for
 
     [[nodiscard]] std::string_view slice(Span span) const {
         return text.substr(span.begin, span.end - span.begin);
@@ -318,6 +319,8 @@ class Program {
     [[nodiscard]] std::span<const Argument> arguments_of(const Call& call) const;
     [[nodiscard]] std::span<const ModalSetting> net_of(const Run& run) const;
     [[nodiscard]] Span span_of(ItemId item) const;
+    /// The variable that a name stands for; any other place is itself.
+    [[nodiscard]] Place meant_by(Place place) const;
     /// "#101", "__la".
     [[nodiscard]] std::string spell(Place place) const;
     /// Every block of `part` of a run in order, until the visitor returns false.

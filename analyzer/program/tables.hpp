@@ -39,6 +39,7 @@ struct VariableSpace {
         {}; ///< how its places are spelled behind the prefix, by number
     bool handed_down =
         false; ///< a program may hand places of it down to all that it calls (Program::handed_down)
+    bool written_once = false; ///< constants: only their definition writes them
 };
 
 /// One variable: a space and a number (for named variables the index of the name in its program).

@@ -1,6 +1,10 @@
 //! Calls by name: local subprograms, files, and what is handed to them.
 #include "tests/support/analysed.hpp"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace maclint {
@@ -69,6 +73,25 @@ TEST(DinCalls, LocalsAreLocal) {
     ASSERT_EQ(reads.size(), 2U);
     EXPECT_EQ(reads[0].value.constant(), 5.0);
     EXPECT_EQ(reads[1].value.constant(), 8.0);
+}
+
+TEST(DinCalls, WhatIsHandedDownMayBeChanged) {
+    const std::string main = "VAR\n#_n=#l1\n#_m=#l2\n#_k=#l90(4)\nMACHINING\n#_n=1\n#_m=2\nL\"S\" V1\n"
+                             "G0 X#_n Z#_m Y#l90\nM30\n";
+    const auto read_behind_call = [&](std::string sub) {
+        const auto workspace =
+            test::analyse_files({{"main.nc", main}, {"S.ncs", std::move(sub)}}, closed_workspace);
+        std::vector<std::optional<double>> values;
+        for (const auto& read : program(*workspace, "main").facts().reads)
+            values.push_back(read.value.constant());
+        return values;
+    };
+    using Values = std::vector<std::optional<double>>;
+    EXPECT_EQ(read_behind_call("MACHINING\n#l1=7\nRETURN\n"), (Values{1, 2, 4})); // its own #l1
+    EXPECT_EQ(read_behind_call("MACHINING\n#_n=7\nRETURN\n"), (Values{std::nullopt, 2, 4}));
+    EXPECT_EQ(read_behind_call("MACHINING\n#l90=7\nRETURN\n"), (Values{1, 2, std::nullopt}));
+    EXPECT_EQ(read_behind_call("MACHINING\nL\"UNKNOWN\" V1\nRETURN\n"),
+              (Values{std::nullopt, std::nullopt, std::nullopt}));
 }
 
 TEST(DinFlow, BranchesJoinAndARestartLeaves) {

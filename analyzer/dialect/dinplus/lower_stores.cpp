@@ -32,6 +32,7 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value, Effects& 
             if (const auto found = numbered(*inner)) place = found->place;
         if (place) initialise(value, span(value), effects);
     }
+    if (place) program_.aliases.emplace_back(own, *place);
     if (alias_of(written) == nullptr) around_.aliases.emplace_back(written, place.value_or(own));
     return place.has_value();
 }

@@ -94,6 +94,7 @@ std::vector<VariableSpace> variable_spaces() {
     // l.18979: #l1(200) is visible in the programs called from there, and so are the names of VAR [l.19491].
     for (const SpaceId space : {spaces::local, spaces::named, spaces::constant})
         rows[space].handed_down = true;
+    rows[spaces::constant].written_once = true;
     rows[spaces::transfer].fixed_names.assign(transfer_letters.begin(), transfer_letters.end());
     return rows;
 }
