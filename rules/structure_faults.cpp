@@ -36,6 +36,27 @@ std::vector<flow::StructureFault> pick(const ProgramAnalysis& analysis, Construc
     return faults;
 }
 
+/// THEN, ELSE and ENDIF of an IF that is not there are one fault.
+class Strays {
+  public:
+    explicit Strays(const Program& program)
+        : program_(program) {}
+
+    [[nodiscard]] bool is_told(const flow::StructureFault& fault) {
+        using Part = Structure::Part;
+        const Part part = std::get<Structure>(program_.effects[fault.effect].what).part;
+        const bool stray = fault.what == flow::Imbalance::never_opened;
+        const bool told = stray && in_branches_;
+        if (!stray || part == Part::close) in_branches_ = false;
+        if (stray && (part == Part::begin || part == Part::middle)) in_branches_ = true;
+        return told;
+    }
+
+  private:
+    const Program& program_;
+    bool in_branches_ = false;
+};
+
 std::string_view message_for(flow::Imbalance kind) {
     switch (kind) {
     case flow::Imbalance::never_closed: return "never-closed";
@@ -55,7 +76,10 @@ std::vector<flow::StructureFault> numbered_loop_faults(const ProgramAnalysis& an
 
 std::vector<flow::StructureFault> nesting_faults(const ProgramAnalysis& analysis, Construct construct) {
     if (is_loop(construct) && have_numbers(analysis)) return {};
-    return pick(analysis, family_of(construct), [](flow::Imbalance) { return true; });
+    auto faults = pick(analysis, family_of(construct), [](flow::Imbalance) { return true; });
+    Strays strays(analysis.program());
+    std::erase_if(faults, [&](const flow::StructureFault& fault) { return strays.is_told(fault); });
+    return faults;
 }
 
 void report_nesting_fault(const ProgramAnalysis& analysis, const flow::StructureFault& fault,

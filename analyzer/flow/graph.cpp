@@ -55,6 +55,10 @@ class Building {
             for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) take_item(i);
         }
         if (graph_.nodes.empty()) new_node(0, program_.span, {}, false);
+        // A loop at the very end is left for nothing: only a node there tells its way out from its body.
+        const bool branches =
+            std::ranges::any_of(loose_, [](const Loose& l) { return l.condition.has_value(); });
+        if (branches) new_node(graph_.nodes.back().item, {program_.span.end, program_.span.end}, {}, false);
         for (const Loose& loose : loose_) graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
         resolve_jumps();
         resolve_resumes();

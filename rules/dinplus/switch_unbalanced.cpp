@@ -59,30 +59,9 @@ extern const Rule switch_unbalanced{
 
 namespace {
 
-/// A branch without its SWITCH: what follows up to the ENDSWITCH lacks the same word.
-class Strays {
-  public:
-    explicit Strays(const Program& program)
-        : program_(program) {}
-
-    [[nodiscard]] bool is_told(const flow::StructureFault& fault) {
-        const Structure::Part part = std::get<Structure>(program_.effects[fault.effect].what).part;
-        const bool stray = fault.what == flow::Imbalance::never_opened;
-        const bool told = stray && in_branches_;
-        if (!stray || part == Structure::Part::close) in_branches_ = false;
-        if (stray && part == Structure::Part::middle) in_branches_ = true;
-        return told;
-    }
-
-  private:
-    const Program& program_;
-    bool in_branches_ = false;
-};
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    Strays strays(analysis.program());
     for (const flow::StructureFault& fault : nesting_faults(analysis, Construct::selection))
-        if (!strays.is_told(fault)) report_nesting_fault(analysis, fault, reporter);
+        report_nesting_fault(analysis, fault, reporter);
 }
 
 } // namespace

@@ -118,6 +118,9 @@ void report(const ProgramAnalysis& analysis, const dataflow::Read& read, const C
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    // Nobody knows what an IF without its ENDIF guards.
+    const flow::Structures& structures = analysis.structures();
+    if (structures.balance_in_doubt || !structures.faults.empty()) return;
     std::vector<Place> told;
     for (const dataflow::Read& read : analysis.facts().reads) {
         if (!is_unchecked(analysis, read) || std::ranges::find(told, read.place) != told.end()) continue;

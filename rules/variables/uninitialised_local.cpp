@@ -88,7 +88,9 @@ bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read
 /// How the program can get here without setting the variable; nothing when it cannot. A comparison may be the
 /// very test that takes care of vacancy.
 std::optional<std::vector<flow::EdgeId>> way_to(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    if (read.value.vacancy == dataflow::Vacancy::maybe && read.use == dataflow::Use::comparison)
+    const bool may_be_a_test = dataflow::may_hold_vacant(analysis.program(), read.place);
+    if (may_be_a_test && read.value.vacancy == dataflow::Vacancy::maybe &&
+        read.use == dataflow::Use::comparison)
         return std::nullopt;
     return dataflow::way_without_assignment(analysis.program(), analysis.graph(), analysis.data(), read.place,
                                             read.node);
@@ -96,6 +98,7 @@ std::optional<std::vector<flow::EdgeId>> way_to(const ProgramAnalysis& analysis,
 
 /// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
 bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (!dataflow::may_hold_vacant(analysis.program(), read.place)) return false;
     const auto& stores = analysis.facts().stores;
     for (auto store = std::ranges::lower_bound(stores, read.node, {}, &dataflow::Store::node);
          store != stores.end() && store->node == read.node; ++store)

@@ -56,6 +56,10 @@ TEST(IfUnbalanced, LeavesAnIfWithoutThenToTheRuleForThat) {
     EXPECT_THAT(lines("DIN401", text), IsEmpty());
 }
 
+TEST(IfUnbalanced, TellsBranchesWithoutIfOnce) {
+    EXPECT_THAT(lines("DIN401", "MACHINING\nTHEN\nG14 Q0\nELSE\nT1\nENDIF\nENDIF\nEND\n"), ElementsAre(2, 7));
+}
+
 TEST(SwitchUnbalanced, TellsBranchesWithoutSwitchOnce) {
     EXPECT_THAT(lines("DIN409", "MACHINING\nCASE 1\nG14 Q0\nBREAK\nCASE 2\nBREAK\nENDSWITCH\nBREAK\nEND\n"),
                 ElementsAre(2, 8));
@@ -156,9 +160,18 @@ TEST(TransferValue, IsAskedForByNdefOnTheWay) {
         ElementsAre(10));
 }
 
+TEST(TransferValue, IsNotJudgedWhereNobodyKnowsWhatAnIfGuards) {
+    EXPECT_THAT(lines("DIN330", called("L\"S\"\n", "IF DEF(__la)\nTHEN\nG0 X#__la\n")), IsEmpty());
+}
+
 TEST(UninitialisedLocal, IsNotOneThatACallerHandsDown) {
     EXPECT_THAT(lines("MAC209", called("#l1=5\nL\"S\"\n", "G0 X#l1\n")), ElementsAre(6));
     EXPECT_THAT(lines("MAC209", called("#l1(5)\nL\"S\"\n", "G0 X#l1\n")), IsEmpty());
+}
+
+TEST(UninitialisedLocal, MayBeTheCounterOfALoop) {
+    EXPECT_THAT(lines("MAC209", "MACHINING\nWHILE #l1<3\nG0 X1\n#l1=#l1+1\nENDWHILE\nM30\nEND\n"),
+                ElementsAre(2));
 }
 
 TEST(LoopVariable, MustBeSetOnEveryWayToTheLoop) {

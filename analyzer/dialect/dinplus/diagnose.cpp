@@ -136,6 +136,20 @@ std::optional<Place> place_named(std::string_view written, const Surroundings& a
     return Place{range->space, n};
 }
 
+void add_place(const std::optional<Place>& place, UnreadableBlock& names) {
+    if (place && std::ranges::find(names.may_write, *place) == names.may_write.end())
+        names.may_write.push_back(*place);
+}
+
+/// A text that is not closed takes in variables that were meant to stand behind it.
+void add_places_in(std::string_view text, const Surroundings& around, UnreadableBlock& names) {
+    for (auto at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
+        const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", at + 1);
+        add_place(place_named(text.substr(at, end == std::string_view::npos ? end : end - at), around),
+                  names);
+    }
+}
+
 } // namespace
 
 UnreadableBlock names_in(const Program& program, const Surroundings& around, Span block) {
@@ -149,9 +163,8 @@ UnreadableBlock names_in(const Program& program, const Surroundings& around, Spa
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
         const std::string_view written = clues.text(token);
         const bool name = token.kind == TokenKind::variable || written.front() == '_';
-        if (const std::optional<Place> place = name ? place_named(written, around) : std::nullopt)
-            if (std::ranges::find(names.may_write, *place) == names.may_write.end())
-                names.may_write.push_back(*place);
+        if (name) add_place(place_named(written, around), names);
+        if (token.kind == TokenKind::unclosed_text) add_places_in(written, around, names);
         if (token.kind != TokenKind::letters) continue;
         std::string meant = capitals_of(written);
         if (meant.size() > 2 && !is_keyword(meant) && guesses++ < most_guesses) meant = meant_by(meant);
