@@ -8,6 +8,8 @@
 namespace maclint::dataflow {
 namespace {
 
+constexpr std::size_t most_attempts = 8;
+
 /// Sorted, without `except`.
 std::vector<flow::NodeId> assigning_nodes(const Facts& facts, Place place, flow::NodeId except) {
     std::vector<flow::NodeId> nodes;
@@ -61,7 +63,6 @@ std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& p
                                                                 const flow::Graph& graph,
                                                                 const Analysis& analysis, Place place,
                                                                 flow::NodeId node) {
-    constexpr std::size_t most_attempts = 8;
     std::vector<flow::NodeId> assigning = assigning_nodes(analysis.facts(), place, node);
     add_disturbing_nodes(analysis.facts(), place, node, assigning);
     if (node == 0) return std::vector<flow::EdgeId>{};
@@ -79,6 +80,24 @@ std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& p
         impossible.push_back(*bad);
     }
     return std::nullopt;
+}
+
+bool can_follow(const Program& program, const flow::Graph& graph, const Analysis& analysis,
+                flow::NodeId first, flow::NodeId then) {
+    std::vector<flow::EdgeId> impossible;
+    while (impossible.size() < most_attempts) {
+        const auto usable = [&](flow::EdgeId edge) {
+            return analysis.passable(edge) && std::ranges::find(impossible, edge) == impossible.end();
+        };
+        auto way = graph.way(0, first, usable, whole(graph));
+        const auto rest = graph.way(first, then, usable, whole(graph));
+        if (!way || !rest) return false;
+        way->insert(way->end(), rest->begin(), rest->end());
+        const auto bad = impossible_edge(program, graph, analysis, *way);
+        if (!bad) return true;
+        impossible.push_back(*bad);
+    }
+    return false;
 }
 
 } // namespace maclint::dataflow

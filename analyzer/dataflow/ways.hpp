@@ -19,4 +19,9 @@ namespace maclint::dataflow {
                                                                               const Analysis& analysis,
                                                                               Place place, flow::NodeId node);
 
+/// Whether the program can come over `first` to `then`: by a way whose conditions do not contradict each
+/// other. Looked for in a few attempts.
+[[nodiscard]] bool can_follow(const Program& program, const flow::Graph& graph, const Analysis& analysis,
+                              flow::NodeId first, flow::NodeId then);
+
 } // namespace maclint::dataflow
