@@ -58,10 +58,9 @@ bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const da
 }
 
 std::string cure(const ControlModel& control, const Leftover& leftover) {
-    const auto& cancel = control.groups[leftover.group].cancel;
-    // The shift of G52 is cancelled by a shift of nothing: its code stands for that.
-    if (!cancel || *cancel == 0) return "G52 X0 Y0 Z0";
-    return control.spell(leftover.group, *cancel);
+    const ModalGroup& group = control.groups[leftover.group];
+    if (!group.cancel_words.empty() || !group.cancel) return std::string(group.cancel_words);
+    return control.spell(leftover.group, *group.cancel);
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
