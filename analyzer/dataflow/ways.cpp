@@ -89,8 +89,12 @@ bool can_follow(const Program& program, const flow::Graph& graph, const Analysis
         const auto usable = [&](flow::EdgeId edge) {
             return analysis.passable(edge) && std::ranges::find(impossible, edge) == impossible.end();
         };
-        auto way = graph.way(0, first, usable, whole(graph));
-        const auto rest = graph.way(first, then, usable, whole(graph));
+        const auto lead = [&](flow::NodeId from, flow::NodeId to) {
+            using Way = std::vector<flow::EdgeId>;
+            return from == to ? Way{} : graph.way(from, to, usable, whole(graph));
+        };
+        auto way = lead(0, first);
+        const auto rest = lead(first, then);
         if (!way || !rest) return false;
         way->insert(way->end(), rest->begin(), rest->end());
         const auto bad = impossible_edge(program, graph, analysis, *way);

@@ -67,10 +67,7 @@ extern const Rule subprogram_calls_nested_too_deep{
                         "N80 L\"S7\"\n"
                         "RETURN\n"
                         "SUBPROGRAM \"S7\"\n"
-                        "N90 L\"S8\"\n"
-                        "RETURN\n"
-                        "SUBPROGRAM \"S8\"\n"
-                        "N100 G14 Q0\n"
+                        "N90 G14 Q0\n"
                         "RETURN\n"
                         "END\n"}},
     .also = {},
@@ -107,10 +104,7 @@ extern const Rule subprogram_calls_nested_too_deep{
                          "N70 L\"S6\"\n"
                          "RETURN\n"
                          "SUBPROGRAM \"S6\"\n"
-                         "N80 L\"S7\"\n"
-                         "RETURN\n"
-                         "SUBPROGRAM \"S7\"\n"
-                         "N90 G14 Q0\n"
+                         "N80 G14 Q0\n"
                          "RETURN\n"
                          "END\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "077", "SUB PROGRAM NESTING ERROR"},
