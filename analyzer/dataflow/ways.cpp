@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/conditions.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
@@ -40,6 +41,8 @@ std::optional<flow::EdgeId> impossible_edge(const Program& program, const flow::
     return at ? std::optional(deciding[*at]) : analysis.first_impossible(way);
 }
 
+constexpr std::size_t most_attempts = 8;
+
 /// A search of everything: what it does not find is not there.
 std::size_t whole(const flow::Graph& graph) { return graph.nodes.size() + 1; }
 
@@ -61,7 +64,6 @@ std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& p
                                                                 const flow::Graph& graph,
                                                                 const Analysis& analysis, Place place,
                                                                 flow::NodeId node) {
-    constexpr std::size_t most_attempts = 8;
     std::vector<flow::NodeId> assigning = assigning_nodes(analysis.facts(), place, node);
     add_disturbing_nodes(analysis.facts(), place, node, assigning);
     if (node == 0) return std::vector<flow::EdgeId>{};
@@ -74,6 +76,31 @@ std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& p
         };
         auto way = graph.way(0, node, usable, whole(graph));
         if (!way) return std::nullopt;
+        const auto bad = impossible_edge(program, graph, analysis, *way);
+        if (!bad) return way;
+        impossible.push_back(*bad);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::vector<flow::EdgeId>> way_over(const Program& program, const flow::Graph& graph,
+                                                  const Analysis& analysis, flow::NodeId from,
+                                                  flow::NodeId to, std::span<const flow::NodeId> barred) {
+    std::vector<flow::EdgeId> impossible;
+    const auto possible = [&](flow::EdgeId edge) {
+        return analysis.passable(edge) && std::ranges::find(impossible, edge) == impossible.end();
+    };
+    const auto past = [&](flow::EdgeId edge) {
+        const flow::NodeId next = graph.edges[edge].to;
+        return possible(edge) && (next == to || !std::ranges::binary_search(barred, next));
+    };
+    while (impossible.size() < most_attempts) {
+        std::optional<std::vector<flow::EdgeId>> way(std::in_place);
+        std::optional<std::vector<flow::EdgeId>> rest(std::in_place);
+        if (from != 0) way = graph.way(0, from, possible, whole(graph));
+        if (from != to) rest = graph.way(from, to, past, whole(graph));
+        if (!way || !rest) return std::nullopt;
+        way->insert(way->end(), rest->begin(), rest->end());
         const auto bad = impossible_edge(program, graph, analysis, *way);
         if (!bad) return way;
         impossible.push_back(*bad);

@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/analysis.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -18,5 +19,11 @@ namespace maclint::dataflow {
                                                                               const flow::Graph& graph,
                                                                               const Analysis& analysis,
                                                                               Place place, flow::NodeId node);
+
+/// A way from the program's start over `from` to `to` that meets none of the nodes `barred` (sorted) between
+/// the two, and whose conditions do not contradict each other. Nothing when none is found in a few attempts.
+[[nodiscard]] std::optional<std::vector<flow::EdgeId>>
+way_over(const Program& program, const flow::Graph& graph, const Analysis& analysis, flow::NodeId from,
+         flow::NodeId to, std::span<const flow::NodeId> barred);
 
 } // namespace maclint::dataflow
