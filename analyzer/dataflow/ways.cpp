@@ -9,6 +9,8 @@
 namespace maclint::dataflow {
 namespace {
 
+constexpr std::size_t most_attempts = 8;
+
 /// Sorted, without `except`.
 std::vector<flow::NodeId> assigning_nodes(const Facts& facts, Place place, flow::NodeId except) {
     std::vector<flow::NodeId> nodes;
@@ -40,8 +42,6 @@ std::optional<flow::EdgeId> impossible_edge(const Program& program, const flow::
     const auto at = first_contradiction(program, decisions);
     return at ? std::optional(deciding[*at]) : analysis.first_impossible(way);
 }
-
-constexpr std::size_t most_attempts = 8;
 
 /// A search of everything: what it does not find is not there.
 std::size_t whole(const flow::Graph& graph) { return graph.nodes.size() + 1; }
@@ -83,29 +83,27 @@ std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& p
     return std::nullopt;
 }
 
-std::optional<std::vector<flow::EdgeId>> way_over(const Program& program, const flow::Graph& graph,
-                                                  const Analysis& analysis, flow::NodeId from,
-                                                  flow::NodeId to, std::span<const flow::NodeId> barred) {
+bool can_follow(const Program& program, const flow::Graph& graph, const Analysis& analysis,
+                flow::NodeId first, flow::NodeId then, std::span<const flow::NodeId> barred) {
     std::vector<flow::EdgeId> impossible;
     const auto possible = [&](flow::EdgeId edge) {
         return analysis.passable(edge) && std::ranges::find(impossible, edge) == impossible.end();
     };
     const auto past = [&](flow::EdgeId edge) {
         const flow::NodeId next = graph.edges[edge].to;
-        return possible(edge) && (next == to || !std::ranges::binary_search(barred, next));
+        return possible(edge) && (next == then || !std::ranges::binary_search(barred, next));
     };
     while (impossible.size() < most_attempts) {
         std::optional<std::vector<flow::EdgeId>> way(std::in_place);
-        std::optional<std::vector<flow::EdgeId>> rest(std::in_place);
-        if (from != 0) way = graph.way(0, from, possible, whole(graph));
-        if (from != to) rest = graph.way(from, to, past, whole(graph));
-        if (!way || !rest) return std::nullopt;
+        if (first != 0) way = graph.way(0, first, possible, whole(graph));
+        const auto rest = graph.way(first, then, past, whole(graph));
+        if (!way || !rest) return false;
         way->insert(way->end(), rest->begin(), rest->end());
         const auto bad = impossible_edge(program, graph, analysis, *way);
-        if (!bad) return way;
+        if (!bad) return true;
         impossible.push_back(*bad);
     }
-    return std::nullopt;
+    return false;
 }
 
 } // namespace maclint::dataflow

@@ -20,10 +20,10 @@ namespace maclint::dataflow {
                                                                               const Analysis& analysis,
                                                                               Place place, flow::NodeId node);
 
-/// A way from the program's start over `from` to `to` that meets none of the nodes `barred` (sorted) between
-/// the two, and whose conditions do not contradict each other. Nothing when none is found in a few attempts.
-[[nodiscard]] std::optional<std::vector<flow::EdgeId>>
-way_over(const Program& program, const flow::Graph& graph, const Analysis& analysis, flow::NodeId from,
-         flow::NodeId to, std::span<const flow::NodeId> barred);
+/// Whether the program can come over `first` to `then`: by a way whose conditions do not contradict each
+/// other, and that meets none of the nodes `barred` (sorted) between the two. Looked for in a few attempts.
+[[nodiscard]] bool can_follow(const Program& program, const flow::Graph& graph, const Analysis& analysis,
+                              flow::NodeId first, flow::NodeId then,
+                              std::span<const flow::NodeId> barred = {});
 
 } // namespace maclint::dataflow

@@ -84,6 +84,13 @@ struct GroupCode {
     double code;
 };
 
+/// While the code is in force, no move asks for the value: the feed at rapid traverse, the speed of a spindle
+/// that stands.
+struct Idle {
+    GroupId value;
+    GroupCode under;
+};
+
 /// What happens when a value is stored in a variable of a range.
 enum class OnWrite : std::uint8_t { store, set_modal, alarm, pause, forbidden };
 
@@ -185,7 +192,7 @@ struct ControlModel {
     std::vector<Place>
         formals;             ///< local variables that an argument letter of a call reaches (specification I)
     bool vacant_equals_zero; ///< whether EQ and NE take vacant for 0
-    std::optional<GroupCode> rapid; ///< the code under which moves ignore the feed
+    std::vector<Idle> idle = {};    ///< when nobody asks for a feed or speed
     bool loops_left_by_jump = true; ///< a jump can leave a loop, so a condition that always holds is a custom
     std::vector<SectionKind> sections = {}; ///< empty: programs have no sections
     std::vector<ReferenceKind> references = {};

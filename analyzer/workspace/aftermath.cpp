@@ -2,6 +2,7 @@
 //! it.
 #include "analyzer/workspace/aftermath.hpp"
 
+#include "analyzer/dataflow/ways.hpp"
 #include "analyzer/program/overloaded.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
@@ -20,9 +21,10 @@ constexpr std::size_t most_visits = 20'000;
 struct Point {
     ProgramIndex program;
     flow::NodeId node;
-    EffectId first; ///< effects of the node before this one have run
-    bool rapid;     ///< moves ignore the feed
-    bool inside;    ///< of a program that was called on the way: its return leads back to where we are anyway
+    EffectId first;     ///< effects of the node before this one have run
+    flow::NodeId call;  ///< the node that made the call, where the search began in this program
+    std::uint32_t idle; ///< bit n: the n-th code under which nobody asks for the value is in force
+    bool inside; ///< of a program that was called on the way: its return leads back to where we are anyway
 };
 
 class Search {
@@ -30,8 +32,9 @@ class Search {
     Search(const ProgramAnalysis& callee, GroupId group)
         : workspace_(callee.workspace())
         , control_(callee.control())
-        , group_(group)
-        , about_value_(control_.groups[group].concern == Concern::value) {
+        , group_(group) {
+        for (const Idle& idle : control_.idle)
+            if (idle.value == group) idle_.push_back(idle.under);
         return_to_callers(callee);
     }
 
@@ -49,27 +52,29 @@ class Search {
     [[nodiscard]] const ProgramAnalysis& at(ProgramIndex index) const { return workspace_.programs()[index]; }
 
     void push(const Point& point) {
-        const std::uint64_t key = std::uint64_t{point.program} << 34U | std::uint64_t{point.node} << 2U |
-                                  (point.rapid ? 2U : 0U) | (point.inside ? 1U : 0U);
+        const std::uint64_t key = std::uint64_t{point.program} << 36U | std::uint64_t{point.node} << 5U |
+                                  std::uint64_t{point.idle & 15U} << 1U | (point.inside ? 1U : 0U);
         if (point.first != 0 || visited_.insert(key).second) stack_.push_back(point);
     }
 
     void return_to_callers(const ProgramAnalysis& program) {
-        if (program.callers().empty()) {
+        const std::vector<Caller>& callers =
+            program.callers().empty() ? program.possible_callers() : program.callers();
+        if (callers.empty()) {
             result_.matters |= !program.is_main();
             return;
         }
-        for (const Caller& caller : program.callers()) {
+        for (const Caller& caller : callers) {
             const flow::Graph& graph = at(caller.program).graph();
-            const auto node = std::ranges::find_if(graph.nodes, [&](const flow::Node& n) {
+            const auto found = std::ranges::find_if(graph.nodes, [&](const flow::Node& n) {
                 return n.effects.first <= caller.effect && caller.effect < n.effects.first + n.effects.count;
             });
-            if (node == graph.nodes.end()) {
+            if (found == graph.nodes.end()) {
                 result_.matters = true; // called under a condition of its own
                 return;
             }
-            push({caller.program, static_cast<flow::NodeId>(node - graph.nodes.begin()), caller.effect + 1,
-                  leaves_rapid(program), false});
+            const auto node = static_cast<flow::NodeId>(found - graph.nodes.begin());
+            push({caller.program, node, caller.effect + 1, node, idle_behind(program, 0), false});
         }
     }
 
@@ -77,11 +82,11 @@ class Search {
         const ProgramAnalysis& program = at(point.program);
         const flow::Node& node = program.graph().nodes[point.node];
         const bool goes_on =
-            node.is_run ? visit_run(program, node, point.rapid) : visit_block(program, node, point);
+            node.is_run ? visit_run(program, node, point) : visit_block(program, node, point);
         if (!goes_on) return;
         for (const flow::EdgeId id : program.graph().out[point.node])
             if (program.data().passable(id))
-                push({point.program, program.graph().edges[id].to, 0, point.rapid, point.inside});
+                push({point.program, program.graph().edges[id].to, 0, point.call, point.idle, point.inside});
         if (point.inside) return;
         for (const flow::Exit& exit : program.graph().exits)
             if (exit.node == point.node &&
@@ -90,17 +95,17 @@ class Search {
     }
 
     /// Whether the group is as it was behind the run, and nobody has moved under it.
-    bool visit_run(const ProgramAnalysis& program, const flow::Node& node, bool& rapid) {
-        bool set = false;
+    bool visit_run(const ProgramAnalysis& program, const flow::Node& node, Point& point) {
+        bool goes_on = true;
         program.program().for_each_block(node.part, [&](const PlainBlock& block) {
             for (const ModalSetting& setting : block.settings) {
-                set |= setting.group == group_;
-                note_motion_mode(setting.group, setting.value, rapid);
+                goes_on &= setting.group != group_;
+                note_code(setting.group, setting.value, point);
             }
-            if (!set && block.moves) note_move(program, block.span, rapid);
-            return !set && !result_.matters;
+            if (goes_on && block.moves) goes_on = passes_move(program, block.span, point, false);
+            return goes_on;
         });
-        return !set && !result_.matters;
+        return goes_on;
     }
 
     bool visit_block(const ProgramAnalysis& program, const flow::Node& node, Point& point) {
@@ -109,12 +114,11 @@ class Search {
             const Effect& effect = program.program().effects[id];
             const bool goes_on =
                 std::visit(overloaded{
-                               [&](const SetModal& set) { return note_setting(program, set, point.rapid); },
+                               [&](const SetModal& set) { return passes_setting(program, set, point); },
                                [&](const Motion& motion) {
-                                   note_move(program, node.part, point.rapid || motion.without_feed);
-                                   return !result_.matters;
+                                   return passes_move(program, node.part, point, motion.without_feed);
                                },
-                               [&](const Call& call) { return note_call(program, id, call, point); },
+                               [&](const Call& call) { return passes_call(program, id, call, point); },
                                // What it does is not known: nothing is claimed behind it.
                                [](const UnreadableBlock&) { return false; },
                                [](const auto&) { return true; },
@@ -126,50 +130,60 @@ class Search {
     }
 
     /// A word without a group may be the one that sets it.
-    bool note_setting(const ProgramAnalysis& program, const SetModal& set, bool& rapid) const {
+    bool passes_setting(const ProgramAnalysis& program, const SetModal& set, Point& point) const {
         if (!set.group) return control_.groups[group_].letter != set.letter;
         if (*set.group == group_) return false;
         const auto* code = std::get_if<Literal>(&program.program().expressions[set.value].node);
-        if (code != nullptr)
-            note_motion_mode(*set.group, code->value, rapid);
-        else if (control_.rapid && *set.group == control_.rapid->group)
-            rapid = false;
+        note_code(*set.group, code == nullptr ? std::nullopt : std::optional(code->value), point);
         return true;
     }
 
-    void note_motion_mode(GroupId group, double code, bool& rapid) const {
-        if (control_.rapid && group == control_.rapid->group) rapid = code == control_.rapid->code;
+    void note_code(GroupId group, std::optional<double> code, Point& point) const {
+        for (std::size_t i = 0; i < idle_.size(); ++i)
+            if (idle_[i].group == group)
+                point.idle = code == idle_[i].code ? point.idle | 1U << i : point.idle & ~(1U << i);
     }
 
-    void note_move(const ProgramAnalysis& program, Span block, bool rapid) {
-        if (!result_.matters && !(about_value_ && rapid)) result_ = {true, &program, block};
+    /// A move for which the value is idle, or to which no way leads from the call, does not count.
+    bool passes_move(const ProgramAnalysis& program, Span block, const Point& point, bool without_feed) {
+        if (!idle_.empty() && (point.idle != 0 || without_feed)) return true;
+        if (!point.inside &&
+            !dataflow::can_follow(program.program(), program.graph(), program.data(), point.call, point.node))
+            return true;
+        result_ = {true, &program, block};
+        return false;
     }
 
-    bool note_call(const ProgramAnalysis& program, EffectId id, const Call& call, Point& point) {
+    /// What the called program may set is not followed any further.
+    bool passes_call(const ProgramAnalysis& program, EffectId id, const Call& call, Point& point) {
         if (program.control().calls[call.kind].when != When::once) return true;
         const CallSite* site = program.call_at(id);
         if (site == nullptr || !site->target || site->in_cycle) return false;
         const ProgramAnalysis& callee = at(*site->target);
-        push({callee.index(), 0, 0, point.rapid, true});
-        point.rapid = leaves_rapid(callee);
-        return std::ranges::none_of(callee.summary().groups, [&](const dataflow::GroupChange& change) {
-            return change.group == group_ && !change.may_keep;
-        });
+        push({callee.index(), 0, 0, 0, point.idle, true});
+        point.idle = idle_behind(callee, point.idle);
+        return std::ranges::find(callee.summary().groups, group_, &dataflow::GroupChange::group) ==
+               callee.summary().groups.end();
     }
 
-    [[nodiscard]] bool leaves_rapid(const ProgramAnalysis& callee) const {
-        return control_.rapid &&
-               std::ranges::any_of(callee.summary().groups, [&](const dataflow::GroupChange& change) {
-                   return change.group == control_.rapid->group && !change.may_keep && !change.other &&
-                          std::ranges::all_of(change.codes,
-                                              [&](double code) { return code == control_.rapid->code; });
-               });
+    /// Which of the codes are in force when the program has returned.
+    [[nodiscard]] std::uint32_t idle_behind(const ProgramAnalysis& program, std::uint32_t before) const {
+        std::uint32_t idle = before;
+        for (std::size_t i = 0; i < idle_.size(); ++i)
+            for (const dataflow::GroupChange& change : program.summary().groups) {
+                if (change.group != idle_[i].group) continue;
+                const bool sure =
+                    !change.may_keep && !change.other &&
+                    std::ranges::all_of(change.codes, [&](double code) { return code == idle_[i].code; });
+                idle = sure ? idle | 1U << i : idle & ~(1U << i);
+            }
+        return idle;
     }
 
     const Workspace& workspace_;
     const ControlModel& control_;
     GroupId group_;
-    bool about_value_; ///< feed or speed: a rapid move does not ask for it
+    std::vector<GroupCode> idle_; ///< codes under which no move asks for the value
     std::vector<Point> stack_;
     std::unordered_set<std::uint64_t> visited_;
     Aftermath result_{false, nullptr, {}};

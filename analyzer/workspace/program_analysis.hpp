@@ -22,6 +22,7 @@ struct CallSite {
     bool in_cycle;                      ///< caller and callee call each other, perhaps through others
     bool closes_cycle;                  ///< it calls a program from which its own program was called
     std::size_t candidates;             ///< programs of that number or name in the workspace
+    std::vector<ProgramIndex> equally_near; ///< without a target: those that it may mean
 };
 
 struct Caller {
@@ -70,6 +71,8 @@ class ProgramAnalysis {
     [[nodiscard]] const std::vector<CallSite>& calls() const { return calls_; }
     [[nodiscard]] const CallSite* call_at(EffectId effect) const;
     [[nodiscard]] const std::vector<Caller>& callers() const { return callers_; }
+    /// Calls that mean this program or another one, equally near.
+    [[nodiscard]] const std::vector<Caller>& possible_callers() const { return possible_callers_; }
     /// It runs on its own: nobody calls it, and it does not return to anybody.
     [[nodiscard]] bool is_main() const { return data_->entry() == dataflow::Entry::main; }
     /// Whether a call of it gives it local variables of its own: a caller does so, or it reads arguments and
@@ -97,7 +100,7 @@ class ProgramAnalysis {
     std::optional<dataflow::Analysis> data_;
     std::vector<dataflow::Loop> loops_, traps_;
     std::vector<CallSite> calls_;
-    std::vector<Caller> callers_;
+    std::vector<Caller> callers_, possible_callers_;
     bool is_macro_ = false;
     bool recursive_ = false;
     CallDepth depth_;

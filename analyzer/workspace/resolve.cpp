@@ -86,7 +86,7 @@ const std::vector<ProgramIndex>* CallResolver::candidates(const Program& caller,
 
 CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) const {
     const auto& call = std::get<Call>(caller.program().effects[effect].what);
-    CallSite site{effect, {}, false, false, 0};
+    CallSite site{effect, {}, false, false, 0, {}};
     const std::vector<ProgramIndex>* all = candidates(caller.program(), call);
     if (all == nullptr) return site;
     std::size_t nearest = static_cast<std::size_t>(-1);
@@ -95,11 +95,13 @@ CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) c
         if (!steps) continue;
         ++site.candidates;
         if (*steps > nearest) continue;
-        if (*steps == nearest)
-            site.target.reset();
-        else
-            site.target = index;
+        if (*steps < nearest) site.equally_near.clear();
+        site.equally_near.push_back(index);
         nearest = *steps;
+    }
+    if (site.equally_near.size() == 1) {
+        site.target = site.equally_near.front();
+        site.equally_near.clear();
     }
     return site;
 }

@@ -46,8 +46,11 @@ class WorkspaceBuilder {
                 if (site.target) arrows_[i].push_back(*site.target);
         });
         for (const ProgramAnalysis& analysis : programs_)
-            for (const CallSite& site : analysis.calls_)
+            for (const CallSite& site : analysis.calls_) {
                 if (site.target) programs_[*site.target].callers_.push_back({analysis.index(), site.effect});
+                for (const ProgramIndex possible : site.equally_near)
+                    programs_[possible].possible_callers_.push_back({analysis.index(), site.effect});
+            }
     }
 
     void analyse_layer(const std::vector<std::uint32_t>& layer) {

@@ -45,13 +45,13 @@ std::optional<GroupId> find_own_group(const ControlModel& control, std::string_v
 
 bool lasts_until(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part,
                  flow::NodeId node) {
+    const flow::NodeId set = node_of(analysis, part.origin);
+    if (set == node) return true;
     std::vector<flow::NodeId> setting;
     for (const dataflow::ModalWrite& write : analysis.facts().modal_writes)
         if (write.group == group) setting.push_back(write.node);
     std::ranges::sort(setting);
-    return dataflow::way_over(analysis.program(), analysis.graph(), analysis.data(),
-                              node_of(analysis, part.origin), node, setting)
-        .has_value();
+    return dataflow::can_follow(analysis.program(), analysis.graph(), analysis.data(), set, node, setting);
 }
 
 bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,

@@ -104,7 +104,7 @@ TEST(FanucWords, SetModalGroupsThenMove) {
     EXPECT_EQ(lower("G90G1X#1F200"), "distance mode=90; motion mode=1; feed=200; values #1; move");
     EXPECT_EQ(lower("X[#1+2]Y-#3"), "values add(#1, 2) negate(#3); move");
     EXPECT_EQ(lower("G#3"), "modal=#3");
-    EXPECT_EQ(lower("S#19M3"), "spindle speed=#19");
+    EXPECT_EQ(lower("S#19M3"), "spindle speed=#19; spindle=3");
     EXPECT_EQ(lower("ZI-[#2]"), "values negate(#2); move");
 }
 

@@ -86,6 +86,28 @@ TEST(Feed, MattersToMovesThatHaveOne) {
     EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 Z1. F9.\nX#100\nG1 X2\nM30\n" + sub), ElementsAre(7));
 }
 
+TEST(Feed, ThatAMacroInBetweenSetsIsNotTheFirstOnes) {
+    EXPECT_THAT(lines_raised("MAC503",
+                             "O1\nG65 P9001 F100.\nG65 P9002 F300.\nG1 X5.\nM30\nO9001\nG1 X1. F#9\nM99\n"
+                             "O9002\nG1 F#9 X2.\nM99\n"),
+                ElementsAre(10));
+}
+
+TEST(Feed, OfAWayThatTheCallerCannotTakeHarmsNobody) {
+    // Where the macro is called #100 is 1, and where it is moved without a feed it is not.
+    EXPECT_THAT(lines_raised("MAC503",
+                             "O1\nIF[#100NE1]GOTO5\nG65 P9001 F100.\nN5\nIF[#100NE1]GOTO6\nG1 X1 F50\nGOTO7\n"
+                             "N6 G1 X2\nN7 M30\nO9001\nG1 X1. F#9\nM99\n"),
+                IsEmpty());
+}
+
+TEST(Speed, OfASpindleThatStandsMattersToNobody) {
+    const std::string sub = "O9001\nG1 X1. F100 S#19 M3\nM5\nS200\nM99\n";
+    EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 S9.\nG1 X1 F5\nS500 M3\nG1 X2\nM30\n" + sub),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 S9.\nM3\nG1 X1 F5\nM30\n" + sub), ElementsAre(9));
+}
+
 TEST(Feed, SetByManyWordsFromOneArgumentIsStillThatOne) {
     std::string text = "O9001\n";
     for (int i = 0; i < 20; ++i) text += "G1 X" + std::to_string(i) + " F#9\n";

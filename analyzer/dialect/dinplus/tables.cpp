@@ -46,10 +46,10 @@ ControlModel make() {
     control.language = "dinplus";
     control.description = "HEIDENHAIN DIN PLUS";
     control.assumed = false;
-    // Six times a subprogram may call another one: seven levels below the main program. No limit of loops is
+    // "Chained at most six times" is read as six levels below the main program. No limit of loops is
     // printed; "max. 6 characters" in l.18887 can only mean levels of brackets.
     control.limits = {.macro_calls = 0,
-                      .subprogram_calls = 7,
+                      .subprogram_calls = 6,
                       .calls_together = std::nullopt,
                       .loop_levels = 0,
                       .first_loop_number = 0,
@@ -59,7 +59,6 @@ ControlModel make() {
     control.spaces = variable_spaces();
     control.families = variable_families();
     control.groups = modal_groups();
-    control.rapid = GroupCode{*control.group_of('G', 0), 0};
     control.calls = {
         {"call of a local subprogram", Frame::fresh, Counted::subprogram, When::once, 0, "l.10403, l.20751",
          Reach::same_file},
@@ -68,8 +67,7 @@ ControlModel make() {
     };
     for (std::size_t i = 0; i < transfer_letters.size(); ++i)
         control.formals.push_back({spaces::transfer, static_cast<std::int32_t>(i)});
-    control.rapid = GroupCode{*control.group_of('G', 0), 0}; // l.12254
-    control.vacant_equals_zero = true;                       // l.19721: an undefined variable may read as 0
+    control.vacant_equals_zero = true;  // l.19721: an undefined variable may read as 0
     control.loops_left_by_jump = false; // the language has no jump [dinplus.md 4.1]; l.19801
     control.sections = section_kinds();
     control.references = {{"contour block", SectionKind::Role::contour, "l.10203, l.13166"}};

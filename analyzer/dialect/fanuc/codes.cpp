@@ -102,11 +102,13 @@ GroupId group_named(const ControlModel& control, std::string_view name) {
 CodeTable build(const ControlModel& control, Machine machine) {
     CodeTable table{};
     table.g.fill({.group = no_group, .traits = 0});
-    for (std::size_t i = control.groups.size(); i-- > 0;) {
-        if (control.groups[i].letter != 'G') continue;
-        for (const double code : control.groups[i].members)
-            table.g[tenths(code)].group = static_cast<GroupId>(i);
-    }
+    table.m_groups.fill(no_group);
+    for (std::size_t i = control.groups.size(); i-- > 0;)
+        for (const double code : control.groups[i].members) {
+            if (control.groups[i].letter == 'G') table.g[tenths(code)].group = static_cast<GroupId>(i);
+            if (control.groups[i].letter == 'M')
+                table.m_groups[static_cast<std::size_t>(code)] = static_cast<GroupId>(i);
+        }
     for (const CodeFact& fact : facts) {
         if (fact.machine != Machine::both && fact.machine != machine) continue;
         if (fact.letter == 'G')
@@ -136,6 +138,12 @@ Code CodeTable::g_code(double code) const {
 std::uint8_t CodeTable::m_code(double code) const {
     if (!(code >= 0 && code < static_cast<double>(m_codes)) || code != std::floor(code)) return 0;
     return m[static_cast<std::size_t>(code)];
+}
+
+GroupId CodeTable::m_group(double code) const {
+    if (!(code >= 0 && code < static_cast<double>(m_groups.size())) || code != std::floor(code))
+        return no_group;
+    return m_groups[static_cast<std::size_t>(code)];
 }
 
 bool is_lathe(const ControlModel& control) {

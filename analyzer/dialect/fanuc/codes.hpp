@@ -50,6 +50,7 @@ struct CodeTable {
     static constexpr std::size_t m_codes = 10'000;
     std::array<Code, g_codes> g;
     std::array<std::uint8_t, m_codes> m;
+    std::array<GroupId, 100> m_groups; ///< of M00 to M99
     std::array<Letter, 256> letters;
     GroupId feed;
     GroupId speed;
@@ -58,6 +59,7 @@ struct CodeTable {
     /// The row of a literal G code; codes that no table holds set nothing and do nothing.
     [[nodiscard]] Code g_code(double code) const;
     [[nodiscard]] std::uint8_t m_code(double code) const;
+    [[nodiscard]] GroupId m_group(double code) const;
 };
 
 /// Whether the control reads words as a lathe with G code system A does: there G90 is a cycle.

@@ -169,6 +169,8 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span, 
             effects.push_back({SetModal{codes_.feed, *word.value}, here});
         } else if (word.letter == 'S' && !own_words && (traits & limits_speed) == 0) {
             effects.push_back({SetModal{codes_.speed, *word.value}, here});
+        } else if (word.letter == 'M' && word.literal && codes_.m_group(*word.literal) != no_group) {
+            effects.push_back({SetModal{codes_.m_group(*word.literal), *word.value}, here});
         } else {
             moves |= is_axis(codes_, word.letter);
             if (!word.literal) computed.push_back(*word.value);

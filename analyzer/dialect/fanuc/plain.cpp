@@ -132,7 +132,9 @@ class Scanner {
 
     bool m_code() {
         if (!number() || decimals_ != 0 || mantissa_ >= CodeTable::m_codes) return false;
-        return (codes_.m[mantissa_] & (own_effect | synchronises)) == 0;
+        if ((codes_.m[mantissa_] & (own_effect | synchronises)) != 0) return false;
+        const GroupId group = mantissa_ < codes_.m_groups.size() ? codes_.m_groups[mantissa_] : no_group;
+        return group == no_group || set(group, scaled(mantissa_, 0));
     }
 
     bool value_of(GroupId group) {

@@ -52,7 +52,7 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     for (const std::int32_t local : local_of_letter)
         if (local != 0) control.formals.push_back({spaces::local, local});
     control.vacant_equals_zero = false;
-    control.rapid = {0, 0}; // group 01, G00: reference section 7
+    control.idle = idle_values(control.groups);
     return control;
 }
 

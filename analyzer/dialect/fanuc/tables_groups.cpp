@@ -1,6 +1,8 @@
 //! Modal groups of mills and of lathes with G code system A. Row n - 1 is the group that #40n reads.
 #include "analyzer/dialect/fanuc/tables.hpp"
 
+#include <algorithm>
+
 namespace maclint::fanuc {
 namespace {
 
@@ -19,6 +21,7 @@ void append_values(std::vector<ModalGroup>& groups) {
     groups.push_back({"single-block suppression",'#', Concern::suppression, {},   {0}, none, 0,    "SEED-001:214-220, #3003"});
     groups.push_back({"feed-hold suppression",   '#', Concern::suppression, {},   {0}, none, 0,    "SEED-001:226-234, #3004"});
     groups.push_back({group_names::local_offset, 'G', Concern::operation,   {52}, {0}, 0,    0,    "T: G52 shifts until G52 X0 Y0 Z0", "G52 X0 Y0 Z0"});
+    groups.push_back({group_names::spindle,      'M', Concern::none,        {3, 4, 5, 13, 14, 19}, {}, 5, none, "T: M13 and M14 are M03 and M04 with coolant, M19 orients"});
     // clang-format on
 }
 
@@ -28,7 +31,7 @@ std::vector<ModalGroup> mill_groups() {
     // clang-format off
     //   name                       letter concern              members                              customary     cancel reset source
     std::vector<ModalGroup> groups = {
-        {"motion mode",               'G', Concern::motion,     {0, 1, 2, 3, 33, 2.2, 3.2, 2.3, 3.3, 2.4, 3.4, 6.2, 34}, {}, none, none, group_table},
+        {group_names::motion,         'G', Concern::motion,     {0, 1, 2, 3, 33, 2.2, 3.2, 2.3, 3.3, 2.4, 3.4, 6.2, 34}, {}, none, none, group_table},
         {"plane",                     'G', Concern::state,      {17, 18, 19},                        {17},         none, none, group_table},
         {"distance mode",             'G', Concern::state,      {90, 91},                            {90},         none, none, group_table},
         {"stored stroke check",       'G', Concern::none,       {22, 23},                            {22, 23},     none, none, group_table},
@@ -60,7 +63,7 @@ std::vector<ModalGroup> lathe_groups() {
     // clang-format off
     //   name                       letter concern              members                              customary     cancel reset source
     std::vector<ModalGroup> groups = {
-        {"motion mode",               'G', Concern::motion,     {0, 1, 2, 3, 32, 34, 90, 92, 94},    {},           none, none, group_table},
+        {group_names::motion,         'G', Concern::motion,     {0, 1, 2, 3, 32, 34, 90, 92, 94},    {},           none, none, group_table},
         {"constant surface speed",    'G', Concern::state,      {96, 97},                            {96, 97},     none, none, group_table},
         unassigned("group 03"),
         {"balance cut",               'G', Concern::none,       {68, 69},                            {68, 69},     69,   none, group_table},
@@ -86,6 +89,16 @@ std::vector<ModalGroup> lathe_groups() {
     // clang-format on
     append_values(groups);
     return groups;
+}
+
+std::vector<Idle> idle_values(std::span<const ModalGroup> groups) {
+    const auto row = [&](std::string_view name) {
+        return static_cast<GroupId>(std::ranges::find(groups, name, &ModalGroup::name) - groups.begin());
+    };
+    const GroupId feed = row(group_names::feed), speed = row(group_names::speed);
+    const GroupId motion = row(group_names::motion), spindle = row(group_names::spindle);
+    // T: G00 moves at rapid traverse; a tool that does not cut asks for no speed.
+    return {{feed, {motion, 0}}, {speed, {motion, 0}}, {speed, {spindle, 5}}, {speed, {spindle, 19}}};
 }
 
 } // namespace maclint::fanuc
