@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/conditions.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
@@ -83,18 +84,19 @@ std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& p
 }
 
 bool can_follow(const Program& program, const flow::Graph& graph, const Analysis& analysis,
-                flow::NodeId first, flow::NodeId then) {
+                flow::NodeId first, flow::NodeId then, std::span<const flow::NodeId> barred) {
     std::vector<flow::EdgeId> impossible;
+    const auto possible = [&](flow::EdgeId edge) {
+        return analysis.passable(edge) && std::ranges::find(impossible, edge) == impossible.end();
+    };
+    const auto past = [&](flow::EdgeId edge) {
+        const flow::NodeId next = graph.edges[edge].to;
+        return possible(edge) && (next == then || !std::ranges::binary_search(barred, next));
+    };
     while (impossible.size() < most_attempts) {
-        const auto usable = [&](flow::EdgeId edge) {
-            return analysis.passable(edge) && std::ranges::find(impossible, edge) == impossible.end();
-        };
-        const auto lead = [&](flow::NodeId from, flow::NodeId to) {
-            using Way = std::vector<flow::EdgeId>;
-            return from == to ? Way{} : graph.way(from, to, usable, whole(graph));
-        };
-        auto way = lead(0, first);
-        const auto rest = lead(first, then);
+        using Way = std::optional<std::vector<flow::EdgeId>>;
+        Way way = first == 0 ? Way(std::in_place) : graph.way(0, first, possible, whole(graph));
+        const Way rest = first == then ? Way(std::in_place) : graph.way(first, then, past, whole(graph));
         if (!way || !rest) return false;
         way->insert(way->end(), rest->begin(), rest->end());
         const auto bad = impossible_edge(program, graph, analysis, *way);

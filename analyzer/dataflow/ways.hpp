@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/analysis.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -20,8 +21,9 @@ namespace maclint::dataflow {
                                                                               Place place, flow::NodeId node);
 
 /// Whether the program can come over `first` to `then`: by a way whose conditions do not contradict each
-/// other. Looked for in a few attempts.
+/// other, and that meets none of the nodes `barred` (sorted) between the two. Looked for in a few attempts.
 [[nodiscard]] bool can_follow(const Program& program, const flow::Graph& graph, const Analysis& analysis,
-                              flow::NodeId first, flow::NodeId then);
+                              flow::NodeId first, flow::NodeId then,
+                              std::span<const flow::NodeId> barred = {});
 
 } // namespace maclint::dataflow

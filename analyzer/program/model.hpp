@@ -365,6 +365,14 @@ struct Comment {
     Span next_block; ///< the next block that is no comment; empty at the end of the file
 };
 
+/// A block number that words of other sections may name.
+struct BlockNumber {
+    std::int64_t number;
+    Span span;             ///< of the number
+    std::uint32_t program; ///< place in ProgramFile::programs
+    std::uint32_t section; ///< place in its sections
+};
+
 /// One file, read and lowered.
 struct ProgramFile {
     std::shared_ptr<const Source> source;
@@ -372,6 +380,8 @@ struct ProgramFile {
     std::vector<Program> programs;
     std::vector<Irregularity> irregularities; ///< in file order
     std::vector<Comment> comments;            ///< only those that contain "MACLINT", any case
+    /// By number, then in text order; see index_block_numbers.
+    std::vector<BlockNumber> block_numbers;
 };
 
 } // namespace maclint

@@ -59,16 +59,28 @@ const SectionKind* kind_of(const ControlModel& control, const Section& section) 
     return row == control.sections.end() ? nullptr : &*row;
 }
 
+void index_block_numbers(ProgramFile& file) {
+    for (std::uint32_t p = 0; p < file.programs.size(); ++p) {
+        const Program& program = file.programs[p];
+        for (std::uint32_t s = 0; s < program.sections.size(); ++s) {
+            const Slice items = program.sections[s].items;
+            for (Id i = items.first; i < items.first + items.count; ++i)
+                visit_numbers(program, program.items[i], [&](std::int64_t number, Span span) {
+                    file.block_numbers.push_back({number, span, p, s});
+                });
+        }
+    }
+    std::ranges::stable_sort(file.block_numbers, {}, &BlockNumber::number);
+}
+
 std::vector<NumberedBlock> find_blocks(const ProgramFile& file, const std::set<std::int64_t>& numbers) {
     std::vector<NumberedBlock> found;
-    if (numbers.empty()) return found;
-    for (const Program& program : file.programs)
-        for (const Section& section : program.sections) {
-            const SectionKind* kind = kind_of(*program.control, section);
-            for (Id i = section.items.first; i < section.items.first + section.items.count; ++i)
-                visit_numbers(program, program.items[i], [&](std::int64_t number, Span span) {
-                    if (numbers.contains(number)) found.push_back({number, span, &program, kind});
-                });
+    for (const std::int64_t number : numbers)
+        for (const BlockNumber& block :
+             std::ranges::equal_range(file.block_numbers, number, {}, &BlockNumber::number)) {
+            const Program& program = file.programs[block.program];
+            const SectionKind* kind = kind_of(*program.control, program.sections[block.section]);
+            found.push_back({number, block.span, &program, kind});
         }
     return found;
 }

@@ -29,7 +29,12 @@ struct BlockUser {
 /// The row of a section; nullptr where the control has none of that name.
 [[nodiscard]] const SectionKind* kind_of(const ControlModel& control, const Section& section);
 
-/// The blocks of all programs of the file that carry one of the numbers, in text order within a program.
+/// Fills ProgramFile::block_numbers: for languages in which words name blocks of other sections or restart at
+/// them.
+void index_block_numbers(ProgramFile& file);
+
+/// The blocks of all programs of the file that carry one of the numbers, by number, then in text order. The
+/// file must be indexed.
 [[nodiscard]] std::vector<NumberedBlock> find_blocks(const ProgramFile& file,
                                                      const std::set<std::int64_t>& numbers);
 

@@ -28,9 +28,11 @@ constexpr std::array<FamilyRow, 10> families{{
 }};
 
 std::string facts_of(const Rule& rule) {
-    std::string facts = "Severity: " + std::string(name_of(rule.severity)) +
-                        ". Precision: " + std::string(name_of(rule.precision)) + ". " +
-                        (rule.on_by_default ? "On by default." : "Off by default.");
+    std::string severity(name_of(rule.severity));
+    for (const OtherSeverity& other : rule.severity_elsewhere)
+        severity += ", in " + std::string(other.language) + " " + std::string(name_of(other.severity));
+    std::string facts = "Severity: " + severity + ". Precision: " + std::string(name_of(rule.precision)) +
+                        ". " + (rule.on_by_default ? "On by default." : "Off by default.");
     if (!rule.off_reason.empty()) {
         facts += " " + std::string(rule.off_reason);
         if (!facts.ends_with('.')) facts += '.';

@@ -1,6 +1,9 @@
 //! Reads the states in which programs end and return.
 #include "rules/dinplus/left_active.hpp"
 
+#include "analyzer/dataflow/ways.hpp"
+#include "rules/trace.hpp"
+
 #include <algorithm>
 
 namespace maclint::rules {
@@ -40,6 +43,17 @@ std::optional<GroupId> find_own_group(const ControlModel& control, std::string_v
     return static_cast<GroupId>(row - control.groups.begin());
 }
 
+bool lasts_until(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part,
+                 flow::NodeId node) {
+    const flow::NodeId set = node_of(analysis, part.origin);
+    if (set == node) return true;
+    std::vector<flow::NodeId> setting;
+    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes)
+        if (write.group == group) setting.push_back(write.node);
+    std::ranges::sort(setting);
+    return dataflow::can_follow(analysis.program(), analysis.graph(), analysis.data(), set, node, setting);
+}
+
 bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
                     const dataflow::ModalPart& part) {
     const auto code = own_code(analysis, part);
@@ -52,7 +66,7 @@ std::vector<Leftover> left_at_return(const ProgramAnalysis& analysis) {
         analysis, Concern::own_rule,
         [&](const ModalGroup& group, GroupId id, const dataflow::ExitState& exit, const auto& part) {
             return group.cancel && returns(analysis, exit.exit.kind) &&
-                   is_switched_on(analysis, group, part) &&
+                   is_switched_on(analysis, group, part) && lasts_until(analysis, id, part, exit.exit.node) &&
                    (!group.for_callers || is_left_by_a_caller(analysis, id));
         });
 }
@@ -60,9 +74,9 @@ std::vector<Leftover> left_at_return(const ProgramAnalysis& analysis) {
 std::optional<Leftover> left_at_end(const ProgramAnalysis& analysis, std::string_view name) {
     const auto leftovers = find_leftovers(
         analysis, Concern::own_rule,
-        [&](const ModalGroup& group, GroupId, const dataflow::ExitState& exit, const auto& part) {
+        [&](const ModalGroup& group, GroupId id, const dataflow::ExitState& exit, const auto& part) {
             return group.name == name && group.cancel && ends(analysis, exit.exit.kind) &&
-                   is_switched_on(analysis, group, part);
+                   is_switched_on(analysis, group, part) && lasts_until(analysis, id, part, exit.exit.node);
         });
     if (leftovers.empty()) return std::nullopt;
     return leftovers.front();

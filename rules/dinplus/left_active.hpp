@@ -29,4 +29,9 @@ void report_left_at_end(const ProgramAnalysis& analysis, std::string_view group,
 [[nodiscard]] bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
                                   const dataflow::ModalPart& part);
 
+/// Whether some way that can be taken leads from the block that set the part to the node, with the group left
+/// alone in between.
+[[nodiscard]] bool lasts_until(const ProgramAnalysis& analysis, GroupId group,
+                               const dataflow::ModalPart& part, flow::NodeId node);
+
 } // namespace maclint::rules

@@ -115,6 +115,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         for (const dataflow::ModalPart& part : value.parts) {
             if (!is_switched_on(analysis, analysis.control().groups[*group], part)) continue;
             if (std::ranges::find(told, part.origin) != told.end()) continue;
+            if (!lasts_until(analysis, *group, part, change.node)) continue;
             told.push_back(part.origin);
             report_at_tool(analysis, *group, part, change, reporter);
         }

@@ -197,6 +197,15 @@ TEST(RadiusCompensation, IsToldOnceWhereverItIsStillActive) {
     EXPECT_THAT(lines("DIN619", "MACHINING\nG18\nG42\nG18\nG1 X5\nG40\nM30\nEND\n"), IsEmpty());
 }
 
+TEST(RadiusCompensation, MayBeSwitchedOnAndOffUnderTheSameCondition) {
+    const auto text = [](const std::string& off) {
+        return "MACHINING\nIF #g1==1\nTHEN\nG42\nENDIF\nG1 X5\nIF " + off +
+               "\nTHEN\nG40\nENDIF\nG14 Q0\nM30\nEND\n";
+    };
+    EXPECT_THAT(lines("DIN619", text("#g1==1")), IsEmpty());
+    EXPECT_THAT(lines("DIN619", text("#g1==2")), ElementsAre(4));
+}
+
 TEST(RadiusCompensation, OfASubprogramIsTheSubprogramsOwnFault) {
     const std::string text = called("L\"S\"\nG0 X9\n", "G42\nG1 Z-5\nG14 Q0\n");
     EXPECT_THAT(lines("DIN519", text), ElementsAre(6));

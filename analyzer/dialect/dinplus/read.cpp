@@ -13,6 +13,7 @@
 #include "analyzer/dialect/noise.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/words.hpp"
+#include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/syntax/memory.hpp"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ class Reader {
             if (!raw_.span.empty()) take();
         }
         programs_.close();
+        index_block_numbers(file_);
         for (Irregularity& irregularity : file_.irregularities) {
             irregularity.subject = file_.source->to_utf8(irregularity.subject);
             irregularity.cure = file_.source->to_utf8(irregularity.cure);

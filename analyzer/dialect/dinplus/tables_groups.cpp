@@ -32,7 +32,7 @@ std::vector<ModalGroup> modal_groups() {
         {"radius compensation",        'G', own_rule,      {40, 41, 42},                               {40},        40,    40,   "l.12673-12718",            "G40"},
         {"tilted working plane",       'G', own_rule,      {16},                                       {0},         0,     0,    "l.23185-23218",            "G16 Q0"},
         {"conversion and mirroring",   'G', own_rule,      {30},                                       {0},         0,     0,    "l.20056-20078, l.20957",   "G30 Q0", true},
-        {"deactivation of zero shifts",'G', own_rule,      {920, 921, 980, 981},                       {980, 981},  980,   980,  "l.12741, l.18155-18163, l.18391-18397", "G980, or G981 after G921"},
+        {"deactivation of zero shifts",'G', own_rule,      {920, 921, 980, 981},                       {980, 981},  980,   980,  "l.12741, l.18155-18163, l.18391-18397", "G980 (G921: with G981)"},
         {"zero shift",                 'G', Concern::none, {51, 53, 54, 55, 56, 59},                   {51, 53, 54, 55, 56, 59}, unknown, unknown, "l.12750-12837"},
         {"kind of feed",               'G', Concern::none, {93, 193, 293, 393, 94, 95, 195, 295, 395}, {},          unknown,  unknown, "l.12532-12575"},
         {"kind of speed",              'G', Concern::none, {96, 196, 296, 396, 97, 197, 297, 397},     {},          unknown,  unknown, "l.12596-12628"},
