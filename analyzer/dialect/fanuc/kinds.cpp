@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -82,9 +83,11 @@ constexpr std::pair<std::string_view, Field> fields[] = {
     {"value", Field::value},         {"variable", Field::variable},
 };
 
-std::vector<Kind> number_kinds() {
-    std::vector<Kind> table(syntax::symbol_count(grammar), Kind::token);
+std::array<Kind, 512> number_kinds() {
+    std::array<Kind, 512> table{};
+    table.fill(Kind::token);
     const std::uint16_t count = syntax::symbol_count(grammar);
+    assert(count <= table.size());
     for (std::uint16_t symbol = 0; symbol < count; ++symbol) {
         if (!syntax::symbol_is_named(grammar, symbol)) continue;
         const std::string_view name = syntax::symbol_name(grammar, symbol);
@@ -107,15 +110,9 @@ std::array<Field, 256> number_fields() {
 
 const TSLanguage* grammar() { return tree_sitter_fanuc(); }
 
-Kind kind_of(const syntax::Node& node) {
-    static const std::vector<Kind> table = number_kinds();
-    if (node.symbol == syntax::error_symbol) return Kind::error;
-    return node.symbol < table.size() ? table[node.symbol] : Kind::token;
-}
-
-Field field_of(const syntax::Node& node) {
-    static const std::array<Field, 256> table = number_fields();
-    return node.field < table.size() ? table[node.field] : Field::none;
+const GrammarNumbers& grammar_numbers() {
+    static const GrammarNumbers numbers{number_kinds(), number_fields()};
+    return numbers;
 }
 
 } // namespace maclint::fanuc

@@ -182,6 +182,7 @@ class Reader {
         if (!program_open_) return;
         Program& program = file_.programs.back();
         program_open_ = false;
+        program.fit();
         const auto count = static_cast<Id>(program.items.size());
         program.sections.push_back({"program", {0, count}, Section::Executed::when_reached});
         if (count == 0) return;
@@ -217,7 +218,7 @@ class Reader {
             add_unreadable(block);
             return;
         }
-        BlockLowering(tree, block, program(), file_.irregularities).lower();
+        BlockLowering(tree, block, codes_, program(), file_.irregularities).lower();
     }
 
     /// The block's tree, good until the next block; every thread has its own memory of trees.
