@@ -35,6 +35,20 @@ std::vector<double> thresholds_of(const Program& program) {
 
 } // namespace
 
+void Facts::fit() {
+    comparisons.shrink_to_fit();
+    conditions.shrink_to_fit();
+    reads.shrink_to_fit();
+    modal_reads.shrink_to_fit();
+    stores.shrink_to_fit();
+    disturbances.shrink_to_fit();
+    calls.shrink_to_fit();
+    modal_writes.shrink_to_fit();
+    computed_jumps.shrink_to_fit();
+    tool_changes.shrink_to_fit();
+    exits.shrink_to_fit();
+}
+
 /// Fills an Analysis.
 class Solver {
   public:
@@ -58,6 +72,7 @@ class Solver {
         narrow();
         record();
         summarise();
+        keep_what_rules_ask_for();
     }
 
   private:
@@ -99,7 +114,7 @@ class Solver {
                     state = states_.widen(old, state, node, thresholds_);
                 else if (visit >= visits_before_keeping)
                     state = states_.join(old, state, node);
-                if (state == old) continue;
+                if (states_.equal(state, old)) continue;
             }
             before_[node] = state;
             if (state.reached) pass_on(node, state, add);
@@ -111,7 +126,7 @@ class Solver {
         const State after = transfer_.run(node, state);
         for (const flow::EdgeId edge : graph_.out[node]) {
             State next = transfer_.along(graph_.edges[edge], after);
-            if (next == along_[edge]) continue;
+            if (states_.equal(next, along_[edge])) continue;
             along_[edge] = next;
             add(graph_.edges[edge].to);
         }
@@ -126,7 +141,7 @@ class Solver {
         std::ranges::sort(order, {}, [this](flow::NodeId node) { return graph_.order[node]; });
         for (const flow::NodeId node : order) {
             const State state = incoming(node);
-            if (state == before_[node]) continue;
+            if (states_.equal(state, before_[node])) continue;
             before_[node] = state;
             pass_on(node, state, [](flow::NodeId) {});
         }
@@ -150,6 +165,15 @@ class Solver {
             if (!after[exit.node]) continue;
             result_.facts_.exits.push_back({exit, *after[exit.node]});
         }
+    }
+
+    void keep_what_rules_ask_for() {
+        Facts& facts = result_.facts_;
+        std::vector<State*> asked;
+        for (PointState& point : facts.tool_changes) asked.push_back(&point.state);
+        for (ExitState& exit : facts.exits) asked.push_back(&exit.state);
+        states_.keep_only(asked);
+        facts.fit();
     }
 
     void summarise() {
@@ -280,6 +304,6 @@ const Pool& Analysis::pool() const { return states_->pool(); }
 const ModalValue& Analysis::modal(const State& state, GroupId group) const {
     return states_->read(state, group);
 }
-Value Analysis::value_at_entry(Place place) const { return states_->read(states_->at_entry(), place); }
+bool Analysis::is_vacant_at_entry(Place place) const { return states_->is_vacant_at_entry(place); }
 
 } // namespace maclint::dataflow

@@ -32,7 +32,8 @@ class Analysis {
     [[nodiscard]] const Origin& origin(OriginId id) const { return pool().origins[id]; }
     /// What a group can be in a state of facts().
     [[nodiscard]] const ModalValue& modal(const State& state, GroupId group) const;
-    [[nodiscard]] Value value_at_entry(Place place) const;
+    /// Whether nothing can have set the variable when the program begins.
+    [[nodiscard]] bool is_vacant_at_entry(Place place) const;
 
   private:
     friend class Solver;

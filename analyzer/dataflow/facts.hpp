@@ -127,6 +127,9 @@ struct Facts {
     std::vector<ComputedJump> computed_jumps;
     std::vector<PointState> tool_changes;
     std::vector<ExitState> exits; ///< reached ones
+
+    /// Gives back memory that was taken for more facts.
+    void fit();
 };
 
 } // namespace maclint::dataflow

@@ -15,13 +15,16 @@ namespace {
 constexpr std::size_t work_per_node = 16;
 constexpr std::size_t work_at_least = 20'000;
 
-/// Facts are in the order of nodes: only those between the body's first and last node can be inside.
+/// Facts are in the order of nodes, and so is the body: each node's are looked up behind those of the last.
 template<class Fact>
 std::vector<std::reference_wrapper<const Fact>> in_body(const Loop& loop, const std::vector<Fact>& facts) {
     std::vector<std::reference_wrapper<const Fact>> inside;
-    for (auto fact = std::ranges::lower_bound(facts, loop.body.front(), {}, &Fact::node);
-         fact != facts.end() && fact->node <= loop.body.back(); ++fact)
-        if (loop.holds(fact->node)) inside.emplace_back(*fact);
+    auto fact = facts.begin();
+    for (const flow::NodeId node : loop.body) {
+        fact = std::ranges::lower_bound(fact, facts.end(), node, {}, &Fact::node);
+        for (; fact != facts.end() && fact->node == node; ++fact) inside.emplace_back(*fact);
+        if (fact == facts.end()) break;
+    }
     return inside;
 }
 

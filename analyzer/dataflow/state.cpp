@@ -65,6 +65,12 @@ Vacancy States::vacancy_at_entry(Place place) const {
     return argument ? Vacancy::maybe : Vacancy::vacant;
 }
 
+bool States::is_vacant_at_entry(Place place) const {
+    const VariableSpace& space = program_.control->spaces[place.space];
+    return space.scope == Scope::frame && space.unset != Unset::zero &&
+           vacancy_at_entry(place) == Vacancy::vacant;
+}
+
 Value States::entry_value(Place place) {
     const VariableSpace& space = program_.control->spaces[place.space];
     const OriginId origin =
@@ -162,9 +168,13 @@ std::uint32_t States::join_modals(std::uint32_t a, std::uint32_t b) {
     return pool_.modals(joined);
 }
 
+bool States::equal(const State& a, const State& b) const {
+    return a.reached == b.reached && a.forgotten == b.forgotten && trees_.equal(a.root, b.root);
+}
+
 State States::merge(const State& a, const State& b, std::uint32_t node, Widening& widening) {
     if (!a.reached) return b;
-    if (!b.reached || a == b) return a;
+    if (!b.reached || equal(a, b)) return a;
     State joined;
     joined.reached = true;
     constexpr std::uint32_t nothing = 0; // the constant symbol of no code: "not known"
@@ -210,6 +220,13 @@ State States::widen(const State& old, const State& now, std::uint32_t node,
                 next == thresholds.begin() ? -std::numeric_limits<double>::infinity() : *std::prev(next);
         }
     });
+}
+
+void States::keep_only(std::span<State* const> states) {
+    std::vector<Root*> roots;
+    for (State* state : states) roots.push_back(&state->root);
+    trees_.keep_only(roots);
+    pool_.fit();
 }
 
 } // namespace maclint::dataflow

@@ -55,7 +55,6 @@ struct State {
     /// hold.
     std::array<SymbolId, most_spaces> forgotten{};
     bool reached = false;
-    friend bool operator==(const State&, const State&) = default;
 };
 
 /// The operations on states of one program's analysis.
@@ -64,6 +63,7 @@ class States {
     States(const Program& program, EntryKnowledge knowledge);
 
     [[nodiscard]] State at_entry() const;
+    [[nodiscard]] bool is_vacant_at_entry(Place place) const;
     [[nodiscard]] Value read(const State& state, Place place);
     [[nodiscard]] const ModalValue& read(const State& state, GroupId group);
     [[nodiscard]] std::optional<double> entry_code(const State& state, GroupId group) const;
@@ -73,11 +73,15 @@ class States {
     /// Everything in the space may have changed; `site` makes the new values differ from others.
     void forget(State& state, SpaceId space, const Origin& site);
 
+    [[nodiscard]] bool equal(const State& a, const State& b) const;
     /// Both ways meet at `node`.
     [[nodiscard]] State join(const State& a, const State& b, std::uint32_t node);
     /// As join, but bounds that grow jump to the next number of `thresholds` (sorted) or to infinity.
     [[nodiscard]] State widen(const State& old, const State& now, std::uint32_t node,
                               std::span<const double> thresholds);
+
+    /// From now on only these states are asked for; the memory of all others is given back.
+    void keep_only(std::span<State* const> states);
 
     [[nodiscard]] Pool& pool() { return pool_; }
     [[nodiscard]] const Pool& pool() const { return pool_; }

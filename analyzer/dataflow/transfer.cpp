@@ -194,7 +194,9 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
     if (value.vacancy == Vacancy::maybe) {
         ModalValue either = states_.read(state, group);
         // The same value set before, F#9 in the block above: this word has set it again, or neither has.
-        std::erase_if(either.parts, [&](const ModalPart& part) { return part.symbol == value.symbol; });
+        const auto others = std::ranges::remove_if(
+            either.parts, [&](const ModalPart& p) { return p.symbol == value.symbol; });
+        either.parts.cut_off(others.begin());
         either.parts.push_back({value.symbol, origin});
         std::ranges::sort(either.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
         states_.write(state, group, std::move(either));
@@ -292,7 +294,7 @@ void Transfer::change_groups(State& state, const Summary& summary) {
         for (const double code : change.codes) value.parts.push_back({states_.pool().constant(code), origin});
         value.unknown |= change.other;
         std::ranges::sort(value.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
-        value.parts.erase(std::ranges::unique(value.parts).begin(), value.parts.end());
+        value.parts.cut_off(std::ranges::unique(value.parts).begin());
         states_.write(state, change.group, std::move(value));
     }
 }
@@ -326,7 +328,7 @@ void Transfer::move(State& state) {
     const auto group = modal_call_group();
     if (!group) return;
     // Moving while a modal call is active runs its program [SEED-001:466].
-    const std::vector<ModalPart> parts = states_.read(state, *group).parts;
+    const auto parts = states_.read(state, *group).parts;
     for (const ModalPart& part : parts) {
         const Origin& origin = states_.pool().origins[part.origin];
         if (origin.kind != Origin::Kind::effect) continue;

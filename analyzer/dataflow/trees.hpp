@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -49,6 +51,23 @@ class Trees {
         if (low > last || high < first) return root;
         if (low >= first && high <= last) return 0;
         return branch(root, without(node.left, first, last), without(node.right, first, last));
+    }
+
+    /// Whether the maps hold the same; what they share is not looked at.
+    [[nodiscard]] bool equal(Root a, Root b) const {
+        if (a == b) return true;
+        const Node& s = nodes_[a];
+        const Node& t = nodes_[b];
+        if (a == 0 || b == 0 || s.key != t.key || s.bit != t.bit) return false;
+        return s.bit == 0 ? s.left == t.left : equal(s.left, t.left) && equal(s.right, t.right);
+    }
+
+    /// Forgets every map but those that `roots` name; they stand elsewhere afterwards.
+    void keep_only(std::span<Root* const> roots) {
+        const std::vector<Node> all = std::exchange(nodes_, std::vector<Node>(1));
+        std::vector<Root> moved(all.size(), 0);
+        for (Root* root : roots) *root = keep(*root, all, moved);
+        nodes_.shrink_to_fit();
     }
 
     template<class Visit>
@@ -108,6 +127,16 @@ class Trees {
 
     static Key prefix(Key key, Key bit) { return key & ~(bit | (bit - 1)); }
     static bool matches(Key key, const Node& branch) { return prefix(key, branch.bit) == branch.key; }
+
+    Root keep(Root root, const std::vector<Node>& all, std::vector<Root>& moved) {
+        if (root == 0 || moved[root] != 0) return moved[root];
+        Node node = all[root];
+        if (node.bit != 0) {
+            node.left = keep(node.left, all, moved);
+            node.right = keep(node.right, all, moved);
+        }
+        return moved[root] = add(node);
+    }
 
     Root add(const Node& node) {
         nodes_.push_back(node);

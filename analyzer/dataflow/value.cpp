@@ -3,57 +3,18 @@
 
 #include <bit>
 #include <cmath>
-#include <functional>
 
 namespace maclint::dataflow {
-namespace {
-
-void mix(std::size_t& hash, std::uint64_t value) {
-    // The finaliser of splitmix64: cheap, and every bit of the input reaches every bit of the result.
-    value += 0x9E3779B97F4A7C15ULL + hash;
-    value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    value = (value ^ (value >> 27U)) * 0x94D049BB133111EBULL;
-    hash = static_cast<std::size_t>(value ^ (value >> 31U));
-}
-
-} // namespace
-
-std::size_t HashValue::operator()(const Value& v) const {
-    std::size_t hash = 0;
-    mix(hash, (std::uint64_t{v.symbol} << 32U) | v.origin);
-    mix(hash, (std::uint64_t{v.doubt} << 32U) | v.rounding);
-    mix(hash, std::bit_cast<std::uint64_t>(v.low));
-    mix(hash, std::bit_cast<std::uint64_t>(v.high));
-    mix(hash, (static_cast<std::uint64_t>(v.vacancy) << 16U) |
-                  (static_cast<std::uint64_t>(v.exactness) << 8U) | (v.integer ? 1U : 0U) |
-                  (v.nonzero ? 2U : 0U));
-    return hash;
-}
-
-std::size_t HashSymbol::operator()(const Symbol& s) const {
-    std::size_t hash = 0;
-    mix(hash, static_cast<std::uint64_t>(s.kind));
-    mix(hash, s.a);
-    mix(hash, (std::uint64_t{s.b} << 32U) | s.c);
-    return hash;
-}
-
-std::size_t HashOrigin::operator()(const Origin& o) const {
-    std::size_t hash = 0;
-    mix(hash, (static_cast<std::uint64_t>(o.kind) << 32U) | o.id);
-    mix(hash, o.node);
-    return hash;
-}
-
-std::size_t HashModal::operator()(const ModalValue& v) const {
-    std::size_t hash = v.unknown ? 1 : 0;
-    for (const ModalPart& part : v.parts) mix(hash, (std::uint64_t{part.symbol} << 32U) | part.origin);
-    return hash;
-}
-
 Pool::Pool() {
     symbols({Symbol::Kind::opaque, 0, 0, 0});
     origins({Origin::Kind::none, 0, 0});
+}
+
+void Pool::fit() {
+    symbols.fit();
+    origins.fit();
+    values.fit();
+    modals.fit();
 }
 
 SymbolId Pool::constant(double number) {

@@ -2,9 +2,11 @@
 //! of.
 #pragma once
 
+#include "analyzer/dataflow/few.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -82,7 +84,7 @@ struct ModalPart {
 
 /// All ways a modal group can be at a point, sorted by symbol; `unknown` beside them: any other, too.
 struct ModalValue {
-    std::vector<ModalPart> parts;
+    Few<ModalPart, 2> parts;
     bool unknown = false;
     friend bool operator==(const ModalValue&, const ModalValue&) = default;
 };
@@ -102,6 +104,11 @@ class Interner {
         return slot - 1;
     }
     [[nodiscard]] const T& operator[](std::uint32_t id) const { return things_[id]; }
+    /// Gives back all memory that serves to add things.
+    void fit() {
+        things_.shrink_to_fit();
+        slots_ = {};
+    }
 
   private:
     /// The slot that holds the thing, or the free one where it belongs.
@@ -114,7 +121,7 @@ class Interner {
 
     void grow() {
         constexpr std::size_t fewest = 64;
-        slots_.assign(std::max(fewest, 2 * slots_.size()), 0);
+        slots_.assign(std::max(fewest, std::bit_ceil(4 * things_.size())), 0);
         for (std::size_t i = 0; i < things_.size(); ++i)
             slots_[place_of(things_[i])] = static_cast<std::uint32_t>(i + 1);
     }
@@ -123,17 +130,44 @@ class Interner {
     std::vector<std::uint32_t> slots_; ///< 0: free; otherwise one more than the thing's number
 };
 
+/// The finaliser of splitmix64: cheap, and every bit of the input reaches every bit of the result.
+constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
+    value += 0x9E3779B97F4A7C15ULL + hash;
+    value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    value = (value ^ (value >> 27U)) * 0x94D049BB133111EBULL;
+    return value ^ (value >> 31U);
+}
+constexpr std::uint64_t side_by_side(std::uint32_t a, std::uint32_t b) {
+    return (std::uint64_t{a} << 32U) | b;
+}
+
 struct HashValue {
-    std::size_t operator()(const Value& value) const;
+    std::size_t operator()(const Value& v) const {
+        const auto flags = (static_cast<std::uint64_t>(v.vacancy) << 16U) |
+                           (static_cast<std::uint64_t>(v.exactness) << 8U) | (v.integer ? 1U : 0U) |
+                           (v.nonzero ? 2U : 0U);
+        std::uint64_t hash = mix(flags, side_by_side(v.symbol, v.origin));
+        hash = mix(hash, side_by_side(v.doubt, v.rounding));
+        hash = mix(hash, std::bit_cast<std::uint64_t>(v.low));
+        return mix(hash, std::bit_cast<std::uint64_t>(v.high));
+    }
 };
 struct HashSymbol {
-    std::size_t operator()(const Symbol& symbol) const;
+    std::size_t operator()(const Symbol& s) const {
+        return mix(mix(static_cast<std::uint64_t>(s.kind), s.a), side_by_side(s.b, s.c));
+    }
 };
 struct HashOrigin {
-    std::size_t operator()(const Origin& origin) const;
+    std::size_t operator()(const Origin& o) const {
+        return mix(static_cast<std::uint64_t>(o.kind), side_by_side(o.id, o.node));
+    }
 };
 struct HashModal {
-    std::size_t operator()(const ModalValue& value) const;
+    std::size_t operator()(const ModalValue& v) const {
+        std::uint64_t hash = v.unknown ? 1 : 0;
+        for (const ModalPart& part : v.parts) hash = mix(hash, side_by_side(part.symbol, part.origin));
+        return hash;
+    }
 };
 
 /// The tables of one program's analysis.
@@ -144,6 +178,7 @@ struct Pool {
     Interner<ModalValue, HashModal> modals;
 
     Pool();
+    void fit();
     [[nodiscard]] SymbolId constant(double number);
     [[nodiscard]] std::optional<double> number_of(SymbolId symbol) const;
     /// The group whose code at the program's start the symbol stands for.

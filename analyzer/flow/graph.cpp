@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -62,6 +62,8 @@ class Building {
         for (const Loose& loose : loose_) graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
         resolve_jumps();
         resolve_resumes();
+        graph_.nodes.shrink_to_fit();
+        graph_.edges.shrink_to_fit();
         index_edges();
         number_nodes();
         return std::move(graph_);
@@ -358,18 +360,15 @@ class Building {
     // ---- after all edges are there ----
 
     void index_edges() {
-        graph_.out.resize(graph_.nodes.size());
-        graph_.in.resize(graph_.nodes.size());
-        for (EdgeId id = 0; id < graph_.edges.size(); ++id) {
-            graph_.out[graph_.edges[id].from].push_back(id);
-            graph_.in[graph_.edges[id].to].push_back(id);
-        }
+        graph_.out = EdgesByNode(graph_.nodes.size(), graph_.edges, &Edge::from);
+        graph_.in = EdgesByNode(graph_.nodes.size(), graph_.edges, &Edge::to);
     }
 
     /// Reverse postorder, without recursion: programs may have a million blocks.
     void number_nodes() {
         graph_.order.assign(graph_.nodes.size(), Graph::no_order);
         std::vector<NodeId> postorder;
+        postorder.reserve(graph_.nodes.size());
         std::vector<bool> seen(graph_.nodes.size(), false);
         std::vector<std::pair<NodeId, std::size_t>> stack{{0, 0}};
         seen[0] = true;
@@ -402,7 +401,50 @@ class Building {
     Span part_{};
 };
 
+/// The nodes that a search has met, in that order, each with the edge on which it was. Open addressing: many
+/// searches look at a few nodes of a large graph.
+class Met {
+  public:
+    void add(NodeId node, EdgeId by) {
+        if (2 * (nodes_.size() + 1) > slots_.size()) grow();
+        nodes_.emplace_back(node, by);
+        slots_[slot_of(node)] = static_cast<std::uint32_t>(nodes_.size());
+    }
+    [[nodiscard]] bool knows(NodeId node) const { return !slots_.empty() && slots_[slot_of(node)] != 0; }
+    [[nodiscard]] EdgeId edge_to(NodeId node) const { return nodes_[slots_[slot_of(node)] - 1].second; }
+    [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+    [[nodiscard]] NodeId node(std::size_t place) const { return nodes_[place].first; }
+
+  private:
+    /// The slot of the node, or the free one where it belongs.
+    [[nodiscard]] std::size_t slot_of(NodeId node) const {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t slot = (node * std::size_t{0x9E3779B1}) & mask;
+        while (slots_[slot] != 0 && nodes_[slots_[slot] - 1].first != node) slot = (slot + 1) & mask;
+        return slot;
+    }
+
+    void grow() {
+        constexpr std::size_t fewest = 64;
+        slots_.assign(std::max(fewest, 2 * slots_.size()), 0);
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
+            slots_[slot_of(nodes_[i].first)] = static_cast<std::uint32_t>(i + 1);
+    }
+
+    std::vector<std::pair<NodeId, EdgeId>> nodes_;
+    std::vector<std::uint32_t> slots_; ///< 0: free; otherwise one more than the place in `nodes_`
+};
+
 } // namespace
+
+EdgesByNode::EdgesByNode(std::size_t nodes, std::span<const Edge> edges, NodeId Edge::*node_of)
+    : ids_(edges.size())
+    , begin_(nodes + 1, 0) {
+    for (const Edge& edge : edges) ++begin_[edge.*node_of + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    std::vector<EdgeId> next(begin_.begin(), begin_.end() - 1);
+    for (EdgeId id = 0; id < edges.size(); ++id) ids_[next[edges[id].*node_of]++] = id;
+}
 
 const Label* Graph::find_label(std::int64_t number, Offset from) const {
     const auto key = [](const Label& label) { return std::pair(label.number, label.block.begin); };
@@ -414,21 +456,21 @@ const Label* Graph::find_label(std::int64_t number, Offset from) const {
 
 std::optional<std::vector<EdgeId>>
 Graph::way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const {
-    std::unordered_map<NodeId, EdgeId> reached_by;
-    std::deque<NodeId> queue{from};
-    while (!queue.empty() && !reached_by.contains(to) && reached_by.size() < most_nodes) {
-        const NodeId node = queue.front();
-        queue.pop_front();
-        for (const EdgeId id : out[node])
-            if (!reached_by.contains(edges[id].to) && usable(id)) {
-                reached_by.emplace(edges[id].to, id);
-                queue.push_back(edges[id].to);
-            }
-    }
-    if (!reached_by.contains(to)) return std::nullopt;
+    Met met;
+    const auto spread_from = [&](NodeId node) {
+        for (const EdgeId id : out[node]) {
+            const NodeId next = edges[id].to;
+            if (!met.knows(next) && usable(id)) met.add(next, id);
+            if (next == to && met.knows(to)) return;
+        }
+    };
+    spread_from(from);
+    for (std::size_t i = 0; i < met.size() && !met.knows(to) && met.size() < most_nodes; ++i)
+        spread_from(met.node(i));
+    if (!met.knows(to)) return std::nullopt;
     std::vector<EdgeId> way;
     for (NodeId node = to; way.empty() || node != from; node = edges[way.back()].from)
-        way.push_back(reached_by.at(node));
+        way.push_back(met.edge_to(node));
     std::ranges::reverse(way);
     return way;
 }

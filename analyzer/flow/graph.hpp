@@ -70,10 +70,27 @@ struct ResolvedJump {
     std::optional<Label> target;        ///< empty: no such sequence number, or computed
 };
 
+/// The edges at each node, in the order of their ids: all in one list, with the place where each node's
+/// begin.
+class EdgesByNode {
+  public:
+    EdgesByNode() = default;
+    /// Sorts `edges` by the node that `node_of` takes from an edge.
+    EdgesByNode(std::size_t nodes, std::span<const Edge> edges, NodeId Edge::*node_of);
+
+    [[nodiscard]] std::span<const EdgeId> operator[](NodeId node) const {
+        return std::span(ids_).subspan(begin_[node], begin_[node + 1] - begin_[node]);
+    }
+
+  private:
+    std::vector<EdgeId> ids_;
+    std::vector<EdgeId> begin_; ///< one more than there are nodes
+};
+
 struct Graph {
     std::vector<Node> nodes; ///< in text order; node 0 is the entry; at least one
     std::vector<Edge> edges;
-    std::vector<std::vector<EdgeId>> out, in;
+    EdgesByNode out, in;
     std::vector<Exit> exits;
     std::vector<Label> labels;       ///< those that something may name, by number, then in text order
     std::vector<ResolvedJump> jumps; ///< in text order

@@ -80,6 +80,16 @@ std::string Program::spell(Place place) const {
     return std::string(space.prefix) + std::to_string(place.number);
 }
 
+void Program::fit() {
+    items.shrink_to_fit();
+    expressions.shrink_to_fit();
+    operands.shrink_to_fit();
+    effects.shrink_to_fit();
+    words.shrink_to_fit();
+    arguments.shrink_to_fit();
+    settings.shrink_to_fit();
+}
+
 void Program::for_each_block(Span part, const std::function<bool(const PlainBlock&)>& visit) const {
     decode(*this, part, visit);
 }

@@ -323,6 +323,8 @@ class Program {
     [[nodiscard]] Place meant_by(Place place) const;
     /// "#101", "__la".
     [[nodiscard]] std::string spell(Place place) const;
+    /// Gives back memory that was taken for more blocks.
+    void fit();
     /// Every block of `part` of a run in order, until the visitor returns false.
     void for_each_block(Span part, const std::function<bool(const PlainBlock&)>& visit) const;
 };

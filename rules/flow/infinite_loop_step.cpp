@@ -96,8 +96,7 @@ Fault fault_of(const ProgramAnalysis& analysis, const dataflow::Counter& counter
         const dataflow::Origin& doubt = analysis.data().origin(amount.doubt);
         if (doubt.kind != dataflow::Origin::Kind::entry) return Fault::vacant;
         const Place place{static_cast<SpaceId>(doubt.node), static_cast<std::int32_t>(doubt.id)};
-        const bool never_set = analysis.data().value_at_entry(place).vacancy == dataflow::Vacancy::vacant;
-        return never_set ? Fault::none : Fault::vacant;
+        return analysis.data().is_vacant_at_entry(place) ? Fault::none : Fault::vacant;
     }
     const auto constant = amount.constant();
     if (!constant) return Fault::none;

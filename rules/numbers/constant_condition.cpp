@@ -6,6 +6,9 @@
 #include "rules/trace.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
 
 namespace maclint::rules {
 
@@ -94,27 +97,6 @@ bool is_loop(const Program& program, EffectId effect) {
     return std::holds_alternative<Structure>(program.effects[effect].what);
 }
 
-/// A number that users edit in the program's head.
-bool is_setting(const ProgramAnalysis& analysis, Place place) {
-    std::size_t count = 0;
-    bool literal = true;
-    for (const dataflow::Store& store : analysis.facts().stores) {
-        if (!(store.place == place)) continue;
-        ++count;
-        literal &= std::holds_alternative<Literal>(analysis.program().expressions[store.expression].node);
-    }
-    return count == 1 && literal;
-}
-
-bool is_assigned_once(const ProgramAnalysis& analysis, Place place) {
-    return std::ranges::count(analysis.facts().stores, place, &dataflow::Store::place) <= 1;
-}
-
-bool depends_on_settings(const ProgramAnalysis& analysis, const dataflow::ReadSet& reads) {
-    return std::ranges::any_of(reads.places, [&](Place place) { return is_setting(analysis, place); }) ||
-           std::ranges::all_of(reads.places, [&](Place place) { return is_assigned_once(analysis, place); });
-}
-
 /// What the condition guards: IF[#1GT#2]THEN#1=#2 makes sure, whether it is needed or not.
 bool only_clamps(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
                  const dataflow::ReadSet& reads) {
@@ -135,14 +117,54 @@ std::optional<std::int64_t> jump_target(const Program& program, EffectId effect)
     return jump == nullptr ? std::nullopt : flow::constant_target(program, jump->target);
 }
 
-/// An earlier test sends to the same place: the second is not needed, but does no harm.
-bool repeats_another(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
-    const Program& program = analysis.program();
-    const auto target = jump_target(program, condition.effect);
-    return target && std::ranges::any_of(analysis.facts().conditions, [&](const dataflow::Condition& other) {
-               return other.node < condition.node && jump_target(program, other.effect) == target;
-           });
-}
+/// What every condition of a program is held against, gathered in one pass.
+class Surroundings {
+  public:
+    explicit Surroundings(const ProgramAnalysis& analysis)
+        : program_(analysis.program()) {
+        for (const dataflow::Store& store : analysis.facts().stores) {
+            Assigned& assigned = assigned_[dataflow::key_of(store.place)];
+            ++assigned.count;
+            assigned.literal &= std::holds_alternative<Literal>(program_.expressions[store.expression].node);
+        }
+        for (const dataflow::Condition& condition : analysis.facts().conditions)
+            if (const auto target = jump_target(program_, condition.effect))
+                first_tests_.try_emplace(*target, condition.node);
+    }
+
+    [[nodiscard]] bool depends_on_settings(const dataflow::ReadSet& reads) const {
+        return reads_setting(reads) ||
+               std::ranges::all_of(reads.places, [this](Place place) { return assigned(place).count <= 1; });
+    }
+
+    /// A number that users edit in the program's head decides.
+    [[nodiscard]] bool reads_setting(const dataflow::ReadSet& reads) const {
+        return std::ranges::any_of(reads.places, [this](Place place) {
+            return assigned(place).count == 1 && assigned(place).literal;
+        });
+    }
+
+    /// An earlier test sends to the same place: the second is not needed, but does no harm.
+    [[nodiscard]] bool repeats_another(const dataflow::Condition& condition) const {
+        const auto target = jump_target(program_, condition.effect);
+        return target && first_tests_.at(*target) < condition.node;
+    }
+
+  private:
+    struct Assigned {
+        std::size_t count = 0;
+        bool literal = true;
+    };
+
+    [[nodiscard]] Assigned assigned(Place place) const {
+        const auto found = assigned_.find(dataflow::key_of(place));
+        return found == assigned_.end() ? Assigned{} : found->second;
+    }
+
+    const Program& program_;
+    std::unordered_map<dataflow::Key, Assigned> assigned_;
+    std::unordered_map<std::int64_t, flow::NodeId> first_tests_; ///< facts are in the order of nodes
+};
 
 struct Sides {
     bool constant = true; ///< all are known numbers
@@ -177,7 +199,8 @@ bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& cond
     });
 }
 
-bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
+bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
+               const Surroundings& surroundings) {
     const Program& program = analysis.program();
     const bool always = condition.truth.can_hold;
     // Where a jump can leave it, a loop without a way out is MAC319's.
@@ -186,10 +209,9 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
     const Sides sides = sides_of(analysis, condition);
     const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
     if (sides.open) return true;
-    if (sides.constant) return !depends_on_settings(analysis, reads);
-    if (only_clamps(analysis, condition, reads) || repeats_another(analysis, condition)) return false;
-    if (std::ranges::any_of(reads.places, [&](Place place) { return is_setting(analysis, place); }))
-        return false;
+    if (sides.constant) return !surroundings.depends_on_settings(reads);
+    if (only_clamps(analysis, condition, reads) || surroundings.repeats_another(condition)) return false;
+    if (surroundings.reads_setting(reads)) return false;
     // What is left over after all other cases were tested may be tested once more.
     return !always && !sides.vacant;
 }
@@ -197,9 +219,12 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     if (analysis.structures().balance_in_doubt) return; // a loop that cannot be read may repeat the block
+    std::optional<Surroundings> surroundings;           // most programs have no such condition
     for (const dataflow::Condition& condition : analysis.facts().conditions) {
         const dataflow::Truth truth = condition.truth;
-        if (truth.can_hold == truth.can_fail || !is_defect(analysis, condition)) continue;
+        if (truth.can_hold == truth.can_fail) continue;
+        if (!surroundings) surroundings.emplace(analysis);
+        if (!is_defect(analysis, condition, *surroundings)) continue;
         const Span span = program.expressions[condition.expression].span;
         Finding& finding = reporter.report(analysis.file(), span, truth.can_hold ? "always" : "never",
                                            {quoted(program, span)});

@@ -82,7 +82,7 @@ bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read
     const dataflow::Origin& doubt = analysis.data().origin(read.value.doubt);
     return doubt.kind == dataflow::Origin::Kind::entry &&
            static_cast<std::int32_t>(doubt.id) == read.place.number && doubt.node == read.place.space &&
-           analysis.data().value_at_entry(read.place).vacancy == dataflow::Vacancy::vacant;
+           analysis.data().is_vacant_at_entry(read.place);
 }
 
 /// How the program can get here without setting the variable; nothing when it cannot. A comparison may be the

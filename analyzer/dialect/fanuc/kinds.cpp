@@ -82,15 +82,10 @@ constexpr std::pair<std::string_view, Field> fields[] = {
 
 const TSLanguage* grammar() { return tree_sitter_fanuc(); }
 
-Kind kind_of(const syntax::Node& node) {
-    static const std::vector<Kind> table = kinds_by_symbol<Kind>(grammar, kinds, Kind::token);
-    if (node.symbol == syntax::error_symbol) return Kind::error;
-    return node.symbol < table.size() ? table[node.symbol] : Kind::token;
-}
-
-Field field_of(const syntax::Node& node) {
-    static const std::array<Field, 256> table = fields_by_number<Field>(grammar, fields);
-    return node.field < table.size() ? table[node.field] : Field::none;
+const GrammarNumbers& grammar_numbers() {
+    static const GrammarNumbers numbers{kinds_by_symbol<Kind>(grammar, kinds, Kind::token),
+                                        fields_by_number<Field>(grammar, fields)};
+    return numbers;
 }
 
 } // namespace maclint::fanuc

@@ -4,7 +4,9 @@
 
 #include "analyzer/syntax/tree.hpp"
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
 namespace maclint::fanuc {
 
@@ -95,7 +97,22 @@ enum class Field : std::uint8_t {
     variable,
 };
 
-[[nodiscard]] Kind kind_of(const syntax::Node& node);
-[[nodiscard]] Field field_of(const syntax::Node& node);
+/// The grammar's numbers as kinds and fields, for look-ups that every node of every block goes through.
+struct GrammarNumbers {
+    std::vector<Kind> kinds;
+    std::array<Field, 256> fields;
+};
+[[nodiscard]] const GrammarNumbers& grammar_numbers();
+
+[[nodiscard]] inline Kind kind_of(const syntax::Node& node) {
+    static const GrammarNumbers& numbers = grammar_numbers();
+    if (node.symbol == syntax::error_symbol) return Kind::error;
+    return node.symbol < numbers.kinds.size() ? numbers.kinds[node.symbol] : Kind::token;
+}
+
+[[nodiscard]] inline Field field_of(const syntax::Node& node) {
+    static const GrammarNumbers& numbers = grammar_numbers();
+    return node.field < numbers.fields.size() ? numbers.fields[node.field] : Field::none;
+}
 
 } // namespace maclint::fanuc

@@ -42,25 +42,26 @@ std::uint16_t skip_level(std::string_view mark) {
 
 } // namespace
 
-BlockLowering::BlockLowering(const syntax::Tree& tree, Span block, Program& program,
+BlockLowering::BlockLowering(const syntax::Tree& tree, Span block, const CodeTable& codes, Program& program,
                              std::vector<Irregularity>& irregularities)
     : tree_(tree)
     , block_(block)
     , program_(program)
-    , codes_(codes_of(*program.control))
+    , codes_(codes)
     , irregularities_(irregularities) {}
 
 void BlockLowering::lower() {
     const Node* node = nullptr;
-    for (const Node* child : children(tree_.nodes.front()))
-        if (kind_of(*child) == Kind::block) node = child;
+    for_each_child(tree_.nodes.front(), [&](const Node& child) {
+        if (kind_of(child) == Kind::block) node = &child;
+    });
     if (node == nullptr) return;
     check_tokens();
 
     Block block{};
     block.span = block_;
     block.words.first = static_cast<Id>(program_.words.size());
-    Nodes items = named_children(*node);
+    Nodes items = children(*node);
     take_head(block, items);
     Effects effects;
     lower_items(items, effects);
@@ -149,7 +150,7 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span span, Eff
         return;
     }
     case Kind::bracket: // [#_NAME]=
-        for (const Node* inner : named_children(target)) store(*inner, value, span, effects);
+        for_each_child(target, [&](const Node& inner) { store(inner, value, span, effects); });
         return;
     case Kind::named_variable:
     case Kind::foreign_variable: effects.push_back({Assign{named_place(target), value}, span}); return;
@@ -194,8 +195,9 @@ void BlockLowering::lower_if(const Node& node, Effects& effects) {
     if (condition == nullptr) return;
     const ExpressionId test = lower_condition(*condition);
     Nodes consequences;
-    for (const Node* part : named_children(node))
-        if (field_of(*part) == Field::consequence) consequences.push_back(part);
+    for_each_child(node, [&](const Node& part) {
+        if (field_of(part) == Field::consequence) consequences.push_back(&part);
+    });
     Effects inner;
     lower_items(consequences, inner);
     effects.push_back(guarded(test, std::move(inner), span(node)));
@@ -234,11 +236,11 @@ void BlockLowering::lower_loop_mark(const Node& node, Structure::Part part, Effe
 
 void BlockLowering::lower_output(const Node& node, Effects& effects) {
     Exchange exchange;
-    for (const Node* part : named_children(node)) {
-        if (kind_of(*part) != Kind::output_variable) continue;
-        if (const Node* variable = child(*part, Field::variable))
+    for_each_child(node, [&](const Node& part) {
+        if (kind_of(part) != Kind::output_variable) return;
+        if (const Node* variable = child(part, Field::variable))
             exchange.out.push_back(lower_expression(*variable));
-    }
+    });
     effects.push_back({std::move(exchange), span(node)});
 }
 
@@ -250,18 +252,21 @@ const syntax::Node* BlockLowering::child(const Node& node, Field field) const {
 }
 
 BlockLowering::Nodes BlockLowering::children(const Node& node) const {
+    constexpr std::size_t usually_enough = 8;
     Nodes found;
-    for (syntax::NodeIndex i = node.first_child; i != syntax::no_node; i = tree_.nodes[i].next_sibling)
-        found.push_back(&tree_.nodes[i]);
+    found.reserve(usually_enough);
+    for_each_child(node, [&](const Node& child) { found.push_back(&child); });
     return found;
 }
 
-BlockLowering::Nodes BlockLowering::named_children(const Node& node) const {
-    Nodes found;
-    for (syntax::NodeIndex i = node.first_child; i != syntax::no_node; i = tree_.nodes[i].next_sibling)
-        if (tree_.nodes[i].named && kind_of(tree_.nodes[i]) != Kind::comment)
-            found.push_back(&tree_.nodes[i]);
-    return found;
+const syntax::Node* BlockLowering::only_child(const Node& node) const {
+    const Node* only = nullptr;
+    bool several = false;
+    for_each_child(node, [&](const Node& child) {
+        several = only != nullptr;
+        only = &child;
+    });
+    return several ? nullptr : only;
 }
 
 Span BlockLowering::span(const Node& node) const {
@@ -281,8 +286,30 @@ void BlockLowering::report(Irregular kind, Span span, std::string cure) {
     irregularities_.push_back({kind, span, std::string(program_.slice(span)), std::move(cure)});
 }
 
-/// What is wrong with single nodes of a block that the parser could read.
+/// What is wrong with single nodes of a block that the parser could read. Nearly all blocks are sound, and
+/// one look at their nodes shows it.
 void BlockLowering::check_tokens() {
+    bool has_foreign_words = false;
+    bool has_empty_words = false;
+    int brackets = 0;
+    for (const Node& node : tree_.nodes) {
+        switch (kind_of(node)) {
+        case Kind::symbolic_operator:
+        case Kind::foreign_keyword: has_foreign_words = true; break;
+        case Kind::empty_word: has_empty_words = true; break;
+        case Kind::bracket:
+        case Kind::argument_list:
+        case Kind::condition: ++brackets; break;
+        default: break;
+        }
+    }
+    if (has_foreign_words) check_words();
+    if (brackets > program_.control->limits.bracket_levels) check_depth(tree_.nodes.front(), 0);
+    if (has_empty_words) check_parenthesis_for_value();
+}
+
+/// Operators and keywords of other languages.
+void BlockLowering::check_words() {
     std::vector<bool> in_condition(tree_.nodes.size(), false);
     for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
         const Node& node = tree_.nodes[i];
@@ -308,14 +335,10 @@ void BlockLowering::check_tokens() {
                    word == std::end(meant) ? "" : std::string(word->second));
         }
     }
-    check_depth(tree_.nodes.front(), 0);
-    check_parenthesis_for_value();
 }
 
 /// `X(#1+2)`: an address without value, and a comment that would make one. Such a block parses.
 void BlockLowering::check_parenthesis_for_value() {
-    const auto is_empty = [](const Node& node) { return kind_of(node) == Kind::empty_word; };
-    if (std::ranges::none_of(tree_.nodes, is_empty)) return;
     if (std::optional<Irregularity> found = find_parenthesis_as_bracket(program_.text, block_))
         irregularities_.push_back(std::move(*found));
 }

@@ -136,9 +136,9 @@ ExpressionId BlockLowering::lower_expression(const Node& node) {
         case Kind::bracket:
         case Kind::condition:
         case Kind::unbracketed_condition: {
-            const Nodes inner = named_children(node);
-            if (inner.size() != 1) return unreadable(span(node));
-            const ExpressionId id = lower_expression(*inner.front());
+            const Node* inner = only_child(node);
+            if (inner == nullptr) return unreadable(span(node));
+            const ExpressionId id = lower_expression(*inner);
             program_.expressions[id].span = span(node);
             return id;
         }
@@ -250,7 +250,8 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     if (name == nullptr || argument == nullptr) return unreadable(span(node));
     std::vector<ExpressionId> operands;
     if (kind_of(*argument) == Kind::argument_list) {
-        for (const Node* operand : named_children(*argument)) operands.push_back(lower_expression(*operand));
+        for_each_child(*argument,
+                       [&](const Node& operand) { operands.push_back(lower_expression(operand)); });
     } else {
         operands.push_back(lower_expression(*argument));
     }

@@ -54,7 +54,7 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
     const Node* inner = &node;
     if (kind_of(node) == Kind::comma_word) {
         word.comma = true;
-        const Nodes below = named_children(node);
+        const Nodes below = children(node);
         if (!below.empty()) inner = below.front();
     }
     const std::string_view written = text(*inner);

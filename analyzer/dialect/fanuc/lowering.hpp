@@ -15,8 +15,8 @@ namespace maclint::fanuc {
 /// Lowers one block of a program. The tree must be free of errors; see diagnose.hpp for the others.
 class BlockLowering {
   public:
-    /// `block` is where the tree's text stands in the file.
-    BlockLowering(const syntax::Tree& tree, Span block, Program& program,
+    /// `block` is where the tree's text stands in the file; `codes` are those of the program's control.
+    BlockLowering(const syntax::Tree& tree, Span block, const CodeTable& codes, Program& program,
                   std::vector<Irregularity>& irregularities);
 
     /// Appends the block to the program's items; a block without nodes (comments only) is left out.
@@ -82,8 +82,15 @@ class BlockLowering {
 
     // ---- the tree
     [[nodiscard]] const Node* child(const Node& node, Field field) const;
+    /// Named children; comments are left out.
+    template<class Visit>
+    void for_each_child(const Node& node, const Visit& visit) const {
+        for (syntax::NodeIndex i = node.first_child; i != syntax::no_node; i = tree_.nodes[i].next_sibling)
+            if (tree_.nodes[i].named && kind_of(tree_.nodes[i]) != Kind::comment) visit(tree_.nodes[i]);
+    }
     [[nodiscard]] Nodes children(const Node& node) const;
-    [[nodiscard]] Nodes named_children(const Node& node) const;
+    /// The child of a node that has no other.
+    [[nodiscard]] const Node* only_child(const Node& node) const;
     [[nodiscard]] std::string_view text(const Node& node) const;
     [[nodiscard]] std::string upper_text(const Node& node) const;
     [[nodiscard]] Span span(const Node& node) const;
@@ -91,6 +98,7 @@ class BlockLowering {
     // ---- what is wrong with it
     void report(Irregular kind, Span span, std::string cure);
     void check_tokens();
+    void check_words();
     void check_depth(const Node& node, int depth);
     void check_parenthesis_for_value();
 

@@ -176,6 +176,7 @@ class Reader {
         if (!program_open_) return;
         Program& program = file_.programs.back();
         program_open_ = false;
+        program.fit();
         const auto count = static_cast<Id>(program.items.size());
         program.sections.push_back({"program", {0, count}, Section::Executed::when_reached});
         if (count == 0) return;
@@ -211,7 +212,7 @@ class Reader {
         const syntax::Tree& tree = !cause && is_plausible(code) ? parse(code) : nothing;
         noise_.hear(tree.has_error);
         if (!tree.has_error) {
-            BlockLowering(tree, block, program(), file_.irregularities).lower();
+            BlockLowering(tree, block, codes_, program(), file_.irregularities).lower();
             return;
         }
         if (!swallowed) {
