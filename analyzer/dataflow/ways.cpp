@@ -43,6 +43,19 @@ std::optional<flow::EdgeId> impossible_edge(const Program& program, const flow::
     return at ? std::optional(deciding[*at]) : analysis.first_impossible(way);
 }
 
+/// The edge leaves a loop, whose rounds meet none of the nodes: that it is not left before the first round
+/// says nothing of the ways behind it.
+bool only_counts_rounds(const flow::Graph& graph, flow::EdgeId edge, std::span<const flow::NodeId> barred) {
+    const flow::NodeId head = graph.edges[edge].from;
+    for (const flow::EdgeId in : graph.in[head]) {
+        const flow::Edge& back = graph.edges[in];
+        if (back.kind != flow::EdgeKind::back || graph.edges[edge].to <= back.from) continue;
+        const auto first = std::ranges::lower_bound(barred, head);
+        return first == barred.end() || *first > back.from;
+    }
+    return false;
+}
+
 /// A search of everything: what it does not find is not there.
 std::size_t whole(const flow::Graph& graph) { return graph.nodes.size() + 1; }
 
@@ -100,7 +113,7 @@ bool can_follow(const Program& program, const flow::Graph& graph, const Analysis
         if (!way || !rest) return false;
         way->insert(way->end(), rest->begin(), rest->end());
         const auto bad = impossible_edge(program, graph, analysis, *way);
-        if (!bad) return true;
+        if (!bad || only_counts_rounds(graph, *bad, barred)) return true;
         impossible.push_back(*bad);
     }
     return false;

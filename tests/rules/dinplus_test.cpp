@@ -206,6 +206,14 @@ TEST(RadiusCompensation, MayBeSwitchedOnAndOffUnderTheSameCondition) {
     EXPECT_THAT(lines("DIN619", text("#g1==2")), ElementsAre(4));
 }
 
+TEST(RadiusCompensation, LastsThroughALoop) {
+    const auto text = [](const std::string& body) {
+        return "MACHINING\nG42\n#l1=0\nWHILE #l1<3\nG1 X#l1\n#l1=#l1+1\n" + body + "ENDWHILE\nM30\nEND\n";
+    };
+    EXPECT_THAT(lines("DIN619", text("")), ElementsAre(2));
+    EXPECT_THAT(lines("DIN619", text("G40\n")), IsEmpty());
+}
+
 TEST(RadiusCompensation, OfASubprogramIsTheSubprogramsOwnFault) {
     const std::string text = called("L\"S\"\nG0 X9\n", "G42\nG1 Z-5\nG14 Q0\n");
     EXPECT_THAT(lines("DIN519", text), ElementsAre(6));
