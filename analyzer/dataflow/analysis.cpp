@@ -171,6 +171,7 @@ class Solver {
         Facts& facts = result_.facts_;
         std::vector<State*> asked;
         for (PointState& point : facts.tool_changes) asked.push_back(&point.state);
+        for (PointState& point : facts.watched) asked.push_back(&point.state);
         for (ExitState& exit : facts.exits) asked.push_back(&exit.state);
         states_.keep_only(asked);
         facts.fit();

@@ -92,7 +92,6 @@ struct ModalWrite {
     bool stated;                  ///< the word names the group (F#4); otherwise the value decides (G#3)
     ExpressionId expression;
     Value value;
-    State before;
 };
 
 /// A jump whose target is computed.
@@ -126,7 +125,8 @@ struct Facts {
     std::vector<ModalWrite> modal_writes;
     std::vector<ComputedJump> computed_jumps;
     std::vector<PointState> tool_changes;
-    std::vector<ExitState> exits; ///< reached ones
+    std::vector<PointState> watched; ///< in front of words that set a watched group
+    std::vector<ExitState> exits;    ///< reached ones
 
     /// Gives back memory that was taken for more facts.
     void fit();

@@ -178,9 +178,11 @@ void Transfer::set_modal(State& state, const SetModal& set) {
         if (!group)
             if (const auto code = value.constant()) group = program_.control->group_of(set.letter, *code);
     }
-    if (facts_ != nullptr)
-        facts_->modal_writes.push_back(
-            {node_, effect_, group, set.group.has_value(), set.value, value, state});
+    if (facts_ != nullptr) {
+        facts_->modal_writes.push_back({node_, effect_, group, set.group.has_value(), set.value, value});
+        if (group && program_.control->groups[*group].watched)
+            facts_->watched.push_back({node_, effect_, state});
+    }
     if (group)
         set_group(state, *group, value);
     else if (!value.constant() && value.vacancy != Vacancy::vacant)

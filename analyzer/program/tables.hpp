@@ -75,6 +75,7 @@ struct ModalGroup {
     std::optional<double> reset;   ///< the code in force in a main program's first block, where it is known
     std::string_view source;
     std::string_view cancel_words = {}; ///< how `cancel` is written where it is more than a code: "G16 Q0"
+    bool watched = false;               ///< rules ask for the state in front of each word that sets it
     bool for_callers = false;           ///< a subprogram may switch it on for its caller, who is to cancel it
 };
 

@@ -6,6 +6,7 @@
 #include "rules/trace.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -70,22 +71,24 @@ constexpr std::string_view compensation = "radius compensation";
 constexpr std::string_view plane = "plane";
 
 /// Whether the word sets another plane than the one that is in force on every way.
-bool changes_plane(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write) {
-    if (!write.group || analysis.control().groups[*write.group].name != plane) return false;
-    const dataflow::ModalValue& value = analysis.data().modal(write.before, *write.group);
+bool changes_plane(const ProgramAnalysis& analysis, const dataflow::PointState& point) {
+    const auto& writes = analysis.facts().modal_writes;
+    const auto write = std::ranges::find(writes, point.effect, &dataflow::ModalWrite::effect);
+    if (write == writes.end() || analysis.control().groups[*write->group].name != plane) return false;
+    const dataflow::ModalValue& value = analysis.data().modal(point.state, *write->group);
     const auto& pool = analysis.data().pool();
-    return !value.unknown && write.value.constant() &&
+    return !value.unknown && write->value.constant() &&
            std::ranges::all_of(value.parts, [&](const auto& part) {
                const auto code = pool.number_of(part.symbol);
-               return code && *code != *write.value.constant();
+               return code && *code != *write->value.constant();
            });
 }
 
 /// Where the compensation must be off: tool changes and changes of the plane.
 std::vector<dataflow::PointState> find_points(const ProgramAnalysis& analysis) {
     std::vector<dataflow::PointState> points = analysis.facts().tool_changes;
-    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes)
-        if (changes_plane(analysis, write)) points.push_back({write.node, write.effect, write.before});
+    std::ranges::copy_if(analysis.facts().watched, std::back_inserter(points),
+                         [&](const dataflow::PointState& point) { return changes_plane(analysis, point); });
     std::ranges::stable_sort(points, {}, &dataflow::PointState::effect);
     return points;
 }
