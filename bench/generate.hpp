@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace maclint::bench {
 
@@ -15,6 +16,10 @@ namespace maclint::bench {
 /// one callable with G65. Each calls only the helper macros at the head of the tape. At least `bytes` long,
 /// at most one program more.
 [[nodiscard]] std::string macro_code(std::size_t bytes);
+
+/// The same programs as a folder holds them: every helper in a file of its own, the rest in files of
+/// `bytes` each, all with different numbers, that call the helpers across files.
+[[nodiscard]] std::vector<std::string> macro_files(std::size_t files, std::size_t bytes);
 
 /// One main program with `jumps` GOTO statements: short ones forward, long ones forward, counted ones
 /// backward.
