@@ -158,6 +158,8 @@ class Solver {
 
     void record() {
         transfer_.record_in(&result_.facts_);
+        result_.facts_.reads.reserve(program_.expressions.size() / 2);
+        result_.facts_.stores.reserve(program_.items.size() / 2);
         std::vector<bool> leaves(graph_.nodes.size(), false);
         for (const flow::Exit& exit : graph_.exits) leaves[exit.node] = true;
         std::vector<std::pair<flow::NodeId, State>> left;
