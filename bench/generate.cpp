@@ -299,6 +299,26 @@ std::string macro_code(std::size_t bytes) {
     return tape.take();
 }
 
+std::vector<std::string> macro_files(std::size_t files, std::size_t bytes) {
+    Dice dice{2024};
+    std::vector<std::string> folder;
+    for (std::size_t i = 0; i < helper_count; ++i) {
+        Tape tape{bytes};
+        tape << "%\n";
+        write_helper(tape, first_helper_number + i);
+        tape << "%\n";
+        folder.push_back(tape.take());
+    }
+    for (std::size_t number = first_macro_number; folder.size() < files;) {
+        Tape tape{bytes};
+        tape << "%\n";
+        while (tape.size() < bytes) write_macro(tape, number++, dice);
+        tape << "%\n";
+        folder.push_back(tape.take());
+    }
+    return folder;
+}
+
 std::string one_program_with_jumps(std::size_t jumps) {
     Tape tape{jumps * 48};
     Dice dice{7};

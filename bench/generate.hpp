@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace maclint::bench {
 
@@ -19,6 +20,10 @@ namespace maclint::bench {
 /// A DIN PLUS program: contour, main part, and local subprograms of some 35 blocks (vacancy tests, loops,
 /// choices, contour references), each called from the main part. At least `bytes` long.
 [[nodiscard]] std::string expert_program(std::size_t bytes);
+
+/// The same programs as a folder holds them: every helper in a file of its own, the rest in files of
+/// `bytes` each, all with different numbers, that call the helpers across files.
+[[nodiscard]] std::vector<std::string> macro_files(std::size_t files, std::size_t bytes);
 
 /// One main program with `jumps` GOTO statements: short ones forward, long ones forward, counted ones
 /// backward.

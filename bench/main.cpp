@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
     register_speed("cam/one_file", {make::cam_output(10 * megabyte)});
     register_speed("cam/thousand_files", a_thousand(make::cam_output, 10 * megabyte));
     register_speed("macro/one_file", {make::macro_code(2 * megabyte)});
-    register_speed("macro/thousand_files", a_thousand(make::macro_code, 4 * megabyte));
+    register_speed("macro/thousand_files", make::macro_files(1000, 4 * megabyte / 1000));
     register_speed("dinplus/one_file", {make::expert_program(2 * megabyte)}, "dinplus");
     register_speed("dinplus/thousand_files", a_thousand(make::expert_program, 4 * megabyte), "dinplus");
     benchmark::Initialize(&argc, argv);

@@ -132,38 +132,52 @@ class Solver {
         }
     }
 
-    /// One sweep without widening wins back bounds that widening gave away; a solution stays a solution.
+    /// One sweep without widening wins back bounds that widening gave away; a solution stays a solution. Only
+    /// what was widened, and what follows from it, can change.
     void narrow() {
-        if (std::ranges::find(head_, true) == head_.end()) return;
-        std::vector<flow::NodeId> order;
-        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node)
-            if (before_[node].reached) order.push_back(node);
-        std::ranges::sort(order, {}, [this](flow::NodeId node) { return graph_.order[node]; });
-        for (const flow::NodeId node : order) {
+        std::vector<bool> may_change(graph_.nodes.size(), false);
+        std::vector<flow::NodeId> order(graph_.nodes.size());
+        std::size_t ordered = 0;
+        bool any = false;
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
+            if (graph_.order[node] == flow::Graph::no_order) continue;
+            order[graph_.order[node]] = node;
+            ++ordered;
+            may_change[node] =
+                head_[node] ? visits_[node] > visits_before_widening : visits_[node] > visits_before_keeping;
+            any = any || may_change[node];
+        }
+        if (!any) return;
+        for (const flow::NodeId node : std::span(order).first(ordered)) {
+            if (!may_change[node] || !before_[node].reached) continue;
             const State state = incoming(node);
             if (states_.equal(state, before_[node])) continue;
             before_[node] = state;
-            pass_on(node, state, [](flow::NodeId) {});
+            pass_on(node, state, [&](flow::NodeId next) { may_change[next] = true; });
         }
     }
 
     void record() {
         transfer_.record_in(&result_.facts_);
-        std::vector<std::optional<State>> after(graph_.nodes.size());
+        result_.facts_.reads.reserve(program_.expressions.size() / 2);
+        result_.facts_.stores.reserve(program_.items.size() / 2);
         std::vector<bool> leaves(graph_.nodes.size(), false);
         for (const flow::Exit& exit : graph_.exits) leaves[exit.node] = true;
+        std::vector<std::pair<flow::NodeId, State>> left;
         for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
             if (!before_[node].reached) continue;
             result_.reached_[node] = true;
-            State state = transfer_.run(node, before_[node]);
-            if (leaves[node]) after[node] = state;
+            const State state = transfer_.run(node, before_[node]);
+            if (leaves[node]) left.emplace_back(node, state);
         }
         transfer_.record_in(nullptr);
         for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge)
             result_.passable_[edge] = along_[edge].reached;
         for (const flow::Exit& exit : graph_.exits) {
-            if (!after[exit.node]) continue;
-            result_.facts_.exits.push_back({exit, *after[exit.node]});
+            const auto after =
+                std::ranges::lower_bound(left, exit.node, {}, &decltype(left)::value_type::first);
+            if (after == left.end() || after->first != exit.node) continue;
+            result_.facts_.exits.push_back({exit, after->second});
         }
     }
 

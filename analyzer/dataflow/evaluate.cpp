@@ -193,8 +193,9 @@ void Transfer::refine(State& state, ExpressionId id, bool holds) {
 }
 
 void Transfer::refine_comparison(State& state, Operation operation, ExpressionId left, ExpressionId right) {
-    Value other = evaluate(state, right, Use::comparison);
     const Expression& expression = program_.expressions[left];
+    if (std::holds_alternative<Literal>(expression.node)) return; // nothing to learn of it
+    Value other = evaluate(state, right, Use::comparison);
     if (std::holds_alternative<LoadModal>(expression.node)) {
         refine_entry_code(state, evaluate(state, left, Use::comparison), operation, other);
     } else if (const auto* load = std::get_if<Load>(&expression.node)) {

@@ -18,6 +18,12 @@ class Few {
     static_assert(std::is_trivially_copyable_v<T>);
 
   public:
+    // NOLINTBEGIN(readability-identifier-naming): the standard's names for what a container has
+    using value_type = T;
+    using iterator = T*;
+    using const_iterator = const T*;
+    // NOLINTEND(readability-identifier-naming)
+
     Few() = default;
     Few(std::initializer_list<T> things) { append(things.begin(), things.size()); }
     Few(const Few& other) { append(other.begin(), other.size_); }

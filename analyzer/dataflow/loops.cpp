@@ -4,7 +4,6 @@
 #include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <tuple>
 #include <unordered_map>
 
@@ -16,16 +15,14 @@ constexpr std::size_t work_per_node = 16;
 constexpr std::size_t work_at_least = 20'000;
 
 /// Facts are in the order of nodes, and so is the body: each node's are looked up behind those of the last.
-template<class Fact>
-std::vector<std::reference_wrapper<const Fact>> in_body(const Loop& loop, const std::vector<Fact>& facts) {
-    std::vector<std::reference_wrapper<const Fact>> inside;
+template<class Fact, class Visit>
+void for_each_in_body(const Loop& loop, const std::vector<Fact>& facts, const Visit& visit) {
     auto fact = facts.begin();
     for (const flow::NodeId node : loop.body) {
         fact = std::ranges::lower_bound(fact, facts.end(), node, {}, &Fact::node);
-        for (; fact != facts.end() && fact->node == node; ++fact) inside.emplace_back(*fact);
-        if (fact == facts.end()) break;
+        for (; fact != facts.end() && fact->node == node; ++fact) visit(*fact);
+        if (fact == facts.end()) return;
     }
-    return inside;
 }
 
 class LoopSearch {
@@ -74,10 +71,10 @@ class LoopSearch {
             loop.can_stop |= std::ranges::binary_search(exits_, node);
             look_at_effects(loop, node);
         }
-        for (const CallMade& call : in_body(loop, analysis_.facts().calls)) {
+        for_each_in_body(loop, analysis_.facts().calls, [&](const CallMade& call) {
             loop.can_stop |= call.may_stop;
             loop.has_unknown_effects |= !call.known;
-        }
+        });
         if (edge.kind == flow::EdgeKind::back) {
             const Slice effects = graph_.nodes[loop.head].effects;
             for (Id i = effects.first; i < effects.first + effects.count; ++i)
@@ -142,19 +139,21 @@ std::vector<Loop> find_loops(const Program& program, const flow::Structures& str
 
 std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place) {
     std::vector<const Store*> stores;
-    for (const Store& store : in_body(loop, facts.stores))
+    for_each_in_body(loop, facts.stores, [&](const Store& store) {
         if (store.place == place) stores.push_back(&store);
+    });
     return stores;
 }
 
 LoopChanges::LoopChanges(const Loop& loop, const Facts& facts) {
-    for (const Store& store : in_body(loop, facts.stores)) assigned_.push_back(key_of(store.place));
-    for (const Disturbance& disturbance : in_body(loop, facts.disturbances)) {
+    for_each_in_body(loop, facts.stores,
+                     [&](const Store& store) { assigned_.push_back(key_of(store.place)); });
+    for_each_in_body(loop, facts.disturbances, [&](const Disturbance& disturbance) {
         if (disturbance.place)
             disturbed_.push_back(key_of(*disturbance.place));
         else if (std::ranges::find(spaces_, disturbance.space) == spaces_.end())
             spaces_.push_back(disturbance.space);
-    }
+    });
     std::ranges::sort(assigned_);
     std::ranges::sort(disturbed_);
 }

@@ -88,20 +88,24 @@ Value States::entry_value(Place place) {
     return value;
 }
 
-Value States::absent(const State& state, Key key) {
+std::uint32_t States::absent(const State& state, Key key) {
     const Place place = place_of(key);
-    const SymbolId site = state.forgotten[place.space];
-    if (site == 0) return entry_value(place);
-    Value value;
-    value.symbol = pool_.symbols({Symbol::Kind::opaque, key, site, 1});
-    return value;
+    if (const SymbolId site = state.forgotten[place.space]; site != 0) {
+        Value value;
+        value.symbol = pool_.symbols({Symbol::Kind::opaque, key, site, 1});
+        return pool_.values(value);
+    }
+    if (const auto known = trees_.find(entry_values_, key)) return *known;
+    const std::uint32_t id = pool_.values(entry_value(place));
+    entry_values_ = trees_.set(entry_values_, key, id);
+    return id;
 }
 
 std::uint32_t States::absent_modal(Key key) { return entry_modals_[static_cast<GroupId>(key)]; }
 
 Value States::read(const State& state, Place place) {
     const auto found = trees_.find(state.root, key_of(place));
-    return found ? pool_.values[*found] : absent(state, key_of(place));
+    return pool_.values[found ? *found : absent(state, key_of(place))];
 }
 
 const ModalValue& States::read(const State& state, GroupId group) {
@@ -189,7 +193,7 @@ State States::merge(const State& a, const State& b, std::uint32_t node, Widening
     const auto otherwise = [&](const State& lacking, Key key) -> std::uint32_t {
         if (is_group_key(key)) return absent_modal(key);
         if (!is_place_key(key)) return nothing;
-        return pool_.values(absent(lacking, key));
+        return absent(lacking, key);
     };
     joined.root = trees_.merge(
         a.root, b.root, join_keyed,
@@ -225,6 +229,7 @@ State States::widen(const State& old, const State& now, std::uint32_t node,
 void States::keep_only(std::span<State* const> states) {
     std::vector<Root*> roots;
     for (State* state : states) roots.push_back(&state->root);
+    entry_values_ = 0;
     trees_.keep_only(roots);
     pool_.fit();
 }

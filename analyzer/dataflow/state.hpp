@@ -94,7 +94,8 @@ class States {
     [[nodiscard]] Value entry_value(Place place);
     [[nodiscard]] Vacancy vacancy_at_entry(Place place) const;
     [[nodiscard]] bool may_be_handed_down(Place place) const;
-    [[nodiscard]] Value absent(const State& state, Key key);
+    /// The value, by number, of a variable that a state does not hold.
+    [[nodiscard]] std::uint32_t absent(const State& state, Key key);
     [[nodiscard]] std::uint32_t absent_modal(Key key);
     [[nodiscard]] bool is_entry_of(OriginId doubt, Key key) const;
     [[nodiscard]] Value join_values(const Value& a, const Value& b, Key key, std::uint32_t node);
@@ -104,6 +105,7 @@ class States {
     EntryKnowledge knowledge_;
     Pool pool_;
     Trees trees_;
+    Root entry_values_ = 0; ///< those that were asked for
     std::vector<std::uint32_t> entry_modals_;
 };
 

@@ -17,6 +17,7 @@ constexpr double most_indexed_places = 64;
 
 State Transfer::run(flow::NodeId node, State state) {
     node_ = node;
+    judged_.reset();
     const flow::Node& n = graph_.nodes[node];
     if (n.is_run) {
         run_of_plain_blocks(state, node);
@@ -33,7 +34,9 @@ State Transfer::along(const flow::Edge& edge, State after) {
     if (!after.reached) return after;
     node_ = edge.from;
     if (edge.condition) {
-        const Truth truth = judge(after, *edge.condition);
+        if (!judged_ || judged_->first != *edge.condition)
+            judged_.emplace(*edge.condition, judge(after, *edge.condition));
+        const Truth truth = judged_->second;
         if (edge.holds ? !truth.can_hold : !truth.can_fail) return {};
         refine(after, *edge.condition, edge.holds);
     } else if (edge.label) {

@@ -20,8 +20,8 @@ class Transfer {
 
     /// The state after the node.
     [[nodiscard]] State run(flow::NodeId node, State state);
-    /// The state on an edge, given the state after the node it leaves; not reached when the edge cannot be
-    /// taken.
+    /// The state on an edge of the node that was run last, given the state after it; not reached when the
+    /// edge cannot be taken.
     [[nodiscard]] State along(const flow::Edge& edge, State after);
 
   private:
@@ -69,6 +69,8 @@ class Transfer {
     Facts* facts_ = nullptr;
     flow::NodeId node_ = 0;
     EffectId effect_ = 0;
+    /// The node's condition, the same on all edges of a branch.
+    std::optional<std::pair<ExpressionId, Truth>> judged_;
 };
 
 } // namespace maclint::dataflow

@@ -3,6 +3,7 @@
 #include "analyzer/flow/components.hpp"
 
 #include <algorithm>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -25,9 +26,12 @@ class TrapSearch {
     }
 
     std::vector<Loop> run() {
-        flow::Arrows arrows(graph_.nodes.size());
-        for (flow::EdgeId id = 0; id < graph_.edges.size(); ++id)
-            if (analysis_.passable(id)) arrows[graph_.edges[id].from].push_back(graph_.edges[id].to);
+        flow::Arrows arrows;
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
+            for (const flow::EdgeId id : graph_.out[node])
+                if (analysis_.passable(id)) arrows.add(graph_.edges[id].to);
+            arrows.end_list();
+        }
         components_ = flow::find_components(arrows);
         std::vector<Loop> traps;
         for (std::uint32_t component = 0; component < components_.members.size(); ++component) {
@@ -61,7 +65,7 @@ class TrapSearch {
     }
 
     [[nodiscard]] std::optional<Loop> trap_of(std::uint32_t component) const {
-        const std::vector<flow::NodeId>& body = components_.members[component];
+        const std::span<const flow::NodeId> body = components_.members[component];
         std::optional<flow::EdgeId> back;
         std::vector<flow::EdgeId> never_taken;
         for (const flow::NodeId node : body)
@@ -71,8 +75,14 @@ class TrapSearch {
             }
         if (!back) return std::nullopt;
         const flow::Edge& edge = graph_.edges[*back];
-        return Loop{edge.to, edge.from, *back, structure_around(component), body, std::move(never_taken),
-                    false,   false};
+        return Loop{edge.to,
+                    edge.from,
+                    *back,
+                    structure_around(component),
+                    {body.begin(), body.end()},
+                    std::move(never_taken),
+                    false,
+                    false};
     }
 
     [[nodiscard]] bool leads_back(flow::EdgeId id) const {
@@ -90,7 +100,7 @@ class TrapSearch {
     /// The outermost loop of the text that runs round and round here: its head is in the cycle, and so is
     /// nothing outside of it.
     [[nodiscard]] std::optional<flow::StructureId> structure_around(std::uint32_t component) const {
-        const std::vector<flow::NodeId>& body = components_.members[component];
+        const std::span<const flow::NodeId> body = components_.members[component];
         const auto [first, last] =
             std::ranges::minmax(body, {}, [this](auto node) { return begin_of(node); });
         std::optional<flow::StructureId> around;

@@ -122,6 +122,7 @@ class Interner {
     void grow() {
         constexpr std::size_t fewest = 64;
         slots_.assign(std::max(fewest, std::bit_ceil(4 * things_.size())), 0);
+        things_.reserve(slots_.size() / 2);
         for (std::size_t i = 0; i < things_.size(); ++i)
             slots_[place_of(things_[i])] = static_cast<std::uint32_t>(i + 1);
     }

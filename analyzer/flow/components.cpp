@@ -57,23 +57,24 @@ class Tarjan {
     }
 
     void close_component(std::uint32_t root) {
-        std::vector<std::uint32_t> members;
+        members_.clear();
         std::uint32_t node = unseen;
         do {
             node = stack_.back();
             stack_.pop_back();
             waiting_[node] = false;
             result_.of[node] = static_cast<std::uint32_t>(result_.members.size());
-            members.push_back(node);
+            members_.push_back(node);
         } while (node != root);
-        std::ranges::sort(members);
-        result_.members.push_back(std::move(members));
+        std::ranges::sort(members_);
+        for (const std::uint32_t member : members_) result_.members.add(member);
+        result_.members.end_list();
     }
 
     const Arrows& arrows_;
     std::vector<std::uint32_t> index_, low_;
     std::vector<bool> waiting_;
-    std::vector<std::uint32_t> stack_;
+    std::vector<std::uint32_t> stack_, members_;
     std::vector<Frame> frames_;
     std::uint32_t count_ = 0;
     Components result_;

@@ -1,17 +1,37 @@
 //! Cycles in a directed graph: what can reach itself, in an order from the pointed-to to the pointing.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace maclint::flow {
 
+/// Lists of numbers, one behind the other in the same memory: most are short, and there are many.
+class Lists {
+  public:
+    /// Adds to the list that is being made.
+    void add(std::uint32_t number) { numbers_.push_back(number); }
+    void end_list() { ends_.push_back(numbers_.size()); }
+
+    [[nodiscard]] std::size_t size() const { return ends_.size(); }
+    [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t list) const {
+        const std::size_t begin = list == 0 ? 0 : ends_[list - 1];
+        return std::span(numbers_).subspan(begin, ends_[list] - begin);
+    }
+
+  private:
+    std::vector<std::uint32_t> numbers_;
+    std::vector<std::size_t> ends_;
+};
+
 /// For every node the nodes that it points to.
-using Arrows = std::vector<std::vector<std::uint32_t>>;
+using Arrows = Lists;
 
 struct Components {
-    std::vector<std::uint32_t> of;                   ///< component of every node
-    std::vector<std::vector<std::uint32_t>> members; ///< what a component points to comes before it
+    std::vector<std::uint32_t> of; ///< component of every node
+    Lists members;                 ///< sorted; what a component points to comes before it
 };
 
 /// Strongly connected components (Tarjan 1972), without recursion.

@@ -50,6 +50,9 @@ class Building {
     }
 
     Graph run() {
+        // What most programs need; what is left over is given back.
+        graph_.nodes.reserve(2 * program_.items.size());
+        graph_.edges.reserve(2 * program_.items.size());
         for (const Section& section : program_.sections) {
             if (section.executed == Section::Executed::never) continue;
             for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) take_item(i);

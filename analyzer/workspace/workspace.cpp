@@ -34,7 +34,6 @@ class WorkspaceBuilder {
   private:
     void resolve_calls() {
         const CallResolver resolver(programs_);
-        arrows_.resize(programs_.size());
         for_each_parallel(programs_.size(), jobs_, [&](std::size_t i) {
             ProgramAnalysis& analysis = programs_[i];
             flow::for_each_effect(analysis.program(), [&](EffectId id) {
@@ -42,31 +41,31 @@ class WorkspaceBuilder {
                     analysis.calls_.push_back(resolver.resolve(analysis, id));
             });
             std::ranges::sort(analysis.calls_, {}, &CallSite::effect);
-            for (const CallSite& site : analysis.calls_)
-                if (site.target) arrows_[i].push_back(*site.target);
         });
-        for (const ProgramAnalysis& analysis : programs_)
+        for (const ProgramAnalysis& analysis : programs_) {
             for (const CallSite& site : analysis.calls_) {
-                if (site.target) programs_[*site.target].callers_.push_back({analysis.index(), site.effect});
                 for (const ProgramIndex possible : site.equally_near)
                     programs_[possible].possible_callers_.push_back({analysis.index(), site.effect});
+                if (!site.target) continue;
+                arrows_.add(*site.target);
+                programs_[*site.target].callers_.push_back({analysis.index(), site.effect});
             }
+            arrows_.end_list();
+        }
     }
 
     void analyse_layer(const std::vector<std::uint32_t>& layer) {
         std::vector<ProgramIndex> members;
         for (const std::uint32_t component : layer)
-            members.insert(members.end(), components_.members[component].begin(),
-                           components_.members[component].end());
+            for (const ProgramIndex member : components_.members[component]) members.push_back(member);
         for_each_parallel(members.size(), jobs_, [&](std::size_t i) { analyse(programs_[members[i]]); });
     }
 
     void analyse(ProgramAnalysis& analysis) {
         const Program& program = analysis.program();
         const std::uint32_t own = components_.of[analysis.index()];
-        analysis.recursive_ =
-            components_.members[own].size() > 1 ||
-            std::ranges::find(arrows_[analysis.index()], analysis.index()) != arrows_[analysis.index()].end();
+        analysis.recursive_ = components_.members[own].size() > 1 ||
+                              std::ranges::count(arrows_[analysis.index()], analysis.index()) != 0;
         for (CallSite& site : analysis.calls_)
             site.in_cycle = site.target && components_.of[*site.target] == own;
         const dataflow::Callees callees = [&analysis,
@@ -251,9 +250,8 @@ class WorkspaceBuilder {
     /// Longest ways from programs that nobody calls, callers before callees; calls within a cycle do not
     /// count.
     void measure_depth() {
-        for (auto component = components_.members.rbegin(); component != components_.members.rend();
-             ++component)
-            for (const std::uint32_t index : *component) deepen_callees(programs_[index]);
+        for (std::size_t component = components_.members.size(); component-- > 0;)
+            for (const ProgramIndex index : components_.members[component]) deepen_callees(programs_[index]);
     }
 
     void deepen_callees(const ProgramAnalysis& caller) {

@@ -63,7 +63,9 @@ void BlockLowering::lower() {
     block.words.first = static_cast<Id>(program_.words.size());
     Nodes items = children(*node);
     take_head(block, items);
+    constexpr std::size_t usually_enough = 8;
     Effects effects;
+    effects.reserve(usually_enough);
     lower_items(items, effects);
     block.words.count = static_cast<Id>(program_.words.size()) - block.words.first;
     block.effects = {static_cast<Id>(program_.effects.size()), static_cast<Id>(effects.size())};
