@@ -283,7 +283,7 @@ std::optional<Irregularity> Clues::missing_value() const {
 std::optional<Irregularity> Clues::remark() const {
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
         if (tokens_[i].kind != TokenKind::comment) continue;
-        if (i > 0 && is_function(last_keyword(tokens_[i - 1]))) continue; // ATAN(ABS(#1)/#2): no remark
+        if (i > 0 && is_function(last_keyword(tokens_[i - 1]))) return std::nullopt; // ATAN(ABS(#1)/#2)
         if (text(tokens_[i]).find('(', 1) == std::string_view::npos) continue;
         const Span tail{tokens_[i + 1].span.begin, tokens_.back().span.end};
         if (text_[tail.end - 1] == ')' && tail.length() > 1)
