@@ -42,6 +42,21 @@ bool addresses_maclint(std::string_view comment) {
     return false;
 }
 
+std::string without_comments(std::string_view text, Span block, std::span<const Span> comments) {
+    std::string rest;
+    Offset at = block.begin;
+    const auto take = [&](Offset end) {
+        for (; at < end; ++at)
+            if (text[at] != ' ' && text[at] != '\t' && text[at] != '\0') rest += text[at];
+    };
+    for (const Span comment : comments) {
+        take(comment.begin);
+        at = comment.end;
+    }
+    take(block.end);
+    return rest;
+}
+
 std::string stem_of(std::string_view path) {
     const std::size_t slash = path.find_last_of("/\\");
     std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);

@@ -1,7 +1,10 @@
 //! Small questions about the words of a text that every dialect asks.
 #pragma once
 
+#include "analyzer/source/span.hpp"
+
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,6 +19,9 @@ namespace maclint {
 
 /// Whether a comment speaks to maclint: it holds the name, any case.
 [[nodiscard]] bool addresses_maclint(std::string_view comment);
+
+/// A block without its comments, blanks and tape leader.
+[[nodiscard]] std::string without_comments(std::string_view text, Span block, std::span<const Span> comments);
 
 /// A file's name without folder and extension.
 [[nodiscard]] std::string stem_of(std::string_view path);

@@ -1,5 +1,6 @@
 //! The shapes of DIN PLUS: a fragment without a section word must still be told [dinplus.md 1-3].
 #include "analyzer/dialect/detect/shapes.hpp"
+#include "analyzer/dialect/dinplus/tables.hpp"
 
 #include <algorithm>
 
@@ -17,30 +18,9 @@ bool anywhere(std::string_view text, char first, Test test) {
     return false;
 }
 
-// English, German and older words of the controls, and those that translated manuals print [dinplus.md 2.2].
-// Blanks and underscores are the same.
-// clang-format off
-constexpr std::string_view sections[] = {
-    "PROGRAM HEAD", "PROGRAMMKOPF", "OHJELMAN OTSIKKO", "CHUCKING EQUIPMENT", "CLAMPING DEVICE",
-    "SPANNMITTEL", "KIINNITYSLAITE", "TURRET", "REVOLVER", "REVOLVERI", "REVOLEVRI", "MAGAZINE", "MAGAZIN",
-    "MAKASIINI", "MANUAL TOOL", "HANDWERKZEUG", "CONTOUR", "CONTOUR GROUP", "KONTUR", "KONTURGRUPPE", "MUOTO",
-    "BLANK", "ROHTEIL", "AIHIO", "FINISHED", "FINISHED PART", "FERTIGTEIL", "VALMISOSA", "AUXIL BLANK",
-    "HILFSROHTEIL", "APUAIHIO", "AUXIL CONTOUR", "AUXILIARY CONTOUR", "HILFSKONTUR", "APUMUOTO", "FACE C",
-    "FRONT", "STIRN", "OTSAPINTA", "REAR C", "REAR SIDE", "RUECKSEITE", "TAKAPINTA", "LATERAL C", "SURFACE",
-    "MANTEL", "VAIPPA", "VAIPPAPINTA", "FACE Y", "FRONT Y", "REAR Y", "LATERAL Y", "MACHINING", "BEARBEITUNG",
-    "KONEISTUS", "SUBPROGRAM", "UNTERPROGRAMM", "ALIOHJELMA", "CONST", "VAR", "ASSIGNMENT", "ZUORDNUNG",
-};
-// clang-format on
-constexpr std::string_view ends[] = {"END", "ENDE", "LOPPU", "LOPPUUN"};
-
-bool is_one_of(std::span<const std::string_view> words, std::string_view head) {
-    const auto same = [](char a, char b) { return a == b || (a == ' ' && b == '_'); };
-    return std::ranges::any_of(words,
-                               [&](std::string_view word) { return std::ranges::equal(word, head, same); });
-}
-
-/// Whether one of the words heads a line without a number; behind it at most addresses stand.
-bool heads(std::span<const std::string_view> words, const Line& line) {
+/// Whether a section word heads a line without a number, END (`end`) or another one; behind it at most
+/// addresses stand.
+bool heads(const Line& line, bool end) {
     const std::string_view whole = line.whole();
     if (whole.size() < 3 || !is_capital(whole[0]) || !is_capital(whole[1])) return false;
     const auto ends_words = [](char c) {
@@ -51,7 +31,8 @@ bool heads(std::span<const std::string_view> words, const Line& line) {
     if (behind != whole.end() && after_names.find(*behind) != std::string_view::npos) return false;
     std::string_view head(whole.begin(), behind);
     while (!(head = trim(head)).empty()) {
-        if (is_one_of(words, head)) return true;
+        const dinplus::SectionWord* section = dinplus::find_section_word(head);
+        if (section != nullptr && (section->kind == "END") == end) return true;
         const std::size_t blank = head.find_last_of(" \t");
         if (blank == std::string_view::npos) return false;
         const std::string_view last = head.substr(blank + 1);
@@ -63,9 +44,9 @@ bool heads(std::span<const std::string_view> words, const Line& line) {
 
 } // namespace
 
-bool section_word(const Line& line) { return heads(sections, line); }
+bool section_word(const Line& line) { return heads(line, false); }
 
-bool end_of_program_word(const Line& line) { return heads(ends, line); }
+bool end_of_program_word(const Line& line) { return heads(line, true); }
 
 bool tool_feed_and_speed_in_one_block(const Line& line) {
     const Word* tool = line.word('T');

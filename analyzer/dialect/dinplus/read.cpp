@@ -69,7 +69,7 @@ class Reader {
             tell_comments(raw_.span);
             take_line();
         }
-        record_comments(only_comments || is_block_number(bare()));
+        record_comments(only_comments || is_block_number(without_comments(text_, raw_.span, raw_.comments)));
     }
 
     [[nodiscard]] Offset end_of_line(Offset at) const {
@@ -206,22 +206,6 @@ class Reader {
     }
 
     // ---- comments
-
-    /// The block without its comments and blanks.
-    [[nodiscard]] std::string bare() const {
-        std::string rest;
-        Offset at = raw_.span.begin;
-        const auto take = [&](Offset end) {
-            for (; at < end; ++at)
-                if (text_[at] != ' ' && text_[at] != '\t' && text_[at] != '\0') rest += text_[at];
-        };
-        for (const Span comment : raw_.comments) {
-            take(comment.begin);
-            at = comment.end;
-        }
-        take(raw_.span.end);
-        return rest;
-    }
 
     void record_comments(bool alone) {
         for (const Span comment : raw_.comments)

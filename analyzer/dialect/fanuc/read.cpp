@@ -32,22 +32,6 @@ std::optional<std::int64_t> number_in(std::string_view name) {
     return all ? read_integer(digits) : std::nullopt;
 }
 
-/// The block without its comments, blanks and tape leader.
-std::string bare(std::string_view text, const RawBlock& block) {
-    std::string rest;
-    Offset at = block.span.begin;
-    const auto take = [&](Offset end) {
-        for (; at < end; ++at)
-            if (text[at] != ' ' && text[at] != '\t' && text[at] != '\0') rest += text[at];
-    };
-    for (const Span comment : block.comments) {
-        take(comment.begin);
-        at = comment.end;
-    }
-    take(block.span.end);
-    return rest;
-}
-
 bool is_sequence_number(std::string_view text) {
     return !text.empty() && (text[0] == 'N' || text[0] == 'n') &&
            std::ranges::all_of(text.substr(1), [](char c) { return c >= '0' && c <= '9'; });
@@ -109,7 +93,7 @@ class Reader {
         if (text_[first] == '%') return take_tape_mark(first);
         cut_block(text_, first, raw_);
         if (raw_.span.empty()) return raw_.next;
-        const std::string code = bare(text_, raw_);
+        const std::string code = without_comments(text_, raw_.span, raw_.comments);
         const bool only_comments = code.empty();
         if (!only_comments) {
             tell_comments(raw_.span);
