@@ -127,10 +127,6 @@ Detection judge(Content content, std::string_view text, const std::string& exten
             false, certain};
 }
 
-bool is_of_fanuc_family(const Dialect* dialect) {
-    return dialect != nullptr && (dialect == find_dialect("fanuc") || dialect == find_dialect("nct"));
-}
-
 // Extensions that are worth opening, if only to say that the file is not linted. Files without one are when
 // they are named like a program: O9100.
 constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "ngc", "gcode", "gc",
@@ -149,12 +145,12 @@ Detection detect_dialect(const Source& source) {
     const std::string_view bytes = source.bytes();
     const std::string_view text = bytes.substr(byte_order_mark_length(bytes), looked_at);
     Detection whole = judge(classify(bytes), text, extension);
-    if (whole.certain && is_of_fanuc_family(whole.dialect)) return whole;
+    if (whole.certain && whole.dialect != nullptr) return whole;
     // What line noise behind a good program looks like is chance.
     const std::string_view first = detect::first_program(text);
     if (first.empty() || first.size() == text.size()) return whole;
     Detection head = judge(Content::text, first, extension);
-    if (!is_of_fanuc_family(head.dialect)) return whole;
+    if (head.dialect == nullptr) return whole;
     head.certain = true;
     return head;
 }

@@ -1,7 +1,6 @@
 //! What bad input gets from the executable: findings or one line on standard error, and every other file is
 //! linted all the same.
-#include "tests/support/folder.hpp"
-#include "tests/support/process.hpp"
+#include "tests/support/bad_input.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -25,14 +24,6 @@ using testing::Not;
 using testing::SizeIs;
 using testing::StartsWith;
 
-constexpr std::string_view with_defect = "%\nO1001 (BAD)\nG0 X1.\nGOTO 99\nM30\n%\n"; // MAC301 in line 4
-
-std::string repeated(std::string_view text, std::size_t bytes) {
-    std::string out;
-    while (out.size() < bytes) out += text;
-    return out;
-}
-
 std::string replaced(std::string_view text, std::string_view line_end) {
     std::string out;
     for (const char c : text) {
@@ -43,49 +34,6 @@ std::string replaced(std::string_view text, std::string_view line_end) {
     }
     return out;
 }
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::istringstream in(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
-
-/// A folder with the bad input of the test and a file whose defect must be found whatever lies beside it.
-class BadInput : public testing::Test {
-  protected:
-    void SetUp() override {
-        folder.write(".git/HEAD", "");
-        folder.write("neighbour.nc", with_defect);
-    }
-
-    void take_fixture(const std::string& name) const {
-        fs::copy_file(fs::path(MACLINT_SOURCE_DIR) / "tests/fixtures/bad-input" / name, folder.path() / name);
-    }
-
-    /// Lints the paths; the neighbour, which has to be among them, keeps its finding.
-    [[nodiscard]] Finished lint(std::vector<std::string> paths) const {
-        paths.insert(paths.begin(), {"check", "--format", "concise"});
-        Finished finished = run_maclint(folder.path().string(), paths, "");
-        EXPECT_THAT(codes(finished, "neighbour.nc"), ElementsAre("4:1 MAC301"));
-        return finished;
-    }
-
-    /// "line:column code" of every finding in the file.
-    static std::vector<std::string> codes(const Finished& finished, const std::string& name) {
-        std::vector<std::string> found;
-        for (const std::string& line : lines_of(finished.out)) {
-            if (!line.starts_with(name + ":")) continue;
-            const std::size_t place = name.size() + 1;
-            const std::size_t code = line.find('[', place) + 1;
-            found.push_back(line.substr(place, line.find(": ", place) - place) + ' ' +
-                            line.substr(code, line.find(']', code) - code));
-        }
-        return found;
-    }
-
-    TemporaryFolder folder;
-};
 
 /// Lints bytes under a name beside the neighbour.
 class BadBytes : public BadInput {
