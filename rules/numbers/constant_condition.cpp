@@ -1,14 +1,13 @@
 //! MAC718: a condition that always holds or never does.
 #include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/numbers/surroundings.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <optional>
-#include <unordered_map>
 
 namespace maclint::rules {
 
@@ -109,62 +108,6 @@ bool only_clamps(const ProgramAnalysis& analysis, const dataflow::Condition& con
         return place != nullptr && std::ranges::find(reads.places, *place) != reads.places.end();
     });
 }
-
-std::optional<std::int64_t> jump_target(const Program& program, EffectId effect) {
-    const auto* guarded = std::get_if<Guarded>(&program.effects[effect].what);
-    if (guarded == nullptr || guarded->effects.count != 1) return std::nullopt;
-    const auto* jump = std::get_if<Jump>(&program.effects[guarded->effects.first].what);
-    return jump == nullptr ? std::nullopt : flow::constant_target(program, jump->target);
-}
-
-/// What every condition of a program is held against, gathered in one pass.
-class Surroundings {
-  public:
-    explicit Surroundings(const ProgramAnalysis& analysis)
-        : program_(analysis.program()) {
-        for (const dataflow::Store& store : analysis.facts().stores) {
-            Assigned& assigned = assigned_[dataflow::key_of(store.place)];
-            ++assigned.count;
-            assigned.literal &= std::holds_alternative<Literal>(program_.expressions[store.expression].node);
-        }
-        for (const dataflow::Condition& condition : analysis.facts().conditions)
-            if (const auto target = jump_target(program_, condition.effect))
-                first_tests_.try_emplace(*target, condition.node);
-    }
-
-    [[nodiscard]] bool depends_on_settings(const dataflow::ReadSet& reads) const {
-        return reads_setting(reads) ||
-               std::ranges::all_of(reads.places, [this](Place place) { return assigned(place).count <= 1; });
-    }
-
-    /// A number that users edit in the program's head decides.
-    [[nodiscard]] bool reads_setting(const dataflow::ReadSet& reads) const {
-        return std::ranges::any_of(reads.places, [this](Place place) {
-            return assigned(place).count == 1 && assigned(place).literal;
-        });
-    }
-
-    /// An earlier test sends to the same place: the second is not needed, but does no harm.
-    [[nodiscard]] bool repeats_another(const dataflow::Condition& condition) const {
-        const auto target = jump_target(program_, condition.effect);
-        return target && first_tests_.at(*target) < condition.node;
-    }
-
-  private:
-    struct Assigned {
-        std::size_t count = 0;
-        bool literal = true;
-    };
-
-    [[nodiscard]] Assigned assigned(Place place) const {
-        const auto found = assigned_.find(dataflow::key_of(place));
-        return found == assigned_.end() ? Assigned{} : found->second;
-    }
-
-    const Program& program_;
-    std::unordered_map<dataflow::Key, Assigned> assigned_;
-    std::unordered_map<std::int64_t, flow::NodeId> first_tests_; ///< facts are in the order of nodes
-};
 
 struct Sides {
     bool constant = true; ///< all are known numbers

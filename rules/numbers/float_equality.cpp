@@ -1,6 +1,7 @@
 //! MAC710: EQ or NE between numbers that rounding has touched.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/numbers/inexact_counter.hpp"
+#include "rules/numbers/inexact_sum.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -106,32 +107,6 @@ bool is_copied_into(const ProgramAnalysis& analysis, ExpressionId expression, co
     return load != nullptr && std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
                return store.place == load->place && store.value.symbol == other.symbol;
            });
-}
-
-/// An assignment that adds a step of unknown exactness to a variable in a loop: ten steps of 0.1 are not 1.
-using Sums = std::vector<const dataflow::Store*>;
-
-Sums find_sums(const ProgramAnalysis& analysis) {
-    std::vector<bool> repeated(analysis.graph().nodes.size(), false);
-    for (const dataflow::Loop& loop : analysis.loops())
-        for (const flow::NodeId node : loop.body) repeated[node] = true;
-    Sums sums;
-    for (const dataflow::Store& store : analysis.facts().stores) {
-        if (!store.step || !repeated[store.node]) continue;
-        const Value& amount = store.step->amount;
-        if (amount.integer || (amount.constant() && !dataflow::is_inexact(amount))) continue;
-        const auto same = [&](const dataflow::Store* other) { return other->place == store.place; };
-        if (std::ranges::none_of(sums, same)) sums.push_back(&store);
-    }
-    return sums;
-}
-
-const dataflow::Store* sum_in(const ProgramAnalysis& analysis, const Sums& sums, ExpressionId expression) {
-    const auto* load = std::get_if<Load>(&analysis.program().expressions[expression].node);
-    if (load == nullptr) return nullptr;
-    const auto found =
-        std::ranges::find_if(sums, [&](const dataflow::Store* sum) { return sum->place == load->place; });
-    return found == sums.end() ? nullptr : *found;
 }
 
 bool is_harmless(const ProgramAnalysis& analysis, const dataflow::Comparison& c) {

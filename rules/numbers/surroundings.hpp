@@ -1,0 +1,36 @@
+//! What the conditions of a program are held against before one that never changes is called a defect.
+#pragma once
+
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+
+namespace maclint::rules {
+
+/// Gathered in one pass over the facts of a program.
+class Surroundings {
+  public:
+    explicit Surroundings(const ProgramAnalysis& analysis);
+
+    /// Everything that is read is set at most once, or a number that users edit decides.
+    [[nodiscard]] bool depends_on_settings(const dataflow::ReadSet& reads) const;
+    /// A number that users edit in the program's head decides.
+    [[nodiscard]] bool reads_setting(const dataflow::ReadSet& reads) const;
+    /// An earlier test sends to the same place: the second is not needed, but does no harm.
+    [[nodiscard]] bool repeats_another(const dataflow::Condition& condition) const;
+
+  private:
+    struct Assigned {
+        std::size_t count = 0;
+        bool literal = true;
+    };
+    [[nodiscard]] Assigned assigned(Place place) const;
+
+    const Program& program_;
+    std::unordered_map<dataflow::Key, Assigned> assigned_;
+    std::unordered_map<std::int64_t, flow::NodeId> first_tests_; ///< facts are in the order of nodes
+};
+
+} // namespace maclint::rules
