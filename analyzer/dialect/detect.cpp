@@ -114,7 +114,7 @@ Detection judge(Content content, std::string_view text, const std::string& exten
     const bool certain = found.evidence.points(language) >= detect::enough;
     const bool shared_marks = language == Language::fanuc || language == Language::hobby;
     if (shared_marks && !found.is_nc_text())
-        return {nullptr, "no NC program (few lines look like blocks)", true, true};
+        return {nullptr, "text of another kind (few lines look like blocks)", true, true};
     if (language == Language::din_plus) {
         const Dialect* din_plus = find_dialect("dinplus");
         if (din_plus == nullptr) return foreign(found.evidence, language);

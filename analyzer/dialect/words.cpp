@@ -19,8 +19,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     if (a.size() > longest || b.size() > longest) return longest;
     std::array<std::array<std::uint8_t, longest + 1>, longest + 1>
         cost{}; // small: noise asks a million times
-    for (std::uint8_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
-    for (std::uint8_t j = 0; j <= b.size(); ++j) cost[0][j] = j;
+    for (std::size_t i = 0; i <= longest; ++i) cost[i][0] = cost[0][i] = static_cast<std::uint8_t>(i);
     for (std::size_t i = 1; i <= a.size(); ++i)
         for (std::size_t j = 1; j <= b.size(); ++j) {
             int least = std::min(cost[i - 1][j], cost[i][j - 1]) + 1;

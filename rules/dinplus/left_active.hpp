@@ -17,13 +17,13 @@ namespace maclint::rules {
 [[nodiscard]] std::vector<Leftover> left_at_return(const ProgramAnalysis& analysis);
 
 /// What the program has switched on itself in the group of this name, and is still on when it ends.
-[[nodiscard]] std::optional<Leftover> left_at_end(const ProgramAnalysis& analysis, std::string_view group);
+[[nodiscard]] std::optional<Leftover> left_at_end(const ProgramAnalysis& analysis, std::string_view name);
 
 /// Reports what `left_at_end` finds: the arguments are the code and what cancels it.
 void report_left_at_end(const ProgramAnalysis& analysis, std::string_view group, Reporter& reporter);
 
 /// The code that switched it on and what cancels it: "G42", "G40".
-[[nodiscard]] std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId group, double code);
+[[nodiscard]] std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId id, double code);
 
 /// Whether the part is a code of this program's own that is no customary one of its group.
 [[nodiscard]] bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,

@@ -58,8 +58,11 @@ TEST(Detection, OneSlipDoesNotMakeAFanucProgramForeign) {
                              "G810 X5.",
                              "%\nprose between two tapes\n%",
                              "TOOL CALL 5",
-                             "X?"})
-        EXPECT_EQ(told_of(head + slip + tail), "fanuc") << slip;
+                             "X?"}) {
+        std::string text = head;
+        text.append(slip).append(tail);
+        EXPECT_EQ(told_of(text), "fanuc") << slip;
+    }
 }
 
 TEST(Detection, NctIsToldByItsForms) {
@@ -160,7 +163,7 @@ TEST(Detection, WhatIsNoNcTextIsToldSo) {
                 "binary");
     expect_none(
         "Dear customer,\nplease find attached; thanks again\nthe drawing; it is final\nKind regards\n",
-        "no NC program");
+        "text of another kind");
 }
 
 TEST(Detection, ExtensionsWorthOpening) {

@@ -13,7 +13,6 @@ namespace maclint::dinplus {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 /// The blocks of a text, empty lines left out.
 std::vector<std::string> blocks_of(std::string_view text) {

@@ -13,7 +13,6 @@ namespace maclint {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 std::vector<Finding> findings(const Workspace& workspace, std::string_view code) {
