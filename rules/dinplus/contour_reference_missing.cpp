@@ -10,7 +10,7 @@
 namespace maclint::rules {
 
 namespace {
-void check(const ProgramAnalysis& analysis, Reporter& reporter);
+void check(const ProgramFile& file, Reporter& reporter);
 }
 
 extern const Rule contour_reference_missing{
@@ -98,26 +98,26 @@ Contours contours_of(const ProgramFile& file) {
     return contours;
 }
 
-void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const std::vector<BlockUser> users = find_block_users(analysis.program());
-    if (users.empty()) return;
-    const Contours contours = contours_of(analysis.file());
-    if (!contours.described || !contours.complete) return;
-    for (const BlockUser& user : users) {
-        if (user.target != Role::contour) continue;
-        std::string elsewhere;
-        bool found = false;
-        for (const NumberedBlock& block : find_blocks(analysis.file(), {user.number})) {
-            // A subprogram may hold a contour as well as machining.
-            found |= block.section == nullptr || block.section->role == user.target ||
-                     block.section->role == Role::subprogram;
-            if (block.section != nullptr) elsewhere = block.section->name;
-        }
-        if (found) continue;
-        const Span span = analysis.program().effects[user.effect].span;
-        reporter.report(analysis.file(), span, elsewhere.empty() ? "missing" : "elsewhere",
-                        {quoted(analysis.program(), span), std::to_string(user.number), elsewhere});
+void report(const ProgramFile& file, const Program& program, const BlockUser& user, Reporter& reporter) {
+    std::string elsewhere;
+    for (const NumberedBlock& block : find_blocks(file, {user.number})) {
+        // A subprogram may hold a contour as well as machining.
+        if (block.section == nullptr || block.section->role == user.target ||
+            block.section->role == Role::subprogram)
+            return;
+        elsewhere = block.section->name;
     }
+    const Span span = program.effects[user.effect].span;
+    reporter.report(file, span, elsewhere.empty() ? "missing" : "elsewhere",
+                    {quoted(program, span), std::to_string(user.number), elsewhere});
+}
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    const Contours contours = contours_of(file);
+    if (!contours.described || !contours.complete) return;
+    for (const Program& program : file.programs)
+        for (const BlockUser& user : find_block_users(program))
+            if (user.target == Role::contour) report(file, program, user, reporter);
 }
 
 } // namespace
