@@ -63,34 +63,41 @@ CallResolver::CallResolver(const std::deque<ProgramAnalysis>& programs)
     for (const ProgramAnalysis& analysis : programs) {
         const Program& program = analysis.program();
         if (program.number) by_number_[*program.number].push_back(analysis.index());
-        by_name_[folded(program.name)].push_back(analysis.index());
+        // Every file may have local programs of the same names: only calls in the file look at them.
+        Names& names = program.local ? local_[&analysis.file()] : by_name_;
+        names[folded(program.name)].push_back(analysis.index());
         for (const std::string& name : program.also_known_as) {
-            auto& known = by_name_[folded(name)];
+            auto& known = names[folded(name)];
             if (known.empty() || known.back() != analysis.index()) known.push_back(analysis.index());
         }
     }
 }
 
-const std::vector<ProgramIndex>* CallResolver::candidates(const Program& caller, const Call& call) const {
+std::vector<ProgramIndex> CallResolver::candidates(const ProgramAnalysis& caller, const Call& call) const {
     if (const auto* text = std::get_if<Text>(&call.program)) {
-        const auto found = by_name_.find(folded(caller.slice(text->characters)));
-        return found == by_name_.end() ? nullptr : &found->second;
+        const std::string name = folded(caller.program().slice(text->characters));
+        std::vector<ProgramIndex> all;
+        const auto add = [&](const Names& names) {
+            if (const auto found = names.find(name); found != names.end())
+                all.insert(all.end(), found->second.begin(), found->second.end());
+        };
+        add(by_name_);
+        if (const auto local = local_.find(&caller.file()); local != local_.end()) add(local->second);
+        return all;
     }
     const auto* expression = std::get_if<ExpressionId>(&call.program);
-    if (expression == nullptr) return nullptr;
-    const auto number = flow::constant_target(caller, *expression);
-    if (!number) return nullptr;
+    if (expression == nullptr) return {};
+    const auto number = flow::constant_target(caller.program(), *expression);
+    if (!number) return {};
     const auto found = by_number_.find(*number);
-    return found == by_number_.end() ? nullptr : &found->second;
+    return found == by_number_.end() ? std::vector<ProgramIndex>{} : found->second;
 }
 
 CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) const {
     const auto& call = std::get<Call>(caller.program().effects[effect].what);
     CallSite site{effect, {}, false, false, 0, {}};
-    const std::vector<ProgramIndex>* all = candidates(caller.program(), call);
-    if (all == nullptr) return site;
     std::size_t nearest = static_cast<std::size_t>(-1);
-    for (const ProgramIndex index : *all) {
+    for (const ProgramIndex index : candidates(caller, call)) {
         const std::optional<std::size_t> steps = steps_to(programs_[index], caller, call);
         if (!steps) continue;
         ++site.candidates;

@@ -17,11 +17,14 @@ class CallResolver {
     [[nodiscard]] CallSite resolve(const ProgramAnalysis& caller, EffectId effect) const;
 
   private:
-    [[nodiscard]] const std::vector<ProgramIndex>* candidates(const Program& caller, const Call& call) const;
+    using Names = std::unordered_map<std::string, std::vector<ProgramIndex>>;
+
+    [[nodiscard]] std::vector<ProgramIndex> candidates(const ProgramAnalysis& caller, const Call& call) const;
 
     const std::deque<ProgramAnalysis>& programs_;
     std::unordered_map<std::int64_t, std::vector<ProgramIndex>> by_number_;
-    std::unordered_map<std::string, std::vector<ProgramIndex>> by_name_;
+    Names by_name_;                                       ///< but for local programs
+    std::unordered_map<const ProgramFile*, Names> local_; ///< of every file
 };
 
 } // namespace maclint
