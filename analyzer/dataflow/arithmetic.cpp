@@ -79,7 +79,7 @@ struct Semantics {
 using W = Semantics::Whole;
 using R = Semantics::Rounds;
 
-// Sources: fanuc-custom-macro 3 (functions), SEED-001:306-332 (rounding), NCT-185 (logic on whole numbers).
+// Sources: macro reference, section 3 (functions and logic on whole numbers), SEED-001:306-332 (rounding).
 constexpr auto semantics = std::to_array<Semantics>({
     {Operation::add, W::if_operands, R::unless_whole},
     {Operation::subtract, W::if_operands, R::unless_whole},
@@ -214,7 +214,7 @@ Symbol symbol_of(Operation operation, std::span<const Value> v, const Origin& he
 
 Value compute(Pool& pool, Operation operation, std::span<const Value> operands, const Origin& here) {
     Value result;
-    result.vacancy = Vacancy::set; // arithmetic takes vacant for 0 [NCT-173, MITSU-326]
+    result.vacancy = Vacancy::set; // arithmetic takes vacant for 0 [MITSU-326]
     const Semantics* row = find_semantics(operation);
     const Range range = row == nullptr ? Range{-infinity, infinity} : range_of(operation, operands);
     result.low = range.low;

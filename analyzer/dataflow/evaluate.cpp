@@ -281,7 +281,7 @@ void Transfer::refine_place(State& state, Place place, Operation operation, cons
         value.vacancy = Vacancy::set;
     } else {
         const bool may_be_vacant = value.vacancy != Vacancy::set;
-        // EQ tells a number from vacant; the other comparisons take vacant for 0 [NCT-174, MITSU-326].
+        // EQ tells a number from vacant; the other comparisons take vacant for 0 [MITSU-326].
         if (operation == Operation::equal && other.vacancy == Vacancy::set &&
             !program_.control->vacant_equals_zero)
             value.vacancy = Vacancy::set;

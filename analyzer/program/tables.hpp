@@ -119,7 +119,7 @@ struct VariableRange {
     bool may_be_vacant = false; ///< of machine values: there may be none, as of a probe that touched nothing
 };
 
-/// All variable numbers that one kind of index can reach (`#[…]` on Fanuc-like controls).
+/// All variable numbers that one kind of index can reach (`#[…]`).
 struct VariableFamily {
     std::string_view name;
     std::vector<VariableRange> ranges;
