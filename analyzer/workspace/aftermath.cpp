@@ -7,7 +7,8 @@
 #include "analyzer/workspace/workspace.hpp"
 
 #include <algorithm>
-#include <unordered_set>
+#include <set>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -52,8 +53,8 @@ class Search {
     [[nodiscard]] const ProgramAnalysis& at(ProgramIndex index) const { return workspace_.programs()[index]; }
 
     void push(const Point& point) {
-        const std::uint64_t key = std::uint64_t{point.program} << 36U | std::uint64_t{point.node} << 5U |
-                                  std::uint64_t{point.idle & 15U} << 1U | (point.inside ? 1U : 0U);
+        // Two calls that lead to one node are two questions: the way from each may be open or closed.
+        const Place key{point.program, point.node, point.call, point.idle, point.inside};
         if (point.first != 0 || visited_.insert(key).second) stack_.push_back(point);
     }
 
@@ -185,7 +186,8 @@ class Search {
     GroupId group_;
     std::vector<GroupCode> idle_; ///< codes under which no move asks for the value
     std::vector<Point> stack_;
-    std::unordered_set<std::uint64_t> visited_;
+    using Place = std::tuple<ProgramIndex, flow::NodeId, flow::NodeId, std::uint32_t, bool>;
+    std::set<Place> visited_;
     Aftermath result_{false, nullptr, {}};
 };
 

@@ -101,6 +101,15 @@ TEST(Feed, OfAWayThatTheCallerCannotTakeHarmsNobody) {
                 IsEmpty());
 }
 
+TEST(Feed, OfTheCallFromWhichTheWayIsOpenMatters) {
+    // Two calls lead to line 9; the way from the later one is closed by its own test, the other one is open.
+    EXPECT_THAT(
+        lines_raised("MAC503",
+                     "O1\nG65 P9001 F100.\nIF[#100NE1]GOTO5\nG65 P9001 F100.\nN5\n"
+                     "IF[#100NE1]GOTO6\nG1 X1 F50\nGOTO7\nN6 G1 X2\nN7 M30\nO9001\nG1 X1. F#9\nM99\n"),
+        ElementsAre(12));
+}
+
 TEST(Speed, OfASpindleThatStandsMattersToNobody) {
     const std::string sub = "O9001\nG1 X1. F100 S#19 M3\nM5\nS200\nM99\n";
     EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 S9.\nG1 X1 F5\nS500 M3\nG1 X2\nM30\n" + sub),
