@@ -100,9 +100,8 @@ Meaning by_grammar(std::string_view text, const ControlModel& control) {
     program.text = text;
     program.control = &control;
     std::vector<Irregularity> irregularities;
-    BlockLowering(tree, {0, static_cast<Offset>(text.size())}, codes_of(*program.control), program,
-                  irregularities)
-        .lower();
+    BlockLowering(codes_of(control), irregularities)
+        .lower(tree, {0, static_cast<Offset>(text.size())}, program);
     meaning.other = !irregularities.empty();
     if (program.items.empty()) return meaning;
     const auto& block = std::get<Block>(program.items.front());

@@ -54,7 +54,7 @@ Program& Programs::open(std::string name) {
     program.name = std::move(name);
     program.text = source_.bytes();
     program.control = &control_;
-    surroundings_.emplace_back();
+    before_.emplace_back();
     return program;
 }
 
@@ -122,12 +122,12 @@ void Programs::open_subprogram(const SectionWord& word, Span heading) {
         program.name = std::string(word.word);
         program.name_span = heading;
     }
-    surroundings_[current_] = inherited(surroundings_[main_]);
+    before_[current_] = inherited(before_[main_]);
 }
 
 /// Names of VAR that stand for variables which all programs share are known in local subprograms, too.
-Surroundings Programs::inherited(const Surroundings& main) {
-    Surroundings result;
+Preceding Programs::inherited(const Preceding& main) {
+    Preceding result;
     for (const auto& alias : main.aliases)
         if (control().spaces[alias.second.space].scope != Scope::frame) result.aliases.push_back(alias);
     return result;
@@ -137,10 +137,10 @@ void Programs::begin_section(const SectionKind& kind, Span heading) {
     Program& program = file_.programs[current_];
     const auto first = static_cast<Id>(program.items.size());
     program.sections.push_back({kind.name, {first, 0}, executed(kind), heading});
-    Surroundings& around = surroundings_[current_];
-    around.context = kind.role == Role::contour ? Context::contour : Context::machining;
-    around.effects = executed(kind) != Executed::never;
-    around.declares = declares_names(kind);
+    Preceding& before = before_[current_];
+    before.context = kind.role == Role::contour ? Context::contour : Context::machining;
+    before.effects = executed(kind) != Executed::never;
+    before.declares = declares_names(kind);
 }
 
 Part Programs::current() {
@@ -151,13 +151,13 @@ Part Programs::current() {
     Program& program = file_.programs[current_];
     if (program.sections.empty())
         program.sections.push_back({without_sections, {0, 0}, Executed::when_reached, {}});
-    return {program, surroundings_[current_]};
+    return {program, before_[current_]};
 }
 
 void Programs::leave_section() {
     if (current_ == nothing) return;
     Program& program = file_.programs[current_];
-    surroundings_[current_].waiting_if.reset();
+    before_[current_].waiting_if.reset();
     if (program.sections.empty()) return;
     Section& section = program.sections.back();
     section.items.count = static_cast<Id>(program.items.size()) - section.items.first;

@@ -14,7 +14,7 @@ namespace maclint::dinplus {
 /// The program and section that take the next block.
 struct Part {
     Program& program;
-    Surroundings& surroundings;
+    Preceding& before;
 };
 
 /// The programs of a file: the main part and its local subprograms. Behind a subprogram any other section
@@ -42,14 +42,14 @@ class Programs {
     void begin_section(const SectionKind& kind, Span heading);
     void leave_section();
     void finish(Program& program) const;
-    [[nodiscard]] static Surroundings inherited(const Surroundings& main);
+    [[nodiscard]] static Preceding inherited(const Preceding& main);
 
     static constexpr std::size_t nothing = SIZE_MAX;
 
     const Source& source_;
     const ControlModel& control_;
     ProgramFile& file_;
-    std::vector<Surroundings> surroundings_; ///< one for each program of the file
+    std::vector<Preceding> before_; ///< one for each program of the file
     std::size_t main_ = nothing;
     std::size_t current_ = nothing;
 };

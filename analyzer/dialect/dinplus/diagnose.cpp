@@ -118,14 +118,14 @@ std::optional<Irregularity> find_cause(std::string_view text, Span block) {
 namespace {
 
 /// The variable that `#l1`, `#_depth`, `#__la` or, as DEF wants it, `__la` names.
-std::optional<Place> place_named(std::string_view written, const Surroundings& around) {
+std::optional<Place> place_named(std::string_view written, const Preceding& before) {
     const std::size_t begin = written.find_first_not_of("# \t");
     if (begin == std::string_view::npos) return std::nullopt;
     const std::string_view name = written.substr(begin);
     if (name.starts_with("__")) return transfer_place(name.substr(2));
     if (name.starts_with('_')) {
-        const auto alias = std::ranges::find(around.aliases, name, &std::pair<std::string, Place>::first);
-        return alias == around.aliases.end() ? std::nullopt : std::optional(alias->second);
+        const auto alias = std::ranges::find(before.aliases, name, &std::pair<std::string, Place>::first);
+        return alias == before.aliases.end() ? std::nullopt : std::optional(alias->second);
     }
     const std::optional<FamilyId> family = begin == 0 ? std::nullopt : family_of(name.front());
     const std::optional<std::int64_t> number = read_integer(name);
@@ -142,17 +142,17 @@ void add_place(const std::optional<Place>& place, UnreadableBlock& names) {
 }
 
 /// A text that is not closed takes in variables that were meant to stand behind it.
-void add_places_in(std::string_view text, const Surroundings& around, UnreadableBlock& names) {
+void add_places_in(std::string_view text, const Preceding& before, UnreadableBlock& names) {
     for (auto at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
         const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", at + 1);
-        add_place(place_named(text.substr(at, end == std::string_view::npos ? end : end - at), around),
+        add_place(place_named(text.substr(at, end == std::string_view::npos ? end : end - at), before),
                   names);
     }
 }
 
 } // namespace
 
-UnreadableBlock names_in(const Program& program, const Surroundings& around, Span block) {
+UnreadableBlock names_in(const Program& program, const Preceding& before, Span block) {
     const Clues clues(program.text, block);
     const std::span<const Token> tokens = clues.tokens();
     UnreadableBlock names{{}, {}, false, false};
@@ -163,8 +163,8 @@ UnreadableBlock names_in(const Program& program, const Surroundings& around, Spa
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
         const std::string_view written = clues.text(token);
         const bool name = token.kind == TokenKind::variable || written.front() == '_';
-        if (name) add_place(place_named(written, around), names);
-        if (token.kind == TokenKind::unclosed_text) add_places_in(written, around, names);
+        if (name) add_place(place_named(written, before), names);
+        if (token.kind == TokenKind::unclosed_text) add_places_in(written, before, names);
         if (token.kind != TokenKind::letters) continue;
         std::string meant = capitals_of(written);
         if (meant.size() > 2 && !is_keyword(meant) && guesses++ < most_guesses) meant = meant_by(meant);

@@ -17,6 +17,6 @@ namespace maclint::dinplus {
 [[nodiscard]] Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree);
 
 /// What an unreadable block may do, judged by the words in it.
-[[nodiscard]] UnreadableBlock names_in(const Program& program, const Surroundings& around, Span block);
+[[nodiscard]] UnreadableBlock names_in(const Program& program, const Preceding& before, Span block);
 
 } // namespace maclint::dinplus

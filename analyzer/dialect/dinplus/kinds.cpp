@@ -122,6 +122,12 @@ bool is_word(Kind kind) {
     }
 }
 
+bool is_remark(const syntax::Node& node) {
+    const Kind kind = kind_of(node);
+    return kind == Kind::comment || kind == Kind::unclosed_comment || kind == Kind::description_mark ||
+           kind == Kind::foreign_comment;
+}
+
 bool is_head(Kind kind) {
     switch (kind) {
     case Kind::slide:

@@ -125,6 +125,8 @@ enum class Field : std::uint8_t {
 
 /// Address and value, or what was meant as such.
 [[nodiscard]] bool is_word(Kind kind);
+/// A comment, however it is written.
+[[nodiscard]] bool is_remark(const syntax::Node& node);
 /// Slides, skip marks and block numbers, which stand before what a block does.
 [[nodiscard]] bool is_head(Kind kind);
 

@@ -30,7 +30,7 @@ bool opens_bracket(Kind kind) {
 /// IF, THEN, ELSE and ENDIF stand alone in their block [l.19668].
 void BlockLowering::check_alone(std::span<const Node* const> items) {
     const auto content = std::ranges::count_if(items, [](const Node* n) { return !is_aside(kind_of(*n)); });
-    if (content < 2 || !around_.effects) return;
+    if (content < 2 || !before_->effects) return;
     const auto keyword =
         std::ranges::find_if(items, [](const Node* n) { return wants_to_be_alone(kind_of(*n)); });
     if (keyword == items.end()) return;
@@ -45,10 +45,10 @@ void BlockLowering::check_then(std::span<const Node* const> items) {
     for (const Node* item : items) {
         const Kind kind = kind_of(*item);
         if (is_aside(kind)) continue;
-        if (around_.waiting_if && kind != Kind::then_statement && kind != Kind::unknown_statement)
-            report(Irregular::then_missing, *around_.waiting_if, "THEN");
-        around_.waiting_if.reset();
-        if (kind == Kind::if_statement) around_.waiting_if = span(*item);
+        if (before_->waiting_if && kind != Kind::then_statement && kind != Kind::unknown_statement)
+            report(Irregular::then_missing, *before_->waiting_if, "THEN");
+        before_->waiting_if.reset();
+        if (kind == Kind::if_statement) before_->waiting_if = span(*item);
     }
 }
 
@@ -58,11 +58,11 @@ void BlockLowering::check_tokens() {
         {"EQ", "=="}, {"NE", "<>"}, {"GT", ">"},  {"GE", ">="}, {"LT", "<"},
         {"LE", "<="}, {"=<", "<="}, {"=>", ">="}, {"!=", "<>"}, {"><", "<>"}};
     check_depth();
-    std::vector<const Node*> parents(tree_.nodes.size(), nullptr);
-    for (const Node& node : tree_.nodes) {
-        for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_.nodes[c].next_sibling)
+    std::vector<const Node*> parents(tree_->nodes.size(), nullptr);
+    for (const Node& node : tree_->nodes) {
+        for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_->nodes[c].next_sibling)
             parents[c] = &node;
-        const Node* parent = parents[static_cast<std::size_t>(&node - tree_.nodes.data())];
+        const Node* parent = parents[static_cast<std::size_t>(&node - tree_->nodes.data())];
         switch (kind_of(node)) {
         case Kind::assignment_sign:
         case Kind::equality_sign: {
@@ -71,8 +71,8 @@ void BlockLowering::check_tokens() {
             const Span sign = span(node);
             report(comparison ? Irregular::assignment_in_condition : Irregular::comparison_as_assignment,
                    sign,
-                   std::string(program_.slice({whole.begin, sign.begin})) + (comparison ? "==" : "=") +
-                       std::string(program_.slice({sign.end, whole.end})));
+                   std::string(program_->slice({whole.begin, sign.begin})) + (comparison ? "==" : "=") +
+                       std::string(program_->slice({sign.end, whole.end})));
             break;
         }
         case Kind::foreign_operator: {
@@ -108,15 +108,15 @@ void BlockLowering::check_tokens() {
 
 /// Reports the first bracket of the block that opens one level too many. Parents stand before their children.
 void BlockLowering::check_depth() {
-    std::vector<int> depths(tree_.nodes.size(), 0);
-    for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
-        const Node& node = tree_.nodes[i];
-        if (opens_bracket(kind_of(node)) && ++depths[i] > program_.control->limits.bracket_levels) {
+    std::vector<int> depths(tree_->nodes.size(), 0);
+    for (std::size_t i = 0; i < tree_->nodes.size(); ++i) {
+        const Node& node = tree_->nodes[i];
+        if (opens_bracket(kind_of(node)) && ++depths[i] > program_->control->limits.bracket_levels) {
             const auto bracket = static_cast<Offset>(text(node).find('('));
             const Offset begin = span(node).begin + bracket;
             return report(Irregular::bracket_depth, {begin, begin + 1}, "");
         }
-        for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_.nodes[c].next_sibling)
+        for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_->nodes[c].next_sibling)
             depths[c] = depths[i];
     }
 }

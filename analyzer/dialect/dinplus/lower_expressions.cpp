@@ -10,9 +10,6 @@
 namespace maclint::dinplus {
 namespace {
 
-/// Deeper than anything a control accepts; what lies below is not read.
-constexpr int deepest = 200;
-
 struct OperationRow {
     std::string_view name;
     Operation operation;
@@ -55,21 +52,6 @@ std::string_view bare_name(std::string_view name) {
 
 } // namespace
 
-ExpressionId BlockLowering::add(Expression expression) {
-    program_.expressions.push_back(expression);
-    return static_cast<ExpressionId>(program_.expressions.size() - 1);
-}
-
-ExpressionId BlockLowering::unreadable(Span span) { return add({Unreadable{}, span}); }
-
-ExpressionId BlockLowering::literal(double value, Span span) { return add({Literal{value, false}, span}); }
-
-ExpressionId BlockLowering::apply(Operation operation, std::span<const ExpressionId> operands, Span span) {
-    const Slice slice{static_cast<Id>(program_.operands.size()), static_cast<Id>(operands.size())};
-    program_.operands.insert(program_.operands.end(), operands.begin(), operands.end());
-    return add({Apply{operation, slice}, span});
-}
-
 ExpressionId BlockLowering::lower_expression(const Node& node) {
     if (depth_ >= deepest) return unreadable(span(node));
     ++depth_;
@@ -80,17 +62,12 @@ ExpressionId BlockLowering::lower_expression(const Node& node) {
 
 ExpressionId BlockLowering::lower_below(const Node& node) {
     switch (kind_of(node)) {
-    case Kind::number: {
-        const Number number = read_number(text(node));
-        return add({Literal{number.value, number.decimal_point}, span(node)});
-    }
+    case Kind::number: return number(text(node), span(node));
     case Kind::literal_word: { // the head of an extended word: X100+_sd
         const std::string_view written = text(node);
         const std::size_t digits = std::min(written.find_first_of("+-.0123456789"), written.size());
-        const Number number = read_number(written.substr(digits));
         const Span whole = span(node);
-        return add({Literal{number.value, number.decimal_point},
-                    {whole.begin + static_cast<Offset>(digits), whole.end}});
+        return number(written.substr(digits), {whole.begin + static_cast<Offset>(digits), whole.end});
     }
     case Kind::string:
     case Kind::unclosed_string:
@@ -108,11 +85,8 @@ ExpressionId BlockLowering::lower_below(const Node& node) {
         if (const Node* place = child(node, Field::place)) return lower_expression(*place);
         return unreadable(span(node));
     case Kind::parenthesis: {
-        const Nodes inner = named_children(node);
-        if (inner.size() != 1) return unreadable(span(node));
-        const ExpressionId id = lower_expression(*inner.front());
-        program_.expressions[id].span = span(node);
-        return id;
+        const Node* inner = only_child(node);
+        return inner == nullptr ? unreadable(span(node)) : widen(lower_expression(*inner), span(node));
     }
     case Kind::function_call: return lower_function(node);
     case Kind::vacancy_test: return lower_vacancy_test(node);
@@ -133,7 +107,7 @@ std::optional<BlockLowering::Numbered> BlockLowering::numbered(const Node& varia
     constexpr std::int64_t most = 999'999;
     if (!family || !number || *number > most) return std::nullopt;
     const auto n = static_cast<std::int32_t>(*number);
-    const VariableRange* range = program_.control->families[*family].find(n);
+    const VariableRange* range = program_->control->families[*family].find(n);
     if (range == nullptr) return std::nullopt;
     Numbered result{*family, n, std::nullopt};
     if (range->meaning == Meaning::place) result.place = Place{range->space, n};
@@ -146,9 +120,8 @@ ExpressionId BlockLowering::lower_variable(const Node& variable, const Node& who
     if (!found) return unreadable(span(whole));
     if (found->place) return add({Load{*found->place}, span(whole)});
     if (const Node* list = child(whole, Field::selectors); list != nullptr && found->family == families::n) {
-        const Nodes selectors = named_children(*list);
-        if (!selectors.empty())
-            if (const auto group = group_read(found->number, upper_text(*selectors.front())))
+        if (const Node* selector = first_child(*list))
+            if (const auto group = group_read(found->number, upper_text(*selector)))
                 return add({LoadModal{*group}, span(whole)});
     }
     return add({LoadMachine{found->family, found->number}, span(whole)});
@@ -160,16 +133,15 @@ ExpressionId BlockLowering::lower_indirect(const Node& node) {
     const Node* number = child(node, Field::number);
     if (kind == nullptr || number == nullptr || text(*kind).empty()) return unreadable(span(node));
     const std::optional<FamilyId> family = family_of(text(*kind).back());
-    const Nodes selectors = named_children(*number);
-    if (!family || selectors.empty()) return unreadable(span(node));
-    if (selectors.size() > 1) return add({LoadMachine{*family, 0}, span(node)});
-    const ExpressionId index = lower_expression(*selectors.front());
-    return add({LoadAt{*family, index}, span(node)});
+    if (!family || first_child(*number) == nullptr) return unreadable(span(node));
+    const Node* selector = only_child(*number);
+    if (selector == nullptr) return add({LoadMachine{*family, 0}, span(node)});
+    return add({LoadAt{*family, lower_expression(*selector)}, span(node)});
 }
 
 const Place* BlockLowering::alias_of(std::string_view name) const {
-    const auto row = std::ranges::find(around_.aliases, name, &std::pair<std::string, Place>::first);
-    return row == around_.aliases.end() ? nullptr : &row->second;
+    const auto row = std::ranges::find(before_->aliases, name, &std::pair<std::string, Place>::first);
+    return row == before_->aliases.end() ? nullptr : &row->second;
 }
 
 /// A name is known by what stands behind `#`, `_` included.
@@ -177,9 +149,9 @@ Place BlockLowering::named_place(const Node& node, SpaceId space) {
     std::string_view written = text(node);
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
     if (const Place* alias = alias_of(written)) return *alias;
-    const auto known = std::ranges::find(program_.names, written);
-    const auto index = static_cast<std::int32_t>(known - program_.names.begin());
-    if (known == program_.names.end()) program_.names.emplace_back(written);
+    const auto known = std::ranges::find(program_->names, written);
+    const auto index = static_cast<std::int32_t>(known - program_->names.begin());
+    if (known == program_->names.end()) program_->names.emplace_back(written);
     return {space, index};
 }
 
@@ -219,18 +191,7 @@ ExpressionId BlockLowering::lower_unary(const Node& node) {
     const Node* operand = child(node, Field::operand);
     if (sign == nullptr || operand == nullptr) return unreadable(span(node));
     const ExpressionId value = lower_expression(*operand);
-    if (text(*sign) == "+") {
-        program_.expressions[value].span = span(node);
-        return value;
-    }
-    if (auto* number = std::get_if<Literal>(&program_.expressions[value].node);
-        number != nullptr && kind_of(*operand) == Kind::number) {
-        if (number->value != 0) number->value = -number->value;
-        program_.expressions[value].span = span(node);
-        return value;
-    }
-    const std::array operands{value};
-    return apply(Operation::negate, operands, span(node));
+    return with_sign(text(*sign) != "+", value, kind_of(*operand) == Kind::number, span(node));
 }
 
 ExpressionId BlockLowering::lower_binary(const Node& node) {
@@ -247,7 +208,8 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     const Node* arguments = child(node, Field::arguments);
     if (name == nullptr || arguments == nullptr) return unreadable(span(node));
     std::vector<ExpressionId> operands;
-    for (const Node* operand : named_children(*arguments)) operands.push_back(lower_expression(*operand));
+    for_each_child(*arguments,
+                   [&](const Node& operand) { operands.push_back(lower_expression(operand)); });
     const Operation operation =
         operands.size() == 1 ? find(functions, upper_text(*name)) : Operation::unknown;
     return apply(operation, operands, span(node));

@@ -5,55 +5,55 @@
 
 namespace maclint::dinplus {
 
-void BlockLowering::lower_assignment(const Node& node, Effects& effects) {
+void BlockLowering::lower_assignment(const Node& node) {
     const Node* left = child(node, Field::left);
     const Node* right = child(node, Field::right);
     if (left == nullptr || right == nullptr) return;
-    if (around_.declares && declare_alias(*left, *right, effects)) return;
+    if (before_->declares && declare_alias(*left, *right)) return;
     const ExpressionId value = lower_expression(*right);
-    store(*left, value, span(node), effects);
+    store(*left, value, span(node));
 }
 
 /// VAR and CONST: `#_depth=#l1` is another name for `#l1`, `#_depth=#l1(5)` stores 5 in it, too; anything
 /// else is a value of the name's own. All are known in the programs called from here [l.19484-19491].
-bool BlockLowering::declare_alias(const Node& name, const Node& value, Effects& effects) {
+bool BlockLowering::declare_alias(const Node& name, const Node& value) {
     const Kind kind = kind_of(name);
     if (kind != Kind::named_variable && kind != Kind::constant) return false;
     std::string_view written = text(name);
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
     const bool variable = kind == Kind::named_variable;
     const Place own = named_place(name, variable ? spaces::named : spaces::constant);
-    program_.handed_down.push_back(own);
+    program_->handed_down.push_back(own);
     std::optional<Place> place;
     if (variable && kind_of(value) == Kind::variable) {
         if (const auto found = numbered(value)) place = found->place;
     } else if (variable && kind_of(value) == Kind::selected_variable) {
         if (const Node* inner = child(value, Field::variable))
             if (const auto found = numbered(*inner)) place = found->place;
-        if (place) initialise(value, span(value), effects);
+        if (place) initialise(value, span(value));
     }
-    if (place) program_.aliases.emplace_back(own, *place);
-    if (alias_of(written) == nullptr) around_.aliases.emplace_back(written, place.value_or(own));
+    if (place) program_->aliases.emplace_back(own, *place);
+    if (alias_of(written) == nullptr) before_->aliases.emplace_back(written, place.value_or(own));
     return place.has_value();
 }
 
 /// `#l1(200)` stores 200 in a local variable, which the programs called from here see, too [l.18947,
 /// l.18979].
-void BlockLowering::initialise(const Node& variable, Span span, Effects& effects) {
+void BlockLowering::initialise(const Node& variable, Span span) {
     if (kind_of(variable) != Kind::selected_variable) return;
     const Node* name = child(variable, Field::variable);
     const Node* list = child(variable, Field::selectors);
     const std::optional<Numbered> found = name == nullptr ? std::nullopt : numbered(*name);
     if (!found || !found->place || list == nullptr) return;
-    const Nodes values = named_children(*list);
-    if (values.size() != 1) return;
-    effects.push_back({Assign{*found->place, lower_expression(*values.front())}, span});
-    program_.handed_down.push_back(*found->place);
+    const Node* value = only_child(*list);
+    if (value == nullptr) return;
+    effect({Assign{*found->place, lower_expression(*value)}, span});
+    program_->handed_down.push_back(*found->place);
 }
 
-void BlockLowering::store(const Node& target, ExpressionId value, Span span, Effects& effects) {
+void BlockLowering::store(const Node& target, ExpressionId value, Span span) {
     if (const std::optional<Place> place = place_of(target)) {
-        effects.push_back({Assign{*place, value}, span});
+        effect({Assign{*place, value}, span});
         return;
     }
     switch (kind_of(target)) {
@@ -61,23 +61,23 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span span, Eff
     case Kind::selected_variable: {
         const Node* name = kind_of(target) == Kind::variable ? &target : child(target, Field::variable);
         if (const auto found = name == nullptr ? std::nullopt : numbered(*name))
-            effects.push_back({Assign{StoreMachine{found->family, found->number}, value}, span});
+            effect({Assign{StoreMachine{found->family, found->number}, value}, span});
         else
-            evaluate(value, span, effects);
+            evaluate(value, span);
         return;
     }
     case Kind::indirect_variable: {
         const ExpressionId place = lower_indirect(target);
-        if (const auto* at = std::get_if<LoadAt>(&program_.expressions[place].node))
-            effects.push_back({Assign{StoreAt{at->family, at->index}, value}, span});
+        if (const auto* at = std::get_if<LoadAt>(&program_->expressions[place].node))
+            effect({Assign{StoreAt{at->family, at->index}, value}, span});
         else
-            evaluate(value, span, effects);
+            evaluate(value, span);
         return;
     }
     case Kind::double_sharp:
-        if (const Node* place = child(target, Field::place)) store(*place, value, span, effects);
+        if (const Node* place = child(target, Field::place)) store(*place, value, span);
         return;
-    default: evaluate(value, span, effects); return;
+    default: evaluate(value, span); return;
     }
 }
 
@@ -93,7 +93,7 @@ std::optional<Place> BlockLowering::place_of(const Node& node) {
     case Kind::transfer_variable:
     case Kind::internal_constant: {
         const ExpressionId id = lower_transfer(node);
-        const auto* load = std::get_if<Load>(&program_.expressions[id].node);
+        const auto* load = std::get_if<Load>(&program_->expressions[id].node);
         return load == nullptr ? std::nullopt : std::optional(load->place);
     }
     default: return std::nullopt;

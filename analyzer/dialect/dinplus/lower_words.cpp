@@ -40,8 +40,7 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
         std::ranges::replace(digits, 'O', '0');
         word.address = word.address.substr(0, 1);
         incremental = false;
-        const Number number = read_number(digits);
-        word.value = add({Literal{number.value, number.decimal_point}, span(node)});
+        word.value = number(digits, span(node));
         break;
     }
     case Kind::malformed_word: word.value = unreadable(span(node)); break;
@@ -51,30 +50,28 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
         if (const Node* value = child(node, Field::value)) word.value = lower_expression(*value);
         break;
     }
-    if (word.value)
-        if (const auto* number = std::get_if<Literal>(&program_.expressions[*word.value].node))
-            word.literal = number->value;
-    if (!word.address.empty()) program_.words.push_back({word.address, word.value, incremental, span(node)});
+    if (word.value) word.literal = value_of_literal(*word.value);
+    if (!word.address.empty()) program_->words.push_back({word.address, word.value, incremental, span(node)});
     return word;
 }
 
-void BlockLowering::lower_words(std::span<const Node* const> nodes, Effects& effects) {
-    std::vector<NcWord> words;
-    words.reserve(nodes.size());
-    for (const Node* node : nodes) words.push_back(record_word(*node));
+void BlockLowering::lower_words(std::span<const Node* const> nodes) {
+    words_.clear();
+    for (const Node* node : nodes) words_.push_back(record_word(*node));
+    const std::span<const NcWord> words(words_);
     const Span all = join(span(*nodes.front()), span(*nodes.back()));
 
-    Values values{{static_cast<Id>(program_.operands.size()), 0}};
+    Values values{{static_cast<Id>(program_->operands.size()), 0}};
     for (const NcWord& word : words) {
         if (!word.value || word.literal) continue;
-        program_.operands.push_back(*word.value);
+        program_->operands.push_back(*word.value);
         ++values.values.count;
     }
-    if (values.values.count != 0) effects.push_back({values, all});
-    if (around_.context == Context::machining) lower_commands(words, all, effects);
+    if (values.values.count != 0) effect({values, all});
+    if (before_->context == Context::machining) lower_commands(words, all);
 }
 
-void BlockLowering::lower_commands(std::span<const NcWord> words, Span span, Effects& effects) {
+void BlockLowering::lower_commands(std::span<const NcWord> words, Span span) {
     bool moves = false;
     bool at_rapid = true; // every code that moves does so at rapid traverse
     bool goes_on = true;  // no code but those that may stand beside a motion
@@ -88,75 +85,75 @@ void BlockLowering::lower_commands(std::span<const NcWord> words, Span span, Eff
         at_rapid &= (traits & Trait::moves) == 0 || (traits & approaches) != 0;
         synchronises |= (traits & Trait::synchronises) != 0;
         if (word.address == "G") goes_on &= (traits & (feed_word | speed_word)) != 0;
-        if (word.value) lower_code(word, words, effects);
+        if (word.value) lower_code(word, words);
     }
     for (const NcWord& word : words)
         if (word.address == "T" && word.value)
-            effects.push_back({ToolChange{ToolChange::Kind::change}, this->span(*word.node)});
+            effect({ToolChange{ToolChange::Kind::change}, this->span(*word.node)});
     if (goes_on)
         moves |= std::ranges::any_of(words, [](const NcWord& w) { return w.value && is_axis(w.address); });
-    if (moves) effects.push_back({Motion{at_rapid && !goes_on}, span});
-    if (synchronises) effects.push_back({Synchronise{}, span});
+    if (moves) effect({Motion{at_rapid && !goes_on}, span});
+    if (synchronises) effect({Synchronise{}, span});
     for (const NcWord& word : words) {
         if (word.address != "M" || !word.literal) continue;
         if (const CodeFact* fact = find_code('M', *word.literal, Context::machining))
-            lower_machine_function(fact->traits, word, words, effects);
+            lower_machine_function(fact->traits, word, words);
     }
 }
 
 /// What a G code, or an M code of a modal group, sets.
-void BlockLowering::lower_code(const NcWord& code, std::span<const NcWord> words, Effects& effects) {
+void BlockLowering::lower_code(const NcWord& code, std::span<const NcWord> words) {
     const char letter = code.address.front();
     const Span here = span(*code.node);
     if (!code.literal) { // G#l1
-        if (letter == 'G') effects.push_back({SetModal{std::nullopt, *code.value, 'G'}, here});
+        if (letter == 'G') effect({SetModal{std::nullopt, *code.value, 'G'}, here});
         return;
     }
     const CodeFact* fact = find_code(letter, *code.literal, Context::machining);
     const std::uint16_t traits = fact == nullptr ? 0 : fact->traits;
-    const ControlModel& control = *program_.control;
+    const ControlModel& control = *program_->control;
     if (fact == nullptr || (traits & sets_group) != 0) {
         if (const std::optional<GroupId> group = control.group_of(letter, *code.literal)) {
             if ((traits & off_by_word) != 0)
-                set_by_word(*group, *fact, code, words, effects);
+                set_by_word(*group, *fact, code, words);
             else
-                effects.push_back({SetModal{*group, *code.value}, here});
+                effect({SetModal{*group, *code.value}, here});
         }
     }
     for (const NcWord& word : words) {
         if (!word.value) continue;
         if ((traits & feed_word) != 0 && word.address == "F")
-            effects.push_back(
+            effect(
                 {SetModal{group_named(control, group_names::feed), *word.value}, span(*word.node)});
         if ((traits & speed_word) != 0 && word.address == "S")
-            effects.push_back(
+            effect(
                 {SetModal{group_named(control, group_names::speed), *word.value}, span(*word.node)});
         if ((traits & block_words) != 0 && (word.address == "NS" || word.address == "NE"))
-            effects.push_back({Reference{references::contour, *word.value}, span(*word.node)});
+            effect({Reference{references::contour, *word.value}, span(*word.node)});
     }
-    if ((traits & approaches) != 0) effects.push_back({ToolChange{ToolChange::Kind::approach}, here});
+    if ((traits & approaches) != 0) effect({ToolChange{ToolChange::Kind::approach}, here});
 }
 
 /// `G16 Q1` switches on, `G16 Q0` off.
 void BlockLowering::set_by_word(GroupId group, const CodeFact& fact, const NcWord& code,
-                                std::span<const NcWord> words, Effects& effects) {
+                                std::span<const NcWord> words) {
     const auto word = std::ranges::find(words, fact.off_letter, &NcWord::address);
     ExpressionId value = *code.value;
     if (word != words.end() && word->literal && *word->literal == fact.off_value)
-        value = literal(*program_.control->groups[group].cancel, span(*word->node));
+        value = literal(*program_->control->groups[group].cancel, span(*word->node));
     else if (word != words.end() && word->value && !word->literal)
         value = unreadable(span(*word->node));
-    effects.push_back({SetModal{group, value}, span(*code.node)});
+    effect({SetModal{group, value}, span(*code.node)});
 }
 
 void BlockLowering::lower_machine_function(std::uint16_t traits, const NcWord& code,
-                                           std::span<const NcWord> words, Effects& effects) {
+                                           std::span<const NcWord> words) {
     const Span here = span(*code.node);
-    if ((traits & pauses) != 0) effects.push_back({Stop{Stop::Kind::pause, std::nullopt}, here});
-    if ((traits & ends) != 0) effects.push_back({Stop{Stop::Kind::end, std::nullopt}, here});
+    if ((traits & pauses) != 0) effect({Stop{Stop::Kind::pause, std::nullopt}, here});
+    if ((traits & ends) != 0) effect({Stop{Stop::Kind::end, std::nullopt}, here});
     if ((traits & restarts) != 0) {
         const auto block = std::ranges::find(words, std::string_view("NS"), &NcWord::address);
-        effects.push_back({Stop{Stop::Kind::restart, block == words.end() ? std::nullopt : block->value},
+        effect({Stop{Stop::Kind::restart, block == words.end() ? std::nullopt : block->value},
                            block == words.end() ? here : join(here, span(*block->node))});
     }
 }

@@ -37,7 +37,8 @@ class Reader {
   public:
     Reader(std::shared_ptr<const Source> source, const ControlModel& control)
         : text_(source->bytes())
-        , programs_(*source, control, file_) {
+        , programs_(*source, control, file_)
+        , lowering_(file_.irregularities) {
         file_.source = std::move(source);
         file_.control = &control;
     }
@@ -131,7 +132,7 @@ class Reader {
             if (kind_of(node) == Kind::block && take_numbered_section(tree, node)) return;
         }
         const Part part = programs_.current();
-        BlockLowering(tree, block, part.program, part.surroundings, file_.irregularities).lower();
+        lowering_.lower(tree, block, part.program, part.before);
     }
 
     /// `N5 MACHINING`: the word counts although a number stands before it.
@@ -173,15 +174,15 @@ class Reader {
 
     void add_unreadable() {
         const Part part = programs_.current();
-        part.surroundings.waiting_if.reset();
+        part.before.waiting_if.reset();
         Program& program = part.program;
         Block block{};
         block.span = raw_.span;
         take_unreadable_head(block);
         block.words.first = static_cast<Id>(program.words.size());
         block.effects.first = static_cast<Id>(program.effects.size());
-        if (part.surroundings.effects) {
-            program.effects.push_back({names_in(program, part.surroundings, raw_.span), raw_.span});
+        if (part.before.effects) {
+            program.effects.push_back({names_in(program, part.before, raw_.span), raw_.span});
             block.effects.count = 1;
         }
         program.items.emplace_back(block);
@@ -221,6 +222,7 @@ class Reader {
     std::string_view text_;
     ProgramFile file_;
     Programs programs_;
+    BlockLowering lowering_;
     RawBlock raw_;
     std::string shape_;
     Noise noise_;

@@ -110,6 +110,9 @@ struct GrammarNumbers {
     return node.symbol < numbers.kinds.size() ? numbers.kinds[node.symbol] : Kind::token;
 }
 
+/// A comment.
+[[nodiscard]] inline bool is_remark(const syntax::Node& node) { return kind_of(node) == Kind::comment; }
+
 [[nodiscard]] inline Field field_of(const syntax::Node& node) {
     static const GrammarNumbers& numbers = grammar_numbers();
     return node.field < numbers.fields.size() ? numbers.fields[node.field] : Field::none;

@@ -9,9 +9,6 @@
 namespace maclint::fanuc {
 namespace {
 
-/// Deeper than anything a control accepts; what lies below is not read.
-constexpr int deepest = 200;
-
 struct FunctionRow {
     std::string_view name;
     Operation operation;
@@ -72,23 +69,8 @@ Operation between_conditions(Operation operation) {
 
 } // namespace
 
-ExpressionId BlockLowering::add(Expression expression) {
-    program_.expressions.push_back(expression);
-    return static_cast<ExpressionId>(program_.expressions.size() - 1);
-}
-
-ExpressionId BlockLowering::unreadable(Span span) { return add({Unreadable{}, span}); }
-
-ExpressionId BlockLowering::literal(double value, Span span) { return add({Literal{value, false}, span}); }
-
-ExpressionId BlockLowering::apply(Operation operation, std::span<const ExpressionId> operands, Span span) {
-    const Slice slice{static_cast<Id>(program_.operands.size()), static_cast<Id>(operands.size())};
-    program_.operands.insert(program_.operands.end(), operands.begin(), operands.end());
-    return add({Apply{operation, slice}, span});
-}
-
 bool BlockLowering::is_logical(ExpressionId id) const {
-    const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
+    const auto* apply = std::get_if<Apply>(&program_->expressions[id].node);
     if (apply == nullptr) return false;
     switch (apply->operation) {
     case Operation::all_of:
@@ -112,10 +94,7 @@ ExpressionId BlockLowering::lower_expression(const Node& node) {
     ++depth_;
     const auto lowered = [&]() -> ExpressionId {
         switch (kind_of(node)) {
-        case Kind::number: {
-            const Number number = read_number(text(node));
-            return add({Literal{number.value, number.decimal_point}, span(node)});
-        }
+        case Kind::number: return number(text(node), span(node));
         case Kind::label: {
             const std::optional<std::int64_t> number = read_integer(text(node));
             return number ? literal(static_cast<double>(*number), span(node)) : unreadable(span(node));
@@ -139,8 +118,7 @@ ExpressionId BlockLowering::lower_expression(const Node& node) {
             const Node* inner = only_child(node);
             if (inner == nullptr) return unreadable(span(node));
             const ExpressionId id = lower_expression(*inner);
-            program_.expressions[id].span = span(node);
-            return id;
+            return widen(id, span(node));
         }
         case Kind::call: return lower_function(node);
         case Kind::unary: return lower_unary(node);
@@ -157,7 +135,7 @@ ExpressionId BlockLowering::lower_expression(const Node& node) {
 ExpressionId BlockLowering::lower_condition(const Node& node) { return lower_expression(node); }
 
 ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
-    const VariableRange* range = program_.control->families[numbered].find(number);
+    const VariableRange* range = program_->control->families[numbered].find(number);
     if (range == nullptr) return add({LoadAt{numbered, literal(static_cast<double>(number), span)}, span});
     const auto n = static_cast<std::int32_t>(number);
     switch (range->meaning) {
@@ -174,9 +152,9 @@ ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
 Place BlockLowering::named_place(const Node& node) {
     std::string name = upper_text(node);
     std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
-    const auto known = std::ranges::find(program_.names, name);
-    const auto index = static_cast<std::int32_t>(known - program_.names.begin());
-    if (known == program_.names.end()) program_.names.push_back(std::move(name));
+    const auto known = std::ranges::find(program_->names, name);
+    const auto index = static_cast<std::int32_t>(known - program_->names.begin());
+    if (known == program_->names.end()) program_->names.push_back(std::move(name));
     return {spaces::named, index};
 }
 
@@ -199,18 +177,7 @@ ExpressionId BlockLowering::lower_unary(const Node& node) {
         const Operation operation = is_logical(value) ? Operation::not_of : Operation::bit_not;
         return apply(operation, operands, span(node));
     }
-    if (name == "+") {
-        program_.expressions[value].span = span(node);
-        return value;
-    }
-    if (auto* number = std::get_if<Literal>(&program_.expressions[value].node);
-        number != nullptr && kind_of(*operand) == Kind::number) {
-        if (number->value != 0) number->value = -number->value;
-        program_.expressions[value].span = span(node);
-        return value;
-    }
-    const std::array operands{value};
-    return apply(Operation::negate, operands, span(node));
+    return with_sign(name != "+", value, kind_of(*operand) == Kind::number, span(node));
 }
 
 ExpressionId BlockLowering::lower_binary(const Node& node) {
@@ -235,7 +202,7 @@ ExpressionId BlockLowering::lower_comparison(const Node& node) {
     const Operation operation = find(comparisons, upper_text(*sign));
     if (operation == Operation::equal || operation == Operation::not_equal) {
         const auto is_null = [&](ExpressionId id) {
-            return std::holds_alternative<Vacant>(program_.expressions[id].node);
+            return std::holds_alternative<Vacant>(program_->expressions[id].node);
         };
         const Operation test = operation == Operation::equal ? Operation::is_vacant : Operation::is_set;
         if (is_null(operands[1])) return apply(test, std::span(operands).first(1), span(node));

@@ -50,12 +50,11 @@ bool is_macro_call(double code) { return code == 65 || code == 66 || code == 66.
 
 BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
     if (kind_of(node) == Kind::program_name) return {0, false, no_word, &node, std::nullopt, std::nullopt};
-    NcWord word{0, false, static_cast<Id>(program_.words.size()), &node, std::nullopt, std::nullopt};
+    NcWord word{0, false, static_cast<Id>(program_->words.size()), &node, std::nullopt, std::nullopt};
     const Node* inner = &node;
     if (kind_of(node) == Kind::comma_word) {
         word.comma = true;
-        const Nodes below = children(node);
-        if (!below.empty()) inner = below.front();
+        if (const Node* below = first_child(node)) inner = below;
     }
     const std::string_view written = text(*inner);
     std::size_t letter = 0;
@@ -63,36 +62,31 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
     word.letter = written.empty() ? '@' : upper(written[letter]);
     bool incremental = false;
     if (kind_of(*inner) == Kind::literal_word) {
-        const Number number = read_number(written.substr(letter + 1));
-        word.literal = number.value;
         std::size_t digits = letter + 1;
         while (digits < written.size() && (written[digits] == ' ' || written[digits] == '\t')) ++digits;
         const Span whole = span(*inner);
-        word.value = add({Literal{number.value, number.decimal_point},
-                          {whole.begin + static_cast<Offset>(digits), whole.end}});
+        word.value =
+            number(written.substr(letter + 1), {whole.begin + static_cast<Offset>(digits), whole.end});
     } else if (kind_of(*inner) == Kind::letter_o_word) {
         std::string digits(written.substr(letter + 1)); // GO1 is G01
         std::ranges::replace_if(
             digits, [](char c) { return c == 'O' || c == 'o'; }, '0');
-        const Number number = read_number(digits);
-        word.literal = number.value;
-        word.value = add({Literal{number.value, number.decimal_point}, span(*inner)});
+        word.value = number(digits, span(*inner));
     } else if (kind_of(*inner) == Kind::malformed_word) {
         word.value = unreadable(span(*inner));
     } else if (const Node* value = child(*inner, Field::value)) {
         incremental = child(*inner, Field::incremental) != nullptr;
         word.value = lower_expression(*value);
-        if (const auto* number = std::get_if<Literal>(&program_.expressions[*word.value].node))
-            word.literal = number->value;
     }
-    program_.words.push_back({address_text(word.letter, word.comma), word.value, incremental, span(node)});
+    if (word.value) word.literal = value_of_literal(*word.value);
+    program_->words.push_back({address_text(word.letter, word.comma), word.value, incremental, span(node)});
     return word;
 }
 
-void BlockLowering::lower_words(std::span<const Node* const> nodes, Effects& effects) {
-    std::vector<NcWord> words;
-    words.reserve(nodes.size());
-    for (const Node* node : nodes) words.push_back(record_word(*node));
+void BlockLowering::lower_words(std::span<const Node* const> nodes) {
+    words_.clear();
+    for (const Node* node : nodes) words_.push_back(record_word(*node));
+    const std::span<const NcWord> words(words_);
     const Span all = join(span(*nodes.front()), span(*nodes.back()));
 
     // A macro call takes every word behind it as its own.
@@ -100,15 +94,14 @@ void BlockLowering::lower_words(std::span<const Node* const> nodes, Effects& eff
         return word.letter == 'G' && !word.comma && word.literal && is_macro_call(*word.literal);
     });
     const auto before = static_cast<std::size_t>(call - words.begin());
-    const std::span<const NcWord> list(words);
-    if (before != 0) lower_usual_words(list.first(before), all, effects);
+    if (before != 0) lower_usual_words(words.first(before), all);
     if (before != words.size()) {
         const Span rest = join(span(*words[before].node), all);
-        lower_macro_call(list.subspan(before), {span(*words[before].node).begin, rest.end}, effects);
+        lower_macro_call(words.subspan(before), {span(*words[before].node).begin, rest.end});
     }
 }
 
-void BlockLowering::lower_macro_call(std::span<const NcWord> words, Span span, Effects& effects) {
+void BlockLowering::lower_macro_call(std::span<const NcWord> words, Span span) {
     const NcWord& code = words.front();
     Call call{std::monostate{}, calls::g65, {}, std::nullopt};
     if (code.literal == 66) call.kind = calls::g66;
@@ -121,11 +114,11 @@ void BlockLowering::lower_macro_call(std::span<const NcWord> words, Span span, E
     call.arguments = arguments_from(words.subspan(1));
     if (std::holds_alternative<std::monostate>(call.program))
         report(Irregular::call_without_program, this->span(*code.node), "P");
-    effects.push_back({call, span});
+    effect({call, span});
 }
 
 Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
-    Slice slice{static_cast<Id>(program_.arguments.size()), 0};
+    Slice slice{static_cast<Id>(program_->arguments.size()), 0};
     SetCounter sets;
     for (const NcWord& word : words) {
         if (word.comma || !word.value || word.letter < 'A' || word.letter > 'Z') continue;
@@ -136,7 +129,7 @@ Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
             if (!place) continue;
             local = *place;
         }
-        program_.arguments.push_back(
+        program_->arguments.push_back(
             {Place{spaces::local, local}, *word.value, address_text(word.letter, false), span(*word.node)});
         ++slice.count;
     }
@@ -144,7 +137,7 @@ Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
 }
 
 /// Order of a block's words: modal codes, F and S, the move, then what stops, calls or ends.
-void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span, Effects& effects) {
+void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) {
     std::uint8_t traits = 0;
     for (const NcWord& word : words) {
         if (word.comma || !word.literal) continue;
@@ -153,48 +146,45 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span, 
     }
     const bool own_words = (traits & no_words) != 0;
     bool moves = false;
-    std::vector<ExpressionId> computed;
+    Values computed{{static_cast<Id>(program_->operands.size()), 0}};
     for (const NcWord& word : words) {
         if (word.comma || !word.value) continue;
         const Span here = this->span(*word.node);
         if (word.letter == 'G') {
             if (!word.literal) {
-                effects.push_back({SetModal{std::nullopt, *word.value, word.letter}, here});
+                effect({SetModal{std::nullopt, *word.value, word.letter}, here});
                 continue;
             }
-            if (*word.literal == 52) set_local_offset(words, span, effects);
+            if (*word.literal == 52) set_local_offset(words, span);
             const Code code = codes_.g_code(*word.literal);
-            if (code.group != no_group) effects.push_back({SetModal{code.group, *word.value}, here});
+            if (code.group != no_group) effect({SetModal{code.group, *word.value}, here});
         } else if (word.letter == 'F' && !own_words) {
-            effects.push_back({SetModal{codes_.feed, *word.value}, here});
+            effect({SetModal{codes_.feed, *word.value}, here});
         } else if (word.letter == 'S' && !own_words && (traits & limits_speed) == 0) {
-            effects.push_back({SetModal{codes_.speed, *word.value}, here});
+            effect({SetModal{codes_.speed, *word.value}, here});
         } else if (word.letter == 'M' && word.literal && codes_.m_group(*word.literal) != no_group) {
-            effects.push_back({SetModal{codes_.m_group(*word.literal), *word.value}, here});
+            effect({SetModal{codes_.m_group(*word.literal), *word.value}, here});
         } else {
             moves |= is_axis(codes_, word.letter);
-            if (!word.literal) computed.push_back(*word.value);
+            if (word.literal) continue;
+            program_->operands.push_back(*word.value);
+            ++computed.values.count;
         }
     }
-    if (!computed.empty()) {
-        effects.push_back(
-            {Values{{static_cast<Id>(program_.operands.size()), static_cast<Id>(computed.size())}}, span});
-        program_.operands.insert(program_.operands.end(), computed.begin(), computed.end());
-    }
+    if (computed.values.count != 0) effect({computed, span});
     if (moves && (traits & (no_axes | no_words)) == 0)
-        effects.push_back({Motion{(traits & without_feed) != 0}, span});
-    if ((traits & synchronises) != 0) effects.push_back({Synchronise{}, span});
+        effect({Motion{(traits & without_feed) != 0}, span});
+    if ((traits & synchronises) != 0) effect({Synchronise{}, span});
     for (const NcWord& word : words) {
         const bool lathe_tool = word.letter == 'T' && codes_.letters['T'] == Letter::not_plain;
         if (lathe_tool && !word.comma && word.value && !own_words)
-            effects.push_back({ToolChange{}, this->span(*word.node)});
+            effect({ToolChange{}, this->span(*word.node)});
         if (word.letter == 'M' && !word.comma && word.literal)
-            lower_machine_function(word, words, span, effects);
+            lower_machine_function(word, words, span);
     }
 }
 
-void BlockLowering::lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span,
-                                           Effects& effects) {
+void BlockLowering::lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span) {
     const auto value_of = [&](char letter) -> std::optional<ExpressionId> {
         const auto found = std::ranges::find_if(
             words, [&](const NcWord& w) { return w.letter == letter && !w.comma && w.value.has_value(); });
@@ -202,37 +192,39 @@ void BlockLowering::lower_machine_function(const NcWord& word, std::span<const N
     };
     const Span here = this->span(*word.node);
     if (*word.literal == 0 || *word.literal == 1)
-        effects.push_back({Stop{Stop::Kind::pause, std::nullopt}, here});
+        effect({Stop{Stop::Kind::pause, std::nullopt}, here});
     if (*word.literal == 2 || *word.literal == 30)
-        effects.push_back({Stop{Stop::Kind::end, std::nullopt}, here});
-    if (*word.literal == 6) effects.push_back({ToolChange{}, here});
-    if (*word.literal == 98) lower_subprogram_call(calls::m98, word, words, span, effects);
-    if (*word.literal == 198) lower_subprogram_call(calls::m198, word, words, span, effects);
-    if (*word.literal == 99) effects.push_back({Return{std::nullopt, value_of('P')}, span});
+        effect({Stop{Stop::Kind::end, std::nullopt}, here});
+    if (*word.literal == 6) effect({ToolChange{}, here});
+    if (*word.literal == 98) lower_subprogram_call(calls::m98, word, words, span);
+    if (*word.literal == 198) lower_subprogram_call(calls::m198, word, words, span);
+    if (*word.literal == 99) effect({Return{std::nullopt, value_of('P')}, span});
     if (*word.literal == 97) // Haas
-        if (const std::optional<ExpressionId> label = value_of('P')) lower_local_call(*label, span, effects);
+        if (const std::optional<ExpressionId> label = value_of('P')) lower_local_call(*label, span);
 }
 
 /// The blocks from a label to M99 run as a subprogram of this program. They may run, reading goes on here,
 /// and what they have done by then is not known.
-void BlockLowering::lower_local_call(ExpressionId label, Span span, Effects& effects) {
-    effects.push_back(guarded(unreadable(span), {{Jump{label}, span}}, span));
-    const Slice no_arguments{static_cast<Id>(program_.arguments.size()), 0};
-    effects.push_back({Call{unreadable(span), calls::m98, no_arguments, std::nullopt}, span});
+void BlockLowering::lower_local_call(ExpressionId label, Span span) {
+    const std::size_t first = effects_.size();
+    effect({Jump{label}, span});
+    guard(unreadable(span), first, span);
+    const Slice no_arguments{static_cast<Id>(program_->arguments.size()), 0};
+    effect({Call{unreadable(span), calls::m98, no_arguments, std::nullopt}, span});
 }
 
 /// Whether the digits of `P51002` are repeats and a program number of four digits.
 bool BlockLowering::holds_repeats(const NcWord& program) const {
-    if (!program_word_holds_repeats(*program_.control)) return false;
-    if (program_.number && *program_.number > 9999) return false; // longer numbers are in use here
+    if (!program_word_holds_repeats(*program_->control)) return false;
+    if (program_->number && *program_->number > 9999) return false; // longer numbers are in use here
     constexpr double longest = 99'999'999;
     return program.literal && *program.literal > 9999 && *program.literal <= longest &&
            std::floor(*program.literal) == *program.literal && std::fmod(*program.literal, 10000) != 0;
 }
 
 void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, std::span<const NcWord> words,
-                                          Span span, Effects& effects) {
-    Call call{std::monostate{}, kind, {static_cast<Id>(program_.arguments.size()), 0}, std::nullopt};
+                                          Span span) {
+    Call call{std::monostate{}, kind, {static_cast<Id>(program_->arguments.size()), 0}, std::nullopt};
     const NcWord* program = nullptr;
     std::optional<ExpressionId> label;
     for (const NcWord& word : words) {
@@ -243,7 +235,7 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
         if (word.letter == 'Q' && word.value) label = word.value;
     }
     if (program != nullptr && !call.repeat && holds_repeats(*program)) {
-        const Span where = program_.expressions[*program->value].span;
+        const Span where = program_->expressions[*program->value].span;
         call.program = literal(std::fmod(*program->literal, 10000), where);
         call.repeat = literal(std::floor(*program->literal / 10000), where);
     } else if (program != nullptr) {
@@ -251,15 +243,15 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
     }
     const bool names_program = !std::holds_alternative<std::monostate>(call.program);
     if (!names_program && label) { // M98 Q100: from N100 of this program
-        lower_local_call(*label, span, effects);
+        lower_local_call(*label, span);
         return;
     }
     if (!names_program) report(Irregular::call_without_program, this->span(*code.node), "P");
-    effects.push_back({call, span});
+    effect({call, span});
 }
 
 /// `G52 X0 Y0 Z0` ends the shift; any other value may begin one.
-void BlockLowering::set_local_offset(std::span<const NcWord> words, Span span, Effects& effects) {
+void BlockLowering::set_local_offset(std::span<const NcWord> words, Span span) {
     if (codes_.local_offset == no_group) return;
     bool named = false;
     bool shifts = false;
@@ -269,7 +261,7 @@ void BlockLowering::set_local_offset(std::span<const NcWord> words, Span span, E
         shifts |= !word.literal || *word.literal != 0;
     }
     if (!named) return;
-    effects.push_back({SetModal{codes_.local_offset, literal(shifts ? 52 : 0, span)}, span});
+    effect({SetModal{codes_.local_offset, literal(shifts ? 52 : 0, span)}, span});
 }
 
 } // namespace maclint::fanuc

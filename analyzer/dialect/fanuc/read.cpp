@@ -50,7 +50,8 @@ class Reader {
   public:
     Reader(std::shared_ptr<const Source> source, const ControlModel& control)
         : text_(source->bytes())
-        , codes_(codes_of(control)) {
+        , codes_(codes_of(control))
+        , lowering_(codes_, file_.irregularities) {
         file_.source = std::move(source);
         file_.control = &control;
     }
@@ -196,7 +197,7 @@ class Reader {
         const syntax::Tree& tree = !cause && is_plausible(code) ? parse(code) : nothing;
         noise_.hear(tree.has_error);
         if (!tree.has_error) {
-            BlockLowering(tree, block, codes_, program(), file_.irregularities).lower();
+            lowering_.lower(tree, block, program());
             return;
         }
         if (!swallowed) {
@@ -271,6 +272,7 @@ class Reader {
     std::string_view text_;
     const CodeTable& codes_;
     ProgramFile file_;
+    BlockLowering lowering_;
     RunTotals run_;
     RawBlock raw_;
     std::string shape_;
