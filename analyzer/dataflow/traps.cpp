@@ -27,6 +27,7 @@ class TrapSearch {
 
     std::vector<Loop> run() {
         flow::Arrows arrows;
+        arrows.reserve(graph_.nodes.size(), graph_.edges.size());
         for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
             for (const flow::EdgeId id : graph_.out[node])
                 if (analysis_.passable(id)) arrows.add(graph_.edges[id].to);
@@ -75,14 +76,14 @@ class TrapSearch {
             }
         if (!back) return std::nullopt;
         const flow::Edge& edge = graph_.edges[*back];
-        return Loop{edge.to,
-                    edge.from,
-                    *back,
-                    structure_around(component),
-                    {body.begin(), body.end()},
-                    std::move(never_taken),
-                    false,
-                    false};
+        Loop trap;
+        trap.head = edge.to;
+        trap.latch = edge.from;
+        trap.back = *back;
+        trap.structure = structure_around(component);
+        trap.body.assign(body.begin(), body.end());
+        trap.ways_out = std::move(never_taken);
+        return trap;
     }
 
     [[nodiscard]] bool leads_back(flow::EdgeId id) const {

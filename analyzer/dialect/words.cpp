@@ -41,8 +41,8 @@ bool addresses_maclint(std::string_view comment) {
     return false;
 }
 
-std::string without_comments(std::string_view text, Span block, std::span<const Span> comments) {
-    std::string rest;
+void take_out_comments(std::string_view text, Span block, std::span<const Span> comments, std::string& rest) {
+    rest.clear();
     Offset at = block.begin;
     const auto take = [&](Offset end) {
         for (; at < end; ++at)
@@ -53,7 +53,6 @@ std::string without_comments(std::string_view text, Span block, std::span<const 
         at = comment.end;
     }
     take(block.end);
-    return rest;
 }
 
 std::string stem_of(std::string_view path) {

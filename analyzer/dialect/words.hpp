@@ -20,8 +20,8 @@ namespace maclint {
 /// Whether a comment speaks to maclint: it holds the name, any case.
 [[nodiscard]] bool addresses_maclint(std::string_view comment);
 
-/// A block without its comments, blanks and tape leader.
-[[nodiscard]] std::string without_comments(std::string_view text, Span block, std::span<const Span> comments);
+/// Writes a block without its comments, blanks and tape leader into `rest`, whose memory is used again.
+void take_out_comments(std::string_view text, Span block, std::span<const Span> comments, std::string& rest);
 
 /// A file's name without folder and extension.
 [[nodiscard]] std::string stem_of(std::string_view path);

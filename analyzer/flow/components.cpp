@@ -16,6 +16,9 @@ class Tarjan {
         , low_(arrows.size(), 0)
         , waiting_(arrows.size(), false) {
         result_.of.assign(arrows.size(), unseen);
+        result_.members.reserve(arrows.size(), arrows.size());
+        stack_.reserve(arrows.size());
+        frames_.reserve(arrows.size());
     }
 
     Components run() {

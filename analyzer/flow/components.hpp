@@ -11,6 +11,11 @@ namespace maclint::flow {
 /// Lists of numbers, one behind the other in the same memory: most are short, and there are many.
 class Lists {
   public:
+    /// Makes room for so many lists that hold so many numbers together.
+    void reserve(std::size_t lists, std::size_t numbers) {
+        ends_.reserve(lists);
+        numbers_.reserve(numbers);
+    }
     /// Adds to the list that is being made.
     void add(std::uint32_t number) { numbers_.push_back(number); }
     void end_list() { ends_.push_back(numbers_.size()); }

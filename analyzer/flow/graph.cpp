@@ -8,7 +8,6 @@
 #include <limits>
 #include <numeric>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 namespace maclint::flow {
@@ -19,10 +18,12 @@ constexpr std::size_t most_computed_edges = 20'000;
 
 /// What something in the program may jump to.
 struct Wanted {
-    std::unordered_set<std::int64_t> numbers;
-    bool any = false; ///< a computed jump: every sequence number
+    std::vector<std::int64_t> numbers; ///< sorted
+    bool any = false;                  ///< a computed jump: every sequence number
 
-    [[nodiscard]] bool operator()(std::int64_t number) const { return any || numbers.contains(number); }
+    [[nodiscard]] bool operator()(std::int64_t number) const {
+        return any || std::ranges::binary_search(numbers, number);
+    }
     [[nodiscard]] bool nothing() const { return !any && numbers.empty(); }
 };
 
@@ -80,20 +81,23 @@ class Building {
             std::visit(overloaded{
                            [this](const Jump& jump) { want(constant_target(program_, jump.target)); },
                            [this](const UnreadableBlock& block) {
-                               wanted_.numbers.insert(block.may_jump.begin(), block.may_jump.end());
+                               wanted_.numbers.insert(wanted_.numbers.end(), block.may_jump.begin(),
+                                                      block.may_jump.end());
                            },
                            [this, id](const Call&) {
-                               for (const std::int64_t label : resumes_at_(id)) wanted_.numbers.insert(label);
+                               for (const std::int64_t label : resumes_at_(id))
+                                   wanted_.numbers.push_back(label);
                            },
                            [](const auto&) {},
                        },
                        program_.effects[id].what);
         });
+        std::ranges::sort(wanted_.numbers);
     }
 
     void want(std::optional<std::int64_t> number) {
         if (number)
-            wanted_.numbers.insert(*number);
+            wanted_.numbers.push_back(*number);
         else
             wanted_.any = true;
     }
@@ -373,7 +377,9 @@ class Building {
         std::vector<NodeId> postorder;
         postorder.reserve(graph_.nodes.size());
         std::vector<bool> seen(graph_.nodes.size(), false);
-        std::vector<std::pair<NodeId, std::size_t>> stack{{0, 0}};
+        std::vector<std::pair<NodeId, std::size_t>> stack;
+        stack.reserve(graph_.nodes.size());
+        stack.emplace_back(0, 0);
         seen[0] = true;
         while (!stack.empty()) {
             auto& [node, next] = stack.back();

@@ -65,7 +65,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.is_main()) return; // a caller may have set it
     const Program& program = analysis.program();
     for (const dataflow::Loop& loop : analysis.loops()) {
-        const auto counter = dataflow::counter_of(program, analysis.graph(), analysis.facts(), loop);
+        const auto& counter = loop.counter;
         if (!counter || !is_shared_and_unset(analysis, counter->place)) continue;
         const auto way = dataflow::way_without_assignment(program, analysis.graph(), analysis.data(),
                                                           counter->place, loop.head);

@@ -134,8 +134,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     std::vector<EffectId> known;
     for (const dataflow::Loop& loop : analysis.loops()) {
         if (loop.can_stop || loop.has_unknown_effects) continue;
-        const auto counter =
-            dataflow::counter_of(analysis.program(), analysis.graph(), analysis.facts(), loop);
+        const auto& counter = loop.counter;
         if (!counter) continue;
         std::vector<Fault> faults;
         for (const dataflow::Store* store : counter->steps)

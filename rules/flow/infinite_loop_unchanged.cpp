@@ -1,4 +1,5 @@
 //! MAC319: nothing that decides whether a loop ends changes in it.
+#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -95,11 +96,10 @@ bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
 
 Deciders deciders_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     Deciders deciders;
-    const dataflow::LoopChanges changes(loop, analysis.facts());
     const bool others_may = loop.has_unknown_effects || waits(analysis, loop);
     const auto can_change = [&](Place place) {
         const bool own = analysis.control().spaces[place.space].scope == Scope::frame;
-        return (!own && others_may) || changes.may_change(place);
+        return (!own && others_may) || loop.changes.may_change(place);
     };
     for (const flow::EdgeId id : loop.ways_out) {
         const auto& condition = analysis.graph().edges[id].condition;

@@ -58,8 +58,7 @@ bool is_risky(const ProgramAnalysis& analysis, const dataflow::Loop& loop, const
 std::vector<InexactCounter> find_inexact_counters(const ProgramAnalysis& analysis) {
     std::vector<InexactCounter> found;
     for (const dataflow::Loop& loop : analysis.loops()) {
-        const auto counter =
-            dataflow::counter_of(analysis.program(), analysis.graph(), analysis.facts(), loop);
+        const auto& counter = loop.counter;
         if (!counter || !counter->clamps.empty()) continue;
         const auto inexact = std::ranges::find_if(counter->steps, [&](const dataflow::Store* store) {
             return is_inexact_step(analysis, store->step->amount);

@@ -1,6 +1,7 @@
 //! What the conditions of a program are held against before one that never changes is called a defect.
 #pragma once
 
+#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstddef>

@@ -115,9 +115,7 @@ void BlockLowering::lower_statement(const Node& node) {
         structure(Construct::unit, Part::open);
         break;
     case Kind::unit_end: structure(Construct::unit, Part::close); break;
-    case Kind::return_statement:
-        effect({Return{condition(Field::value), std::nullopt}, span(node)});
-        break;
+    case Kind::return_statement: effect({Return{condition(Field::value), std::nullopt}, span(node)}); break;
     case Kind::output_statement: lower_output(node); break;
     case Kind::unknown_statement: lower_unknown(node); break;
     default: break; // values without address, what the parser marked as no statement
@@ -133,7 +131,8 @@ void BlockLowering::lower_structure(const Node& node, Construct construct, Part 
 void BlockLowering::lower_case(const Node& node) {
     const Node* value = child(node, Field::value);
     const ExpressionId right = value == nullptr ? unreadable(span(node)) : lower_expression(*value);
-    const ExpressionId left = before_->selections.empty() ? unreadable(span(node)) : before_->selections.back();
+    const ExpressionId left =
+        before_->selections.empty() ? unreadable(span(node)) : before_->selections.back();
     const std::array operands{left, right};
     const ExpressionId test = apply(Operation::equal, operands, span(node));
     lower_structure(node, Construct::selection, Part::middle, test);

@@ -208,8 +208,7 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     const Node* arguments = child(node, Field::arguments);
     if (name == nullptr || arguments == nullptr) return unreadable(span(node));
     std::vector<ExpressionId> operands;
-    for_each_child(*arguments,
-                   [&](const Node& operand) { operands.push_back(lower_expression(operand)); });
+    for_each_child(*arguments, [&](const Node& operand) { operands.push_back(lower_expression(operand)); });
     const Operation operation =
         operands.size() == 1 ? find(functions, upper_text(*name)) : Operation::unknown;
     return apply(operation, operands, span(node));

@@ -123,11 +123,9 @@ void BlockLowering::lower_code(const NcWord& code, std::span<const NcWord> words
     for (const NcWord& word : words) {
         if (!word.value) continue;
         if ((traits & feed_word) != 0 && word.address == "F")
-            effect(
-                {SetModal{group_named(control, group_names::feed), *word.value}, span(*word.node)});
+            effect({SetModal{group_named(control, group_names::feed), *word.value}, span(*word.node)});
         if ((traits & speed_word) != 0 && word.address == "S")
-            effect(
-                {SetModal{group_named(control, group_names::speed), *word.value}, span(*word.node)});
+            effect({SetModal{group_named(control, group_names::speed), *word.value}, span(*word.node)});
         if ((traits & block_words) != 0 && (word.address == "NS" || word.address == "NE"))
             effect({Reference{references::contour, *word.value}, span(*word.node)});
     }
@@ -154,7 +152,7 @@ void BlockLowering::lower_machine_function(std::uint16_t traits, const NcWord& c
     if ((traits & restarts) != 0) {
         const auto block = std::ranges::find(words, std::string_view("NS"), &NcWord::address);
         effect({Stop{Stop::Kind::restart, block == words.end() ? std::nullopt : block->value},
-                           block == words.end() ? here : join(here, span(*block->node))});
+                block == words.end() ? here : join(here, span(*block->node))});
     }
 }
 

@@ -70,7 +70,8 @@ class Reader {
             tell_comments(raw_.span);
             take_line();
         }
-        record_comments(only_comments || is_block_number(without_comments(text_, raw_.span, raw_.comments)));
+        take_out_comments(text_, raw_.span, raw_.comments, code_);
+        record_comments(only_comments || is_block_number(code_));
     }
 
     [[nodiscard]] Offset end_of_line(Offset at) const {
@@ -224,6 +225,7 @@ class Reader {
     Programs programs_;
     BlockLowering lowering_;
     RawBlock raw_;
+    std::string code_; ///< of the block, without its comments
     std::string shape_;
     Noise noise_;
     std::size_t waiting_ = 0; ///< first comment without a next block

@@ -148,8 +148,7 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span span) {
 void BlockLowering::store_numbered(std::int64_t number, Span target, ExpressionId value, Span span) {
     const VariableRange* range = program_->control->families[numbered].find(number);
     if (range == nullptr) {
-        effect(
-            {Assign{StoreAt{numbered, literal(static_cast<double>(number), target)}, value}, span});
+        effect({Assign{StoreAt{numbered, literal(static_cast<double>(number), target)}, value}, span});
         return;
     }
     if (range->meaning == Meaning::null) {

@@ -172,15 +172,13 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
         }
     }
     if (computed.values.count != 0) effect({computed, span});
-    if (moves && (traits & (no_axes | no_words)) == 0)
-        effect({Motion{(traits & without_feed) != 0}, span});
+    if (moves && (traits & (no_axes | no_words)) == 0) effect({Motion{(traits & without_feed) != 0}, span});
     if ((traits & synchronises) != 0) effect({Synchronise{}, span});
     for (const NcWord& word : words) {
         const bool lathe_tool = word.letter == 'T' && codes_.letters['T'] == Letter::not_plain;
         if (lathe_tool && !word.comma && word.value && !own_words)
             effect({ToolChange{}, this->span(*word.node)});
-        if (word.letter == 'M' && !word.comma && word.literal)
-            lower_machine_function(word, words, span);
+        if (word.letter == 'M' && !word.comma && word.literal) lower_machine_function(word, words, span);
     }
 }
 
@@ -191,10 +189,8 @@ void BlockLowering::lower_machine_function(const NcWord& word, std::span<const N
         return found == words.end() ? std::nullopt : found->value;
     };
     const Span here = this->span(*word.node);
-    if (*word.literal == 0 || *word.literal == 1)
-        effect({Stop{Stop::Kind::pause, std::nullopt}, here});
-    if (*word.literal == 2 || *word.literal == 30)
-        effect({Stop{Stop::Kind::end, std::nullopt}, here});
+    if (*word.literal == 0 || *word.literal == 1) effect({Stop{Stop::Kind::pause, std::nullopt}, here});
+    if (*word.literal == 2 || *word.literal == 30) effect({Stop{Stop::Kind::end, std::nullopt}, here});
     if (*word.literal == 6) effect({ToolChange{}, here});
     if (*word.literal == 98) lower_subprogram_call(calls::m98, word, words, span);
     if (*word.literal == 198) lower_subprogram_call(calls::m198, word, words, span);

@@ -94,8 +94,8 @@ class Reader {
         if (text_[first] == '%') return take_tape_mark(first);
         cut_block(text_, first, raw_);
         if (raw_.span.empty()) return raw_.next;
-        const std::string code = without_comments(text_, raw_.span, raw_.comments);
-        const bool only_comments = code.empty();
+        take_out_comments(text_, raw_.span, raw_.comments, code_);
+        const bool only_comments = code_.empty();
         if (!only_comments) {
             tell_comments(raw_.span);
             take_head();
@@ -103,7 +103,7 @@ class Reader {
         } else {
             report_open_comment();
         }
-        record_comments(only_comments || is_sequence_number(code));
+        record_comments(only_comments || is_sequence_number(code_));
         return raw_.next;
     }
 
@@ -275,6 +275,7 @@ class Reader {
     BlockLowering lowering_;
     RunTotals run_;
     RawBlock raw_;
+    std::string code_; ///< of the block, without its comments
     std::string shape_;
     Noise noise_;
     std::size_t waiting_ = 0; ///< first comment without a next block

@@ -1,0 +1,48 @@
+//! What a loop changes, and the variable that counts its rounds.
+#pragma once
+
+#include "analyzer/dataflow/facts.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint::dataflow {
+
+struct Loop;
+
+/// Every variable that a loop's body may change, in whatever way.
+class LoopChanges {
+  public:
+    LoopChanges() = default;
+    LoopChanges(const Loop& loop, const Facts& facts);
+    [[nodiscard]] bool may_change(Place place) const { return assigned(place) || disturbed(place); }
+    /// By something that is no assignment: a call, a store through an index.
+    [[nodiscard]] bool disturbed(Place place) const;
+
+  private:
+    [[nodiscard]] bool assigned(Place place) const;
+    std::vector<Key> assigned_, disturbed_; ///< sorted
+    std::vector<SpaceId> spaces_;           ///< of which anything may change
+};
+
+/// One way out of a loop that a counter decides.
+struct CounterTest {
+    const Comparison* comparison;
+    Operation stays;    ///< the loop goes on as long as counter `stays` bound: less for WHILE[#1LT10]
+    ExpressionId bound; ///< does not change in the loop
+    const Value* bound_value;
+};
+
+/// A variable that alone decides when a loop ends.
+struct Counter {
+    Place place;
+    std::vector<CounterTest> tests;   ///< one for every way out, at least one
+    std::vector<const Store*> steps;  ///< v = v + amount, at least one
+    std::vector<const Store*> clamps; ///< other assignments, each guarded by a condition on the variable
+};
+
+/// The counter of a loop whose changes are known.
+[[nodiscard]] std::optional<Counter> counter_of(const Program& program, const flow::Graph& graph,
+                                                const Facts& facts, const Loop& loop);
+
+} // namespace maclint::dataflow
