@@ -4,9 +4,7 @@
 #include "analyzer/dataflow/transfer.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <queue>
+#include <bit>
 
 namespace maclint::dataflow {
 namespace {
@@ -15,6 +13,8 @@ namespace {
 /// in the join.
 constexpr std::uint32_t visits_before_widening = 2;
 constexpr std::uint32_t visits_before_keeping = 12;
+/// So many visits of a loop head before bounds stop growing from threshold to threshold.
+constexpr std::uint32_t visits_before_infinity = 8;
 constexpr std::size_t most_thresholds = 128;
 
 /// The numbers that the program compares with: bounds of loops usually stop there.
@@ -32,6 +32,31 @@ std::vector<double> thresholds_of(const Program& program) {
     numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
     return numbers;
 }
+
+/// The nodes that wait to be visited, first in reverse postorder first out.
+class Waiting {
+  public:
+    explicit Waiting(std::size_t places)
+        : bits_(places / word_bits + 1, 0) {}
+
+    void add(std::uint32_t place) {
+        bits_[place / word_bits] |= std::uint64_t{1} << place % word_bits;
+        word_ = std::min<std::size_t>(word_, place / word_bits);
+    }
+    /// The first of them, which waits no more.
+    std::optional<std::uint32_t> take() {
+        while (word_ < bits_.size() && bits_[word_] == 0) ++word_;
+        if (word_ == bits_.size()) return std::nullopt;
+        const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits_[word_]));
+        bits_[word_] &= bits_[word_] - 1;
+        return static_cast<std::uint32_t>(word_ * word_bits) + bit;
+    }
+
+  private:
+    static constexpr std::size_t word_bits = 64;
+    std::vector<std::uint64_t> bits_; ///< one for every place in the order
+    std::size_t word_ = 0;            ///< nothing waits before it
+};
 
 } // namespace
 
@@ -67,6 +92,7 @@ class Solver {
     void run() {
         result_.reached_.assign(graph_.nodes.size(), false);
         result_.passable_.assign(graph_.edges.size(), false);
+        put_in_order();
         collect_heads();
         solve();
         narrow();
@@ -76,6 +102,17 @@ class Solver {
     }
 
   private:
+    void put_in_order() {
+        in_order_.resize(graph_.nodes.size());
+        std::size_t reached = 0;
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
+            if (graph_.order[node] == flow::Graph::no_order) continue;
+            in_order_[graph_.order[node]] = node;
+            ++reached;
+        }
+        in_order_.resize(reached);
+    }
+
     void collect_heads() {
         head_.assign(graph_.nodes.size(), false);
         for (const flow::Edge& edge : graph_.edges) {
@@ -93,37 +130,46 @@ class Solver {
     }
 
     void solve() {
-        using Place = std::pair<std::uint32_t, flow::NodeId>;
-        std::priority_queue<Place, std::vector<Place>, std::greater<>> work;
-        std::vector<bool> waiting(graph_.nodes.size(), false);
-        const auto add = [&](flow::NodeId node) {
-            if (waiting[node]) return;
-            waiting[node] = true;
-            work.emplace(graph_.order[node], node);
-        };
+        Waiting waiting(in_order_.size());
+        const auto add = [&](flow::NodeId node) { waiting.add(graph_.order[node]); };
         add(0);
-        while (!work.empty()) {
-            const flow::NodeId node = work.top().second;
-            work.pop();
-            waiting[node] = false;
-            State state = incoming(node);
-            const State& old = before_[node];
+        while (const auto place = waiting.take()) {
+            const flow::NodeId node = in_order_[*place];
             const std::uint32_t visit = visits_[node]++;
-            if (old.reached) {
-                if (head_[node] && visit >= visits_before_widening)
-                    state = states_.widen(old, state, node, thresholds_);
-                else if (visit >= visits_before_keeping)
-                    state = states_.join(old, state, node);
-                if (states_.equal(state, old)) continue;
-            }
-            before_[node] = state;
-            if (state.reached) pass_on(node, state, add);
+            if (!take_over(node, visit)) continue;
+            if (before_[node].reached) pass_on(node, add);
         }
     }
 
+    /// Whether the state in front of the node has changed.
+    bool take_over(flow::NodeId node, std::uint32_t visit) {
+        State& old = before_[node];
+        const auto in = graph_.in[node];
+        if (in.size() == 1 && node != 0) {
+            // It comes here because that edge has changed.
+            old = along_[in.front()];
+            return true;
+        }
+        State state = incoming(node);
+        if (old.reached) {
+            if (head_[node] && visit >= visits_before_widening)
+                state = states_.widen(old, state, node, thresholds_at(visit));
+            else if (visit >= visits_before_keeping)
+                state = states_.join(old, state, node);
+            if (states_.equal(state, old)) return false;
+        }
+        old = state;
+        return true;
+    }
+
+    [[nodiscard]] std::span<const double> thresholds_at(std::uint32_t visit) const {
+        return visit < visits_before_infinity ? std::span<const double>(thresholds_)
+                                              : std::span<const double>{};
+    }
+
     template<class Add>
-    void pass_on(flow::NodeId node, const State& state, const Add& add) {
-        const State after = transfer_.run(node, state);
+    void pass_on(flow::NodeId node, const Add& add) {
+        const State after = transfer_.run(node, before_[node]);
         for (const flow::EdgeId edge : graph_.out[node]) {
             State next = transfer_.along(graph_.edges[edge], after);
             if (states_.equal(next, along_[edge])) continue;
@@ -136,24 +182,19 @@ class Solver {
     /// what was widened, and what follows from it, can change.
     void narrow() {
         std::vector<bool> may_change(graph_.nodes.size(), false);
-        std::vector<flow::NodeId> order(graph_.nodes.size());
-        std::size_t ordered = 0;
         bool any = false;
-        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
-            if (graph_.order[node] == flow::Graph::no_order) continue;
-            order[graph_.order[node]] = node;
-            ++ordered;
+        for (const flow::NodeId node : in_order_) {
             may_change[node] =
                 head_[node] ? visits_[node] > visits_before_widening : visits_[node] > visits_before_keeping;
             any = any || may_change[node];
         }
         if (!any) return;
-        for (const flow::NodeId node : std::span(order).first(ordered)) {
+        for (const flow::NodeId node : in_order_) {
             if (!may_change[node] || !before_[node].reached) continue;
             const State state = incoming(node);
             if (states_.equal(state, before_[node])) continue;
             before_[node] = state;
-            pass_on(node, state, [&](flow::NodeId next) { may_change[next] = true; });
+            pass_on(node, [&](flow::NodeId next) { may_change[next] = true; });
         }
     }
 
@@ -282,8 +323,9 @@ class Solver {
     Transfer transfer_;
     Analysis& result_;
     std::vector<double> thresholds_;
-    std::vector<State> before_; ///< of every node
-    std::vector<State> along_;  ///< of every edge
+    std::vector<flow::NodeId> in_order_; ///< nodes in reverse postorder; the unreached are left out
+    std::vector<State> before_;          ///< of every node
+    std::vector<State> along_;           ///< of every edge
     std::vector<std::uint32_t> visits_;
     std::vector<bool> head_;
 };

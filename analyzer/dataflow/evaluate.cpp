@@ -16,6 +16,13 @@ Value Transfer::opaque(ExpressionId id) {
     return value;
 }
 
+/// The value of a literal.
+Value Transfer::number(ExpressionId id, double number) {
+    SymbolId& known = constants_[id];
+    if (known == 0) known = states_.pool().constant(number);
+    return number_value(known, number);
+}
+
 Value Transfer::record_read(const State& state, Place place, ExpressionId id, Use use) {
     const Value value = states_.read(state, place);
     if (facts_ != nullptr) facts_->reads.push_back({node_, effect_, id, place, value, use});
@@ -69,7 +76,7 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
     const Expression& expression = program_.expressions[id];
     return std::visit(
         overloaded{
-            [&](const Literal& literal) { return number_value(states_.pool(), literal.value); },
+            [&](const Literal& literal) { return number(id, literal.value); },
             [&](const Vacant&) { return vacant_value(states_.pool(), 0); },
             [&](const Load& load) { return record_read(state, load.place, id, use); },
             [&](const LoadAt& load) {

@@ -28,6 +28,7 @@ void add_part(ModalValue& value, const ModalPart& part) {
 States::States(const Program& program, EntryKnowledge knowledge)
     : program_(program)
     , knowledge_(std::move(knowledge)) {
+    entry_modals_.reserve(program.control->groups.size());
     for (std::size_t i = 0; i < program.control->groups.size(); ++i) {
         const ModalGroup& group = program.control->groups[i];
         ModalValue value;

@@ -15,6 +15,13 @@ constexpr double most_indexed_places = 64;
 
 } // namespace
 
+/// The effect as an origin. An effect belongs to one node.
+OriginId Transfer::here() {
+    OriginId& known = origins_[effect_];
+    if (known == 0) known = states_.pool().origins({Origin::Kind::effect, effect_, node_});
+    return known;
+}
+
 State Transfer::run(flow::NodeId node, State state) {
     node_ = node;
     judged_.reset();
@@ -109,7 +116,7 @@ void Transfer::store(State& state, Place place, Value value, ExpressionId expres
     if (facts_ != nullptr)
         facts_->stores.push_back({node_, effect_, place, expression, value, states_.read(state, place),
                                   step_of(state, place, expression)});
-    value.origin = states_.pool().origins(here());
+    value.origin = here();
     states_.write(state, place, value);
 }
 
@@ -195,7 +202,7 @@ void Transfer::set_modal(State& state, const SetModal& set) {
 void Transfer::set_group(State& state, GroupId group, const Value& value) {
     if (value.vacancy == Vacancy::vacant)
         return; // a word with a vacant variable is ignored [SEED-001:187-195]
-    const OriginId origin = states_.pool().origins(here());
+    const OriginId origin = here();
     if (value.vacancy == Vacancy::maybe) {
         ModalValue either = states_.read(state, group);
         // The same value set before, F#9 in the block above: this word has set it again, or neither has.
@@ -239,8 +246,7 @@ void Transfer::call(State& state, const Call& call) {
         (void)evaluate(state, *number, Use::word);
     const CallKind& kind = program_.control->calls[call.kind];
     if (kind.when == When::once) return run_program(state, effect_, call);
-    if (const auto group = modal_call_group())
-        set_code(state, *group, kind.modal_code, states_.pool().origins(here()));
+    if (const auto group = modal_call_group()) set_code(state, *group, kind.modal_code, here());
 }
 
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
@@ -267,14 +273,12 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         Value value;
         value.symbol = states_.pool().symbols({Symbol::Kind::opaque, key_of(change.place), 6, effect_});
         value.vacancy = change.vacancy;
-        value.doubt = change.vacancy == Vacancy::maybe || change.vacancy == Vacancy::vacant
-                          ? states_.pool().origins(here())
-                          : 0;
+        value.doubt = change.vacancy == Vacancy::maybe || change.vacancy == Vacancy::vacant ? here() : 0;
         value.low = change.low;
         value.high = change.high;
         value.integer = change.integer;
         value.exactness = change.exactness == Exactness::rounded ? Exactness::unknown : change.exactness;
-        value.origin = states_.pool().origins(here());
+        value.origin = here();
         disturb(state, change.place, value);
     }
     change_handed_down(state, summary);
@@ -293,7 +297,7 @@ void Transfer::change_handed_down(State& state, const Summary& summary) {
 }
 
 void Transfer::change_groups(State& state, const Summary& summary) {
-    const OriginId origin = states_.pool().origins(here());
+    const OriginId origin = here();
     for (const GroupChange& change : summary.groups) {
         ModalValue value = change.may_keep ? states_.read(state, change.group) : ModalValue{};
         for (const double code : change.codes) value.parts.push_back({states_.pool().constant(code), origin});
@@ -312,7 +316,7 @@ void Transfer::forget_shared(State& state) {
 /// Everything in the space may have changed here.
 void Transfer::forget(State& state, SpaceId space) {
     if (facts_ != nullptr) facts_->disturbances.push_back({node_, effect_, space, {}});
-    states_.forget(state, space, here());
+    states_.forget(state, space, {Origin::Kind::effect, effect_, node_});
 }
 
 /// The variable may have changed here, by something that is no assignment.

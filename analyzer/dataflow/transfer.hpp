@@ -13,7 +13,9 @@ class Transfer {
         : program_(program)
         , graph_(graph)
         , states_(states)
-        , callees_(callees) {}
+        , callees_(callees)
+        , constants_(program.expressions.size(), 0)
+        , origins_(program.effects.size(), 0) {}
 
     /// From now on everything read, compared and set is written down there; nullptr ends it.
     void record_in(Facts* facts) { facts_ = facts; }
@@ -59,7 +61,8 @@ class Transfer {
     void disturb(State& state, Place place, const Value& value);
     void move(State& state);
     void run_of_plain_blocks(State& state, flow::NodeId node);
-    [[nodiscard]] Origin here() const { return {Origin::Kind::effect, effect_, node_}; }
+    [[nodiscard]] OriginId here();
+    [[nodiscard]] Value number(ExpressionId id, double number);
     [[nodiscard]] std::optional<GroupId> modal_call_group() const;
 
     const Program& program_;
@@ -67,6 +70,8 @@ class Transfer {
     States& states_;
     const Callees& callees_;
     Facts* facts_ = nullptr;
+    std::vector<SymbolId> constants_; ///< of the literals met so far; 0: not met
+    std::vector<OriginId> origins_;   ///< of the effects met so far; 0: not met
     flow::NodeId node_ = 0;
     EffectId effect_ = 0;
     /// The node's condition, the same on all edges of a branch.

@@ -32,9 +32,11 @@ std::optional<GroupId> Pool::entry_group_of(SymbolId symbol) const {
     return s.kind == Symbol::Kind::entry_group ? std::optional(static_cast<GroupId>(s.a)) : std::nullopt;
 }
 
-Value number_value(Pool& pool, double number) {
+Value number_value(Pool& pool, double number) { return number_value(pool.constant(number), number); }
+
+Value number_value(SymbolId symbol, double number) {
     Value value;
-    value.symbol = pool.constant(number);
+    value.symbol = symbol;
     value.low = value.high = number;
     value.vacancy = Vacancy::set;
     value.exactness = Exactness::exact;

@@ -187,6 +187,8 @@ struct Pool {
 };
 
 [[nodiscard]] Value number_value(Pool& pool, double number);
+/// The same for a number whose symbol is known.
+[[nodiscard]] Value number_value(SymbolId symbol, double number);
 [[nodiscard]] Value vacant_value(Pool& pool, OriginId doubt);
 
 } // namespace maclint::dataflow
