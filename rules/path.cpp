@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ranges>
 
 namespace maclint {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 /// A path is for a reader: many findings must not cost many searches of a whole long program.
 constexpr std::size_t most_searched = 4096;
 constexpr std::size_t most_steps = 12;
-constexpr std::size_t most_looked_at = 5000;
+constexpr std::size_t most_looked_at = 1000;
 constexpr std::size_t longest_quote = 40;
 
 Span span_of(const Program& program, const flow::Edge& edge, const flow::Graph& graph) {
@@ -104,21 +105,23 @@ std::vector<Remark> steps_along(const ProgramAnalysis& analysis, std::span<const
     if (way.empty()) return remarks;
     const flow::Graph& graph = analysis.graph();
     const std::vector<bool> leads = leading_to(analysis, graph.edges[way.back()].to);
-    for (const flow::EdgeId id : way) {
+    // The last steps say most; a way may have thousands.
+    for (const flow::EdgeId id : way | std::views::reverse) {
+        if (remarks.size() == most_steps) break;
         const flow::Edge& edge = graph.edges[id];
         if (edge.kind == flow::EdgeKind::branch && !has_choice(analysis, id, leads)) continue;
         std::string words = words_for(analysis, edge);
         if (!words.empty())
             remarks.push_back({&analysis.file(), span_of(analysis.program(), edge, graph), std::move(words)});
     }
-    if (remarks.size() > most_steps)
-        remarks.erase(remarks.begin(), remarks.end() - static_cast<std::ptrdiff_t>(most_steps));
+    std::ranges::reverse(remarks);
     return remarks;
 }
 
 std::vector<Remark> way_between(const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to) {
     const auto passable = [&](flow::EdgeId edge) { return analysis.data().passable(edge); };
-    const auto way = analysis.graph().way(from, to, passable, most_searched);
+    const auto way =
+        from == 0 ? analysis.way_from_start(to) : analysis.graph().way(from, to, passable, most_searched);
     return way ? steps_along(analysis, *way) : std::vector<Remark>{};
 }
 

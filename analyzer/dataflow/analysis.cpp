@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
@@ -33,7 +34,8 @@ std::vector<double> thresholds_of(const Program& program) {
     return numbers;
 }
 
-/// The nodes that wait to be visited, first in reverse postorder first out.
+/// The nodes that wait to be visited, by their place in reverse postorder. They are taken in sweeps from the
+/// first to the last: a loop's head is not visited again before the rest of the body has had its turn.
 class Waiting {
   public:
     explicit Waiting(std::size_t places)
@@ -41,21 +43,38 @@ class Waiting {
 
     void add(std::uint32_t place) {
         bits_[place / word_bits] |= std::uint64_t{1} << place % word_bits;
-        word_ = std::min<std::size_t>(word_, place / word_bits);
+        if (place < at_) lowest_ = std::min(lowest_, place);
     }
-    /// The first of them, which waits no more.
+
+    /// The next of them, which waits no more.
     std::optional<std::uint32_t> take() {
-        while (word_ < bits_.size() && bits_[word_] == 0) ++word_;
-        if (word_ == bits_.size()) return std::nullopt;
-        const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits_[word_]));
-        bits_[word_] &= bits_[word_] - 1;
-        return static_cast<std::uint32_t>(word_ * word_bits) + bit;
+        if (auto place = take_from_here()) return place;
+        if (lowest_ == nothing) return std::nullopt;
+        at_ = std::exchange(lowest_, nothing);
+        return take_from_here();
     }
 
   private:
-    static constexpr std::size_t word_bits = 64;
-    std::vector<std::uint64_t> bits_; ///< one for every place in the order
-    std::size_t word_ = 0;            ///< nothing waits before it
+    static constexpr std::uint32_t word_bits = 64;
+    static constexpr std::uint32_t nothing = 0xFFFFFFFF;
+
+    std::optional<std::uint32_t> take_from_here() {
+        std::size_t word = at_ / word_bits;
+        std::uint64_t bits = bits_[word] & ~std::uint64_t{0} << at_ % word_bits;
+        while (bits == 0) {
+            if (++word == bits_.size()) return std::nullopt;
+            bits = bits_[word];
+        }
+        const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
+        bits_[word] &= ~(std::uint64_t{1} << bit);
+        const auto place = static_cast<std::uint32_t>(word) * word_bits + bit;
+        at_ = place + 1;
+        return place;
+    }
+
+    std::vector<std::uint64_t> bits_; ///< one for every place, and at least one more
+    std::uint32_t at_ = 0;            ///< the sweep has come so far
+    std::uint32_t lowest_ = nothing;  ///< the first that waits for the next sweep
 };
 
 } // namespace

@@ -5,6 +5,12 @@
 
 namespace maclint {
 
+std::optional<std::vector<flow::EdgeId>> ProgramAnalysis::way_from_start(flow::NodeId node) const {
+    std::call_once(ways_asked_for_,
+                   [this] { ways_.emplace(graph_, [this](flow::EdgeId id) { return data_->passable(id); }); });
+    return ways_->to(graph_, node);
+}
+
 std::vector<flow::Label> ProgramAnalysis::targets_of(const flow::ResolvedJump& jump) const {
     if (jump.target) return {*jump.target};
     std::vector<flow::Label> targets;

@@ -5,9 +5,11 @@
 #include "analyzer/dataflow/loops.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/flow/structure.hpp"
+#include "analyzer/flow/ways_from_start.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -54,6 +56,9 @@ class ProgramAnalysis {
     [[nodiscard]] const flow::Structures& structures() const { return structures_; }
     [[nodiscard]] const flow::Graph& graph() const { return graph_; }
     [[nodiscard]] const dataflow::Analysis& data() const { return *data_; }
+    /// A shortest way from the program's start to the node, over edges that can be taken; nothing when there
+    /// is none. May be asked on several threads.
+    [[nodiscard]] std::optional<std::vector<flow::EdgeId>> way_from_start(flow::NodeId node) const;
     [[nodiscard]] const dataflow::Facts& facts() const { return data_->facts(); }
     [[nodiscard]] const std::vector<dataflow::Loop>& loops() const { return loops_; }
     /// Cycles that nothing ends.
@@ -99,6 +104,8 @@ class ProgramAnalysis {
     flow::Graph graph_;
     std::optional<dataflow::Analysis> data_;
     std::vector<dataflow::Loop> loops_, traps_;
+    mutable std::once_flag ways_asked_for_; ///< most programs have no finding
+    mutable std::optional<flow::WaysFromStart> ways_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_, possible_callers_;
     bool is_macro_ = false;
