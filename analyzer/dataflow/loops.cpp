@@ -1,8 +1,6 @@
 //! Natural loops of the reached part of the flow graph.
 #include "analyzer/dataflow/loops.hpp"
 
-#include "analyzer/program/overloaded.hpp"
-
 #include <algorithm>
 #include <tuple>
 #include <unordered_map>
@@ -17,22 +15,35 @@ constexpr std::size_t work_at_least = 20'000;
 class LoopSearch {
   public:
     LoopSearch(const Program& program, const flow::Structures& structures, const flow::Graph& graph,
-               const Analysis& analysis)
+               const Analysis& analysis, const Cycles& cycles)
         : program_(program)
         , graph_(graph)
         , analysis_(analysis)
+        , component_(cycles.components.of)
         , budget_(std::max(work_at_least, work_per_node * graph.nodes.size()))
+        , traits_(graph.nodes.size(), 0)
         , mark_(graph.nodes.size(), 0) {
         for (flow::StructureId id = 0; id < structures.all.size(); ++id)
             by_open_.emplace(structures.all[id].open, id);
-        for (const flow::Exit& exit : graph.exits) exits_.push_back(exit.node);
-        std::ranges::sort(exits_);
+        for (const flow::Exit& exit : graph.exits) mark(exit.node, true, false);
+        for (const CallMade& call : analysis.facts().calls)
+            mark(call.node, call.may_stop, !call.known);
+        target_.reserve(graph.edges.size());
+        for (const flow::Edge& edge : graph.edges) target_.push_back(edge.to);
+        sources_.reserve(graph.nodes.size(), graph.edges.size());
+        for (flow::NodeId node = 0; node < graph.nodes.size(); ++node) {
+            look_at_effects(node);
+            for (const flow::EdgeId in : graph.in[node])
+                if (analysis.passable(in) && in_one_cycle(graph.edges[in].from, node))
+                    sources_.add(graph.edges[in].from);
+            sources_.end_list();
+        }
     }
 
     std::vector<Loop> run() {
         std::vector<Loop> loops;
         for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge) {
-            if (!is_back(edge)) continue;
+            if (!leads_back(graph_, analysis_, edge)) continue;
             Loop loop = loop_of(edge);
             if (budget_ == 0) break; // its body is not complete
             loop.changes = LoopChanges(loop, analysis_.facts());
@@ -47,9 +58,24 @@ class LoopSearch {
     }
 
   private:
-    [[nodiscard]] bool is_back(flow::EdgeId id) const {
-        const flow::Edge& edge = graph_.edges[id];
-        return analysis_.passable(id) && graph_.order[edge.to] <= graph_.order[edge.from];
+    /// What a node does to the loops that it is in: bits.
+    enum Trait : std::uint8_t { may_stop = 1, has_unknown_effects = 2 };
+
+    void look_at_effects(flow::NodeId node) {
+        for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects))
+            mark(node, std::holds_alternative<Stop>(effect.what),
+                 std::holds_alternative<UnreadableBlock>(effect.what));
+    }
+
+    void mark(flow::NodeId node, bool stops, bool unknown) {
+        unsigned traits = traits_[node];
+        if (stops) traits |= may_stop;
+        if (unknown) traits |= has_unknown_effects;
+        traits_[node] = static_cast<std::uint8_t>(traits);
+    }
+
+    [[nodiscard]] bool in_one_cycle(flow::NodeId a, flow::NodeId b) const {
+        return component_[a] == component_[b];
     }
 
     Loop loop_of(flow::EdgeId back) {
@@ -59,16 +85,14 @@ class LoopSearch {
         loop.latch = edge.from;
         loop.back = back;
         collect_body(loop);
+        unsigned traits = 0;
         for (const flow::NodeId node : loop.body) {
             for (const flow::EdgeId out : graph_.out[node])
-                if (mark_[graph_.edges[out].to] != round_) loop.ways_out.push_back(out);
-            loop.can_stop |= std::ranges::binary_search(exits_, node);
-            look_at_effects(loop, node);
+                if (mark_[target_[out]] != round_) loop.ways_out.push_back(out);
+            traits |= traits_[node];
         }
-        for_each_in_body(loop, analysis_.facts().calls, [&](const CallMade& call) {
-            loop.can_stop |= call.may_stop;
-            loop.has_unknown_effects |= !call.known;
-        });
+        loop.can_stop = (traits & may_stop) != 0;
+        loop.has_unknown_effects = (traits & has_unknown_effects) != 0;
         if (edge.kind == flow::EdgeKind::back) {
             const Slice effects = graph_.nodes[loop.head].effects;
             for (Id i = effects.first; i < effects.first + effects.count; ++i)
@@ -78,7 +102,8 @@ class LoopSearch {
         return loop;
     }
 
-    /// Everything from which the latch is reached without passing the head.
+    /// Everything from which the latch is reached without passing the head, and which the head reaches: a way
+    /// into the middle of a loop does not belong to it.
     void collect_body(Loop& loop) {
         ++round_;
         mark_[loop.head] = round_;
@@ -95,8 +120,7 @@ class LoopSearch {
             const flow::NodeId node = stack_.back();
             stack_.pop_back();
             --budget_;
-            for (const flow::EdgeId in : graph_.in[node])
-                if (analysis_.passable(in)) add(graph_.edges[in].from);
+            for (const flow::NodeId source : sources_[node]) add(source);
         }
         put_in_order(loop.body);
     }
@@ -115,26 +139,19 @@ class LoopSearch {
             if (mark_[node] == round_) body.push_back(node);
     }
 
-    void look_at_effects(Loop& loop, flow::NodeId node) const {
-        for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects)) {
-            std::visit(overloaded{
-                           [&](const Stop&) { loop.can_stop = true; },
-                           [&](const UnreadableBlock&) { loop.has_unknown_effects = true; },
-                           [](const auto&) {},
-                       },
-                       effect.what);
-        }
-    }
-
     const Program& program_;
     const flow::Graph& graph_;
     const Analysis& analysis_;
+    const std::vector<std::uint32_t>& component_; ///< of every node
     std::size_t budget_;
+    // What the search looks at again and again lies close together.
+    std::vector<std::uint8_t> traits_; ///< of every node
+    std::vector<flow::NodeId> target_; ///< of every edge
+    flow::Lists sources_;              ///< for each node those of its cycle that lead to it
     std::vector<std::uint32_t> mark_;
     std::vector<flow::NodeId> stack_;
     std::uint32_t round_ = 0;
     std::unordered_map<EffectId, flow::StructureId> by_open_;
-    std::vector<flow::NodeId> exits_;
 };
 
 } // namespace
@@ -142,8 +159,8 @@ class LoopSearch {
 bool Loop::holds(flow::NodeId node) const { return std::ranges::binary_search(body, node); }
 
 std::vector<Loop> find_loops(const Program& program, const flow::Structures& structures,
-                             const flow::Graph& graph, const Analysis& analysis) {
-    return LoopSearch(program, structures, graph, analysis).run();
+                             const flow::Graph& graph, const Analysis& analysis, const Cycles& cycles) {
+    return LoopSearch(program, structures, graph, analysis, cycles).run();
 }
 
 } // namespace maclint::dataflow

@@ -4,6 +4,7 @@
 
 #include "analyzer/dataflow/analysis.hpp"
 #include "analyzer/dataflow/counter.hpp"
+#include "analyzer/dataflow/cycles.hpp"
 #include "analyzer/flow/structure.hpp"
 
 #include <algorithm>
@@ -30,13 +31,15 @@ struct Loop {
 /// All loops that can be reached, in text order of their heads. A program with so many nested cycles that
 /// listing them would take more than a fixed amount of work gets only the first of them.
 [[nodiscard]] std::vector<Loop> find_loops(const Program& program, const flow::Structures& structures,
-                                           const flow::Graph& graph, const Analysis& analysis);
+                                           const flow::Graph& graph, const Analysis& analysis,
+                                           const Cycles& cycles);
 
 /// Cycles that nothing ends: no way leads out of them, and nothing in them stops the program. The body is all
 /// that can be reached from inside; `structure` is the outermost WHILE or DO that holds all of it, if one
 /// does, else `back` is the last jump back in the text. What they change is not looked at.
 [[nodiscard]] std::vector<Loop> find_traps(const Program& program, const flow::Structures& structures,
-                                           const flow::Graph& graph, const Analysis& analysis);
+                                           const flow::Graph& graph, const Analysis& analysis,
+                                           const Cycles& cycles);
 
 /// Calls `visit` for every fact in the loop's body. Facts are in the order of nodes, and so is the body: each
 /// node's are looked up behind those of the last.

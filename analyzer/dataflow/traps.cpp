@@ -1,6 +1,5 @@
 //! Cycles of the flow graph that are never left.
 #include "analyzer/dataflow/loops.hpp"
-#include "analyzer/flow/components.hpp"
 
 #include <algorithm>
 #include <span>
@@ -13,11 +12,13 @@ namespace {
 class TrapSearch {
   public:
     TrapSearch(const Program& program, const flow::Structures& structures, const flow::Graph& graph,
-               const Analysis& analysis)
+               const Analysis& analysis, const Cycles& cycles)
         : program_(program)
         , structures_(structures)
         , graph_(graph)
         , analysis_(analysis)
+        , arrows_(cycles.arrows)
+        , components_(cycles.components)
         , stops_(graph.nodes.size(), false) {
         for (const flow::Exit& exit : graph.exits) stops_[exit.node] = true;
         for (const CallMade& call : analysis.facts().calls)
@@ -26,17 +27,9 @@ class TrapSearch {
     }
 
     std::vector<Loop> run() {
-        flow::Arrows arrows;
-        arrows.reserve(graph_.nodes.size(), graph_.edges.size());
-        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
-            for (const flow::EdgeId id : graph_.out[node])
-                if (analysis_.passable(id)) arrows.add(graph_.edges[id].to);
-            arrows.end_list();
-        }
-        components_ = flow::find_components(arrows);
         std::vector<Loop> traps;
         for (std::uint32_t component = 0; component < components_.members.size(); ++component) {
-            if (!is_closed(component, arrows)) continue;
+            if (!is_closed(component)) continue;
             if (const auto trap = trap_of(component)) traps.push_back(*trap);
         }
         std::ranges::sort(traps, {}, &Loop::head);
@@ -57,10 +50,10 @@ class TrapSearch {
         }
     }
 
-    [[nodiscard]] bool is_closed(std::uint32_t component, const flow::Arrows& arrows) const {
+    [[nodiscard]] bool is_closed(std::uint32_t component) const {
         return std::ranges::all_of(components_.members[component], [&](flow::NodeId node) {
-            return analysis_.reached(node) && !stops_[node] && !arrows[node].empty() &&
-                   std::ranges::all_of(arrows[node],
+            return analysis_.reached(node) && !stops_[node] && !arrows_[node].empty() &&
+                   std::ranges::all_of(arrows_[node],
                                        [&](std::uint32_t to) { return components_.of[to] == component; });
         });
     }
@@ -119,7 +112,8 @@ class TrapSearch {
     const flow::Structures& structures_;
     const flow::Graph& graph_;
     const Analysis& analysis_;
-    flow::Components components_;
+    const flow::Arrows& arrows_;
+    const flow::Components& components_;
     std::unordered_map<EffectId, flow::NodeId> head_of_; ///< the node of a loop's opening effect
     std::vector<bool> stops_; ///< nodes that end the program, pause, or may do either
 };
@@ -127,8 +121,8 @@ class TrapSearch {
 } // namespace
 
 std::vector<Loop> find_traps(const Program& program, const flow::Structures& structures,
-                             const flow::Graph& graph, const Analysis& analysis) {
-    return TrapSearch(program, structures, graph, analysis).run();
+                             const flow::Graph& graph, const Analysis& analysis, const Cycles& cycles) {
+    return TrapSearch(program, structures, graph, analysis, cycles).run();
 }
 
 } // namespace maclint::dataflow

@@ -81,11 +81,12 @@ class WorkspaceBuilder {
                                             [&](EffectId call) { return callees(call).resume_labels; });
         const bool main = runs_on_its_own(analysis);
         analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
-        analysis.loops_ =
-            dataflow::find_loops(program, analysis.structures_, analysis.graph_, *analysis.data_);
-        if (!analysis.loops_.empty())
-            analysis.traps_ =
-                dataflow::find_traps(program, analysis.structures_, analysis.graph_, *analysis.data_);
+        if (const auto cycles = dataflow::find_cycles(analysis.graph_, *analysis.data_)) {
+            analysis.loops_ = dataflow::find_loops(program, analysis.structures_, analysis.graph_,
+                                                   *analysis.data_, *cycles);
+            analysis.traps_ = dataflow::find_traps(program, analysis.structures_, analysis.graph_,
+                                                   *analysis.data_, *cycles);
+        }
         analysis.is_macro_ = !main && takes_arguments(analysis);
     }
 

@@ -66,13 +66,13 @@ bool may_return_within(const Program& program) {
 std::vector<Leftover> find_leftovers(const ProgramAnalysis& analysis, Concern concern,
                                      const IsFault& is_fault) {
     std::vector<Leftover> leftovers;
-    if (may_return_within(analysis.program())) return leftovers;
     const auto& groups = analysis.control().groups;
     for (std::size_t group = 0; group < groups.size(); ++group) {
         if (groups[group].concern != concern) continue;
         if (const auto leftover = leftover_of(analysis, static_cast<GroupId>(group), is_fault))
             leftovers.push_back(*leftover);
     }
+    if (!leftovers.empty() && may_return_within(analysis.program())) leftovers.clear();
     return leftovers;
 }
 
