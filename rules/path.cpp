@@ -13,7 +13,7 @@ namespace {
 /// A path is for a reader: many findings must not cost many searches of a whole long program.
 constexpr std::size_t most_searched = 4096;
 constexpr std::size_t most_steps = 12;
-constexpr std::size_t most_looked_at = 1000;
+constexpr std::size_t most_looked_at = 256;
 constexpr std::size_t longest_quote = 40;
 
 Span span_of(const Program& program, const flow::Edge& edge, const flow::Graph& graph) {

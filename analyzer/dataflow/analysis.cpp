@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t visits_before_widening = 2;
 constexpr std::uint32_t visits_before_keeping = 12;
 /// So many visits of a loop head before bounds stop growing from threshold to threshold.
-constexpr std::uint32_t visits_before_infinity = 8;
+constexpr std::uint32_t visits_before_infinity = 5;
 constexpr std::size_t most_thresholds = 128;
 
 /// The numbers that the program compares with: bounds of loops usually stop there.

@@ -89,9 +89,56 @@ struct ModalValue {
     friend bool operator==(const ModalValue&, const ModalValue&) = default;
 };
 
+/// The finaliser of splitmix64: cheap, and every bit of the input reaches every bit of the result.
+constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
+    value += 0x9E3779B97F4A7C15ULL + hash;
+    value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    value = (value ^ (value >> 27U)) * 0x94D049BB133111EBULL;
+    return value ^ (value >> 31U);
+}
+constexpr std::uint64_t side_by_side(std::uint32_t a, std::uint32_t b) {
+    return (std::uint64_t{a} << 32U) | b;
+}
+
+// A thing has a place near others that are asked for at the same time, which keeps long programs in the
+// processor's caches, and one far from them, for where too many things want the same place.
+
+constexpr std::uint64_t near(const Symbol& s) {
+    if (s.kind == Symbol::Kind::constant) return mix(0, s.a);
+    return s.a + 4 * (std::uint64_t{s.b} + s.c) + static_cast<std::uint64_t>(s.kind);
+}
+constexpr std::uint64_t far(const Symbol& s) {
+    return mix(mix(static_cast<std::uint64_t>(s.kind), s.a), side_by_side(s.b, s.c));
+}
+
+constexpr std::uint64_t near(const Origin& o) { return o.id + static_cast<std::uint64_t>(o.kind); }
+constexpr std::uint64_t far(const Origin& o) {
+    return mix(static_cast<std::uint64_t>(o.kind), side_by_side(o.id, o.node));
+}
+
+constexpr std::uint64_t near(const Value& v) { return 4 * std::uint64_t{v.symbol} + v.origin; }
+constexpr std::uint64_t far(const Value& v) {
+    const auto flags = (static_cast<std::uint64_t>(v.vacancy) << 16U) |
+                       (static_cast<std::uint64_t>(v.exactness) << 8U) | (v.integer ? 1U : 0U) |
+                       (v.nonzero ? 2U : 0U);
+    std::uint64_t hash = mix(flags, side_by_side(v.symbol, v.origin));
+    hash = mix(hash, side_by_side(v.doubt, v.rounding));
+    hash = mix(hash, std::bit_cast<std::uint64_t>(v.low));
+    return mix(hash, std::bit_cast<std::uint64_t>(v.high));
+}
+
+inline std::uint64_t near(const ModalValue& v) {
+    return v.parts.empty() ? 0 : 4 * std::uint64_t{v.parts.front().symbol} + v.parts.front().origin;
+}
+inline std::uint64_t far(const ModalValue& v) {
+    std::uint64_t hash = v.unknown ? 1 : 0;
+    for (const ModalPart& part : v.parts) hash = mix(hash, side_by_side(part.symbol, part.origin));
+    return hash;
+}
+
 /// Stores equal things once and names them by number. Open addressing: most programs are small, and every one
 /// has four.
-template<class T, class Hash>
+template<class T>
 class Interner {
   public:
     std::uint32_t operator()(const T& thing) {
@@ -111,12 +158,23 @@ class Interner {
     }
 
   private:
+    /// So many slots are looked at near the thing's first place before the search goes on far from it.
+    static constexpr int most_near = 8;
+
     /// The slot that holds the thing, or the free one where it belongs.
     [[nodiscard]] std::size_t place_of(const T& thing) const {
         const std::size_t mask = slots_.size() - 1;
-        std::size_t place = Hash{}(thing)&mask;
-        while (slots_[place] != 0 && !(things_[slots_[place] - 1] == thing)) place = (place + 1) & mask;
+        std::size_t place = near(thing) & mask;
+        for (int i = 0; i < most_near; ++i) {
+            if (is_place_of(thing, place)) return place;
+            place = (place + 1) & mask;
+        }
+        place = far(thing) & mask;
+        while (!is_place_of(thing, place)) place = (place + 1) & mask;
         return place;
+    }
+    [[nodiscard]] bool is_place_of(const T& thing, std::size_t place) const {
+        return slots_[place] == 0 || things_[slots_[place] - 1] == thing;
     }
 
     void grow() {
@@ -131,52 +189,12 @@ class Interner {
     std::vector<std::uint32_t> slots_; ///< 0: free; otherwise one more than the thing's number
 };
 
-/// The finaliser of splitmix64: cheap, and every bit of the input reaches every bit of the result.
-constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
-    value += 0x9E3779B97F4A7C15ULL + hash;
-    value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    value = (value ^ (value >> 27U)) * 0x94D049BB133111EBULL;
-    return value ^ (value >> 31U);
-}
-constexpr std::uint64_t side_by_side(std::uint32_t a, std::uint32_t b) {
-    return (std::uint64_t{a} << 32U) | b;
-}
-
-struct HashValue {
-    std::size_t operator()(const Value& v) const {
-        const auto flags = (static_cast<std::uint64_t>(v.vacancy) << 16U) |
-                           (static_cast<std::uint64_t>(v.exactness) << 8U) | (v.integer ? 1U : 0U) |
-                           (v.nonzero ? 2U : 0U);
-        std::uint64_t hash = mix(flags, side_by_side(v.symbol, v.origin));
-        hash = mix(hash, side_by_side(v.doubt, v.rounding));
-        hash = mix(hash, std::bit_cast<std::uint64_t>(v.low));
-        return mix(hash, std::bit_cast<std::uint64_t>(v.high));
-    }
-};
-struct HashSymbol {
-    std::size_t operator()(const Symbol& s) const {
-        return mix(mix(static_cast<std::uint64_t>(s.kind), s.a), side_by_side(s.b, s.c));
-    }
-};
-struct HashOrigin {
-    std::size_t operator()(const Origin& o) const {
-        return mix(static_cast<std::uint64_t>(o.kind), side_by_side(o.id, o.node));
-    }
-};
-struct HashModal {
-    std::size_t operator()(const ModalValue& v) const {
-        std::uint64_t hash = v.unknown ? 1 : 0;
-        for (const ModalPart& part : v.parts) hash = mix(hash, side_by_side(part.symbol, part.origin));
-        return hash;
-    }
-};
-
 /// The tables of one program's analysis.
 struct Pool {
-    Interner<Symbol, HashSymbol> symbols;
-    Interner<Origin, HashOrigin> origins;
-    Interner<Value, HashValue> values;
-    Interner<ModalValue, HashModal> modals;
+    Interner<Symbol> symbols;
+    Interner<Origin> origins;
+    Interner<Value> values;
+    Interner<ModalValue> modals;
 
     Pool();
     void fit();
