@@ -136,6 +136,7 @@ Truth Transfer::judge_chain(const State& state, std::span<const ExpressionId> op
         if (!agreed.reached) break;
     }
     facts_ = facts;
+    compared_.reset(); // of a state that only some ways lead to
     if (!agreed.reached) (all ? apart.can_hold : apart.can_fail) = false;
     return apart;
 }
@@ -171,6 +172,7 @@ Truth Transfer::judge(const State& state, ExpressionId id) {
     }
     const Value left = evaluate(state, operands[0], Use::comparison);
     const Value right = evaluate(state, operands[1], Use::comparison);
+    compared_ = {id, left, right};
     const Truth truth = compare(apply->operation, left, right, program_.control->vacant_equals_zero);
     if (facts_ != nullptr)
         facts_->comparisons.push_back(
@@ -194,19 +196,23 @@ void Transfer::refine(State& state, ExpressionId id, bool holds) {
         const auto* load = std::get_if<Load>(&program_.expressions[operands.front()].node);
         if (load != nullptr) refine_place(state, load->place, operation, {});
     } else if (is_comparison(operation) && operands.size() == 2) {
-        refine_comparison(state, operation, operands[0], operands[1]);
-        refine_comparison(state, mirrored(operation), operands[1], operands[0]);
+        if (!compared_ || compared_->expression != id)
+            compared_ = {id, evaluate(state, operands[0], Use::comparison),
+                         evaluate(state, operands[1], Use::comparison)};
+        const auto [expression, left, right] = *compared_;
+        refine_side(state, operands[0], left, operation, right);
+        refine_side(state, operands[1], right, mirrored(operation), left);
     }
 }
 
-void Transfer::refine_comparison(State& state, Operation operation, ExpressionId left, ExpressionId right) {
-    const Expression& expression = program_.expressions[left];
-    if (std::holds_alternative<Literal>(expression.node)) return; // nothing to learn of it
-    Value other = evaluate(state, right, Use::comparison);
+/// What is learnt of one side of a comparison, whose value is `value`.
+void Transfer::refine_side(State& state, ExpressionId side, const Value& value, Operation operation,
+                           Value other) {
+    const Expression& expression = program_.expressions[side];
     if (std::holds_alternative<LoadModal>(expression.node)) {
-        refine_entry_code(state, evaluate(state, left, Use::comparison), operation, other);
+        refine_entry_code(state, value, operation, other);
     } else if (const auto* load = std::get_if<Load>(&expression.node)) {
-        refine_entry_code(state, states_.read(state, load->place), operation, other);
+        refine_entry_code(state, value, operation, other);
         refine_place(state, load->place, operation, other);
     } else if (const auto* apply = std::get_if<Apply>(&expression.node);
                apply != nullptr && apply->operation == Operation::negate) {
@@ -214,7 +220,7 @@ void Transfer::refine_comparison(State& state, Operation operation, ExpressionId
             std::get_if<Load>(&program_.expressions[program_.operands_of(*apply).front()].node);
         if (negated == nullptr || operation == Operation::equal) return;
         other = compute(states_.pool(), Operation::negate, std::span(&other, 1),
-                        {Origin::Kind::expression, left, node_});
+                        {Origin::Kind::expression, side, node_});
         refine_place(state, negated->place, mirrored(operation), other);
     }
 }
@@ -244,7 +250,7 @@ void Transfer::know_entry_code(State& state, GroupId group, double code) {
 namespace {
 
 /// Cuts the range of `value` to what the comparison with `other` leaves.
-void cut(Value& value, Operation operation, const Value& other) {
+void cut(Value& value, Operation operation, const Value& other, bool vacant_passes_not_zero) {
     const auto above = [&](double bound) {
         return value.integer ? std::floor(bound) + 1 : std::nextafter(bound, bound + 1);
     };
@@ -258,6 +264,8 @@ void cut(Value& value, Operation operation, const Value& other) {
         break;
     case Operation::not_equal:
         if (other.low != other.high || !std::isfinite(other.low)) break;
+        // A vacant value passes NE 0, too, and counts as 0 afterwards.
+        if (other.low == 0 && vacant_passes_not_zero) break;
         if (other.low == 0) value.nonzero = true;
         if (value.low == other.low && value.high > value.low) value.low = above(other.low);
         if (value.high == other.low && value.high > value.low) value.high = below(other.low);
@@ -296,10 +304,11 @@ void Transfer::refine_place(State& state, Place place, Operation operation, cons
             Value zero = value;
             zero.low = zero.high = 0;
             zero.integer = false;
-            cut(zero, operation, other);
+            cut(zero, operation, other, false);
             if (zero.low > zero.high) value.vacancy = Vacancy::set;
         }
-        cut(value, operation, other);
+        cut(value, operation, other,
+            value.vacancy != Vacancy::set && !program_.control->vacant_equals_zero);
         if (value.low > value.high) {
             state.reached = false;
             return;

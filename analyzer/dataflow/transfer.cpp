@@ -15,6 +15,18 @@ constexpr double most_indexed_places = 64;
 
 } // namespace
 
+Transfer::Transfer(const Program& program, const flow::Graph& graph, States& states, const Callees& callees)
+    : program_(program)
+    , graph_(graph)
+    , states_(states)
+    , callees_(callees)
+    , constants_(program.expressions.size(), 0)
+    , origins_(program.effects.size(), 0) {
+    const auto& groups = program_.control->groups;
+    const auto found = std::ranges::find(groups, Concern::modal_call, &ModalGroup::concern);
+    if (found != groups.end()) modal_call_group_ = static_cast<GroupId>(found - groups.begin());
+}
+
 /// The effect as an origin. An effect belongs to one node.
 OriginId Transfer::here() {
     OriginId& known = origins_[effect_];
@@ -25,6 +37,7 @@ OriginId Transfer::here() {
 State Transfer::run(flow::NodeId node, State state) {
     node_ = node;
     judged_.reset();
+    compared_.reset();
     const flow::Node& n = graph_.nodes[node];
     if (n.is_run) {
         run_of_plain_blocks(state, node);
@@ -82,7 +95,8 @@ void Transfer::apply(State& state, const Effect& effect) {
                            facts_->computed_jumps.push_back({node_, effect_, target});
                    },
                    [&](const Exchange& what) {
-                       for (const ExpressionId out : what.out) (void)evaluate(state, out, Use::word);
+                       if (facts_ != nullptr)
+                           for (const ExpressionId out : what.out) (void)evaluate(state, out, Use::word);
                        for (const Place in : what.in) disturb(state, in, opaque_place(in, 4));
                    },
                    [&](const UnreadableBlock& what) {
@@ -172,13 +186,6 @@ std::optional<Step> Transfer::step_of(const State& state, Place place, Expressio
 
 // ---- modal groups ----
 
-std::optional<GroupId> Transfer::modal_call_group() const {
-    const auto& groups = program_.control->groups;
-    const auto found = std::ranges::find(groups, Concern::modal_call, &ModalGroup::concern);
-    if (found == groups.end()) return std::nullopt;
-    return static_cast<GroupId>(found - groups.begin());
-}
-
 void Transfer::set_modal(State& state, const SetModal& set) {
     const Value value = evaluate(state, set.value, Use::word);
     std::optional<GroupId> group = set.group;
@@ -239,14 +246,16 @@ void Transfer::doubt_groups(State& state, std::optional<char> letter) {
 // ---- calls ----
 
 void Transfer::call(State& state, const Call& call) {
-    for (const Argument& argument : program_.arguments_of(call))
-        (void)evaluate(state, argument.value, Use::argument);
-    if (call.repeat) (void)evaluate(state, *call.repeat, Use::word);
-    if (const auto* number = std::get_if<ExpressionId>(&call.program))
-        (void)evaluate(state, *number, Use::word);
+    if (facts_ != nullptr) {
+        for (const Argument& argument : program_.arguments_of(call))
+            (void)evaluate(state, argument.value, Use::argument);
+        if (call.repeat) (void)evaluate(state, *call.repeat, Use::word);
+        if (const auto* number = std::get_if<ExpressionId>(&call.program))
+            (void)evaluate(state, *number, Use::word);
+    }
     const CallKind& kind = program_.control->calls[call.kind];
     if (kind.when == When::once) return run_program(state, effect_, call);
-    if (const auto group = modal_call_group()) set_code(state, *group, kind.modal_code, here());
+    if (const auto group = modal_call_group_) set_code(state, *group, kind.modal_code, here());
 }
 
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
@@ -271,7 +280,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
     for (const PlaceChange& change : summary.places) {
         if (!visible(change.place.space)) continue;
         Value value;
-        value.symbol = states_.pool().symbols({Symbol::Kind::opaque, key_of(change.place), 6, effect_});
+        value.symbol = opaque_place(change.place, 6).symbol;
         value.vacancy = change.vacancy;
         value.doubt = change.vacancy == Vacancy::maybe || change.vacancy == Vacancy::vacant ? here() : 0;
         value.low = change.low;
@@ -328,13 +337,14 @@ void Transfer::disturb(State& state, Place place, const Value& value) {
 /// A value of which nothing is known; `what_for` keeps it apart from others that the effect makes.
 Value Transfer::opaque_place(Place place, std::uint32_t what_for) {
     Value value;
-    value.symbol = states_.pool().symbols(
-        {Symbol::Kind::opaque, effect_, what_for, static_cast<std::uint32_t>(place.number)});
+    value.symbol = states_.pool().symbols({Symbol::Kind::opaque, side_by_side(effect_, node_),
+                                           what_for << 8U | place.space,
+                                           static_cast<std::uint32_t>(place.number)});
     return value;
 }
 
 void Transfer::move(State& state) {
-    const auto group = modal_call_group();
+    const auto group = modal_call_group_;
     if (!group) return;
     // Moving while a modal call is active runs its program [SEED-001:466].
     const auto parts = states_.read(state, *group).parts;
@@ -344,7 +354,8 @@ void Transfer::move(State& state) {
         const auto* call = std::get_if<Call>(&program_.effects[origin.id].what);
         if (call == nullptr) continue;
         State moved = state;
-        run_program(moved, origin.id, *call);
+        effect_ = origin.id; // a plain run has no effect of its own
+        run_program(moved, effect_, *call);
         states_.write(moved, *group, states_.read(state, *group));
         state = states_.join(state, moved, node_);
     }

@@ -9,13 +9,7 @@ namespace maclint::dataflow {
 
 class Transfer {
   public:
-    Transfer(const Program& program, const flow::Graph& graph, States& states, const Callees& callees)
-        : program_(program)
-        , graph_(graph)
-        , states_(states)
-        , callees_(callees)
-        , constants_(program.expressions.size(), 0)
-        , origins_(program.effects.size(), 0) {}
+    Transfer(const Program& program, const flow::Graph& graph, States& states, const Callees& callees);
 
     /// From now on everything read, compared and set is written down there; nullptr ends it.
     void record_in(Facts* facts) { facts_ = facts; }
@@ -37,7 +31,7 @@ class Transfer {
     [[nodiscard]] Truth judge(const State& state, ExpressionId id);
     [[nodiscard]] Truth judge_chain(const State& state, std::span<const ExpressionId> operands, bool all);
     void refine(State& state, ExpressionId id, bool holds);
-    void refine_comparison(State& state, Operation operation, ExpressionId left, ExpressionId right);
+    void refine_side(State& state, ExpressionId side, const Value& value, Operation operation, Value other);
     void refine_place(State& state, Place place, Operation operation, const Value& other);
     void know_entry_code(State& state, GroupId group, double code);
     void refine_entry_code(State& state, const Value& value, Operation operation, const Value& other);
@@ -63,12 +57,12 @@ class Transfer {
     void run_of_plain_blocks(State& state, flow::NodeId node);
     [[nodiscard]] OriginId here();
     [[nodiscard]] Value number(ExpressionId id, double number);
-    [[nodiscard]] std::optional<GroupId> modal_call_group() const;
 
     const Program& program_;
     const flow::Graph& graph_;
     States& states_;
     const Callees& callees_;
+    std::optional<GroupId> modal_call_group_;
     Facts* facts_ = nullptr;
     std::vector<SymbolId> constants_; ///< of the literals met so far; 0: not met
     std::vector<OriginId> origins_;   ///< of the effects met so far; 0: not met
@@ -76,6 +70,12 @@ class Transfer {
     EffectId effect_ = 0;
     /// The node's condition, the same on all edges of a branch.
     std::optional<std::pair<ExpressionId, Truth>> judged_;
+    /// The comparison judged last in the state that is asked about, and its sides there.
+    struct Compared {
+        ExpressionId expression;
+        Value left, right;
+    };
+    std::optional<Compared> compared_;
 };
 
 } // namespace maclint::dataflow

@@ -8,9 +8,8 @@
 namespace maclint {
 namespace {
 
-std::optional<dataflow::Counter> counter(const ProgramAnalysis& analysis) {
-    return dataflow::counter_of(analysis.program(), analysis.graph(), analysis.facts(),
-                                analysis.loops().front());
+const std::optional<dataflow::Counter>& counter(const ProgramAnalysis& analysis) {
+    return analysis.loops().front().counter;
 }
 
 TEST(LoopCounter, IsTheVariableThatAllWaysOutDependOn) {
@@ -69,6 +68,36 @@ TEST(Entry, ArgumentsMayBeMissingAndOtherLocalsAreVacant) {
     ASSERT_EQ(reads.size(), 2U);
     EXPECT_EQ(reads[0].value.vacancy, dataflow::Vacancy::maybe);
     EXPECT_EQ(reads[1].value.vacancy, dataflow::Vacancy::vacant);
+}
+
+TEST(Values, ThatPassNotZeroMayBeVacantAndCountAsZero) {
+    const auto workspace = test::analyse_fanuc("O1\nIF[#501EQ1]GOTO10\n#1=ROUND[ABS[#5003]]\n"
+                                               "N10IF[#1NE0]GOTO20\nM30\nN20IF[#1LT1]GOTO30\nM30\n"
+                                               "N30M30\n");
+    EXPECT_TRUE(workspace->programs().front().facts().comparisons.back().truth.can_hold);
+}
+
+TEST(Values, ThatAModalCallLeavesDifferFromMoveToMoveAndComeFromTheCall) {
+    const auto workspace = test::analyse_fanuc("O1\nG66P9010A1.\n#501=7\nX1.Y2.\n#1=#100\nX3.\n#2=#100\n"
+                                               "G67\nM30\nO9010\nIF[#501EQ0]GOTO5\n#100=#0\nM99\n"
+                                               "N5#100=#1\nM99\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    const auto& stores = analysis.facts().stores;
+    ASSERT_EQ(stores.size(), 3U);
+    EXPECT_NE(stores[1].value.symbol, stores[2].value.symbol);
+    const dataflow::Origin& origin = analysis.data().origin(stores[1].value.doubt);
+    ASSERT_EQ(origin.kind, dataflow::Origin::Kind::effect);
+    EXPECT_TRUE(std::holds_alternative<Call>(analysis.program().effects[origin.id].what));
+}
+
+TEST(Loops, HoldNothingThatTheirHeadDoesNotReach) {
+    // GOTO20 leads into the middle of the loop; #501 above it decides nothing in it.
+    const auto workspace = test::analyse_fanuc("O1\nIF[#501EQ1]GOTO20\n#501=#501+1\nN10G0X1.\nN20G0X2.\n"
+                                               "IF[#502EQ1]GOTO10\nM30\n");
+    const auto& loops = workspace->programs().front().loops();
+    ASSERT_EQ(loops.size(), 1U);
+    EXPECT_EQ(loops.front().body.size(), 4U); // IF and its GOTO are a node each
+    EXPECT_EQ(loops.front().ways_out.size(), 1U);
 }
 
 TEST(Values, OfSumsAreTheSameInEitherOrder) {
