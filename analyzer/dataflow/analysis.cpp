@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <utility>
 
 namespace maclint::dataflow {
@@ -79,24 +80,63 @@ class Waiting {
 
 } // namespace
 
-void Facts::fit() {
-    comparisons.shrink_to_fit();
-    conditions.shrink_to_fit();
-    reads.shrink_to_fit();
-    modal_reads.shrink_to_fit();
-    stores.shrink_to_fit();
-    disturbances.shrink_to_fit();
-    calls.shrink_to_fit();
-    modal_writes.shrink_to_fit();
-    computed_jumps.shrink_to_fit();
-    tool_changes.shrink_to_fit();
-    exits.shrink_to_fit();
+namespace {
+
+constexpr std::size_t worth_keeping = std::size_t{1} << 16U; ///< bytes of a list
+
+template<class T>
+void hand_over_list(std::vector<T>& from, std::vector<T>& to) {
+    if (from.capacity() * sizeof(T) > worth_keeping) {
+        to = std::move(from);
+        to.shrink_to_fit();
+        from = {};
+    } else {
+        to.assign(std::move_iterator(from.begin()), std::move_iterator(from.end()));
+        from.clear();
+    }
+}
+
+/// Lists that every solver needs: most programs are small, and there are many.
+struct SolverLists {
+    std::vector<flow::NodeId> in_order; ///< nodes in reverse postorder; the unreached are left out
+    std::vector<State> before;          ///< of every node
+    std::vector<State> along;           ///< of every edge
+    std::vector<std::uint32_t> visits;  ///< of every node
+    Facts facts;
+
+    void prepare(const flow::Graph& graph) {
+        before.assign(graph.nodes.size(), {});
+        along.assign(graph.edges.size(), {});
+        visits.assign(graph.nodes.size(), 0);
+    }
+    /// Keeps their memory for the next program, unless it is much.
+    void release() {
+        if (along.capacity() * sizeof(State) > worth_keeping) *this = {};
+    }
+};
+
+} // namespace
+
+void Facts::hand_over(Facts& to) {
+    hand_over_list(comparisons, to.comparisons);
+    hand_over_list(conditions, to.conditions);
+    hand_over_list(reads, to.reads);
+    hand_over_list(modal_reads, to.modal_reads);
+    hand_over_list(stores, to.stores);
+    hand_over_list(disturbances, to.disturbances);
+    hand_over_list(calls, to.calls);
+    hand_over_list(modal_writes, to.modal_writes);
+    hand_over_list(computed_jumps, to.computed_jumps);
+    hand_over_list(tool_changes, to.tool_changes);
+    hand_over_list(watched, to.watched);
+    hand_over_list(exits, to.exits);
 }
 
 /// Fills an Analysis.
 class Solver {
   public:
-    Solver(const Program& program, const flow::Graph& graph, const Callees& callees, Analysis& result)
+    Solver(const Program& program, const flow::Graph& graph, const Callees& callees, SolverLists& lists,
+           Analysis& result)
         : program_(program)
         , graph_(graph)
         , callees_(callees)
@@ -104,9 +144,13 @@ class Solver {
         , transfer_(program, graph, states_, callees)
         , result_(result)
         , thresholds_(thresholds_of(program))
-        , before_(graph.nodes.size())
-        , along_(graph.edges.size())
-        , visits_(graph.nodes.size(), 0) {}
+        , in_order_(lists.in_order)
+        , before_(lists.before)
+        , along_(lists.along)
+        , visits_(lists.visits)
+        , facts_(lists.facts) {
+        lists.prepare(graph);
+    }
 
     void run() {
         result_.reached_.assign(graph_.nodes.size(), false);
@@ -218,12 +262,11 @@ class Solver {
     }
 
     void record() {
-        transfer_.record_in(&result_.facts_);
-        result_.facts_.reads.reserve(program_.expressions.size() / 2);
-        result_.facts_.stores.reserve(program_.items.size() / 2);
+        transfer_.record_in(&facts_);
         std::vector<bool> leaves(graph_.nodes.size(), false);
         for (const flow::Exit& exit : graph_.exits) leaves[exit.node] = true;
         std::vector<std::pair<flow::NodeId, State>> left;
+        left.reserve(graph_.exits.size());
         for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
             if (!before_[node].reached) continue;
             result_.reached_[node] = true;
@@ -237,18 +280,18 @@ class Solver {
             const auto after =
                 std::ranges::lower_bound(left, exit.node, {}, &decltype(left)::value_type::first);
             if (after == left.end() || after->first != exit.node) continue;
-            result_.facts_.exits.push_back({exit, after->second});
+            facts_.exits.push_back({exit, after->second});
         }
     }
 
     void keep_what_rules_ask_for() {
-        Facts& facts = result_.facts_;
         std::vector<State*> asked;
-        for (PointState& point : facts.tool_changes) asked.push_back(&point.state);
-        for (PointState& point : facts.watched) asked.push_back(&point.state);
-        for (ExitState& exit : facts.exits) asked.push_back(&exit.state);
+        asked.reserve(facts_.tool_changes.size() + facts_.watched.size() + facts_.exits.size());
+        for (PointState& point : facts_.tool_changes) asked.push_back(&point.state);
+        for (PointState& point : facts_.watched) asked.push_back(&point.state);
+        for (ExitState& exit : facts_.exits) asked.push_back(&exit.state);
         states_.keep_only(asked);
-        facts.fit();
+        facts_.hand_over(result_.facts_);
     }
 
     void summarise() {
@@ -256,7 +299,7 @@ class Solver {
         summary.known = true;
         summary.may_stop = may_stop();
         State left;
-        for (const ExitState& exit : result_.facts_.exits) {
+        for (const ExitState& exit : facts_.exits) {
             if (exit.exit.kind != flow::ExitKind::returns && exit.exit.kind != flow::ExitKind::runs_off)
                 continue;
             left = states_.join(left, exit.state, static_cast<flow::NodeId>(graph_.nodes.size()));
@@ -290,10 +333,10 @@ class Solver {
             const VariableSpace& space = spaces[place.space];
             if (space.handed_down && !space.written_once) written.push_back(program_.spell(place));
         };
-        for (const Store& store : result_.facts_.stores) add(store.place);
-        for (const Disturbance& disturbance : result_.facts_.disturbances)
+        for (const Store& store : facts_.stores) add(store.place);
+        for (const Disturbance& disturbance : facts_.disturbances)
             if (disturbance.place) add(*disturbance.place);
-        for (const CallMade& call : result_.facts_.calls) {
+        for (const CallMade& call : facts_.calls) {
             const auto& below = callees_(call.effect).written_for_callers;
             if (!below) return std::nullopt;
             written.insert(written.end(), below->begin(), below->end());
@@ -304,8 +347,7 @@ class Solver {
     }
 
     [[nodiscard]] bool may_stop() const {
-        const Facts& facts = result_.facts_;
-        if (std::ranges::any_of(facts.calls, &CallMade::may_stop)) return true;
+        if (std::ranges::any_of(facts_.calls, &CallMade::may_stop)) return true;
         for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
             if (!result_.reached_[node]) continue;
             for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects))
@@ -342,10 +384,11 @@ class Solver {
     Transfer transfer_;
     Analysis& result_;
     std::vector<double> thresholds_;
-    std::vector<flow::NodeId> in_order_; ///< nodes in reverse postorder; the unreached are left out
-    std::vector<State> before_;          ///< of every node
-    std::vector<State> along_;           ///< of every edge
-    std::vector<std::uint32_t> visits_;
+    std::vector<flow::NodeId>& in_order_;
+    std::vector<State>& before_;
+    std::vector<State>& along_;
+    std::vector<std::uint32_t>& visits_;
+    Facts& facts_;
     std::vector<bool> head_;
 };
 
@@ -356,7 +399,9 @@ Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowle
     , knowledge_(std::move(knowledge))
     , callees_(std::move(callees))
     , states_(std::make_unique<States>(program, knowledge_)) {
-    Solver(program, graph, callees_, *this).run();
+    thread_local SolverLists lists;
+    Solver(program, graph, callees_, lists, *this).run();
+    lists.release();
 }
 
 std::optional<flow::EdgeId> Analysis::first_impossible(std::span<const flow::EdgeId> way) const {

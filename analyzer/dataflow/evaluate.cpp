@@ -307,8 +307,7 @@ void Transfer::refine_place(State& state, Place place, Operation operation, cons
             cut(zero, operation, other, false);
             if (zero.low > zero.high) value.vacancy = Vacancy::set;
         }
-        cut(value, operation, other,
-            value.vacancy != Vacancy::set && !program_.control->vacant_equals_zero);
+        cut(value, operation, other, value.vacancy != Vacancy::set && !program_.control->vacant_equals_zero);
         if (value.low > value.high) {
             state.reached = false;
             return;

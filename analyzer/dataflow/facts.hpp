@@ -128,8 +128,9 @@ struct Facts {
     std::vector<PointState> watched; ///< in front of words that set a watched group
     std::vector<ExitState> exits;    ///< reached ones
 
-    /// Gives back memory that was taken for more facts.
-    void fit();
+    /// Moves all facts to `to`, which gets no more memory than they need; the memory here stays for others,
+    /// unless it is much.
+    void hand_over(Facts& to);
 };
 
 } // namespace maclint::dataflow

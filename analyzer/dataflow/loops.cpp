@@ -26,8 +26,7 @@ class LoopSearch {
         for (flow::StructureId id = 0; id < structures.all.size(); ++id)
             by_open_.emplace(structures.all[id].open, id);
         for (const flow::Exit& exit : graph.exits) mark(exit.node, true, false);
-        for (const CallMade& call : analysis.facts().calls)
-            mark(call.node, call.may_stop, !call.known);
+        for (const CallMade& call : analysis.facts().calls) mark(call.node, call.may_stop, !call.known);
         target_.reserve(graph.edges.size());
         for (const flow::Edge& edge : graph.edges) target_.push_back(edge.to);
         sources_.reserve(graph.nodes.size(), graph.edges.size());

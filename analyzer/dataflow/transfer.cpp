@@ -337,9 +337,9 @@ void Transfer::disturb(State& state, Place place, const Value& value) {
 /// A value of which nothing is known; `what_for` keeps it apart from others that the effect makes.
 Value Transfer::opaque_place(Place place, std::uint32_t what_for) {
     Value value;
-    value.symbol = states_.pool().symbols({Symbol::Kind::opaque, side_by_side(effect_, node_),
-                                           what_for << 8U | place.space,
-                                           static_cast<std::uint32_t>(place.number)});
+    value.symbol =
+        states_.pool().symbols({Symbol::Kind::opaque, side_by_side(effect_, node_),
+                                what_for << 8U | place.space, static_cast<std::uint32_t>(place.number)});
     return value;
 }
 

@@ -6,8 +6,9 @@
 namespace maclint {
 
 std::optional<std::vector<flow::EdgeId>> ProgramAnalysis::way_from_start(flow::NodeId node) const {
-    std::call_once(ways_asked_for_,
-                   [this] { ways_.emplace(graph_, [this](flow::EdgeId id) { return data_->passable(id); }); });
+    std::call_once(ways_asked_for_, [this] {
+        ways_.emplace(graph_, [this](flow::EdgeId id) { return data_->passable(id); });
+    });
     return ways_->to(graph_, node);
 }
 
