@@ -102,8 +102,7 @@ Finding& report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, co
     const flow::Exit& exit = leftover.exit->exit;
     trace(finding, analysis, set,
           "the " + std::string(analysis.control().groups[leftover.group].name) + " is set here");
-    if (set != exit.node)
-        for (Remark& step : way_between(analysis, set, exit.node)) finding.related.push_back(std::move(step));
+    tell_way_on(finding, analysis, set, exit.node);
     const Span end =
         exit.effect ? analysis.program().effects[*exit.effect].span : analysis.graph().nodes[exit.node].part;
     finding.related.push_back({&analysis.file(), end, words_for(exit.kind)});

@@ -116,6 +116,14 @@ std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Re
     return formal ? "not-passed" : "called";
 }
 
+/// An alias, not the variable behind it; without the brackets around it.
+std::string as_written(const Program& program, Span span) {
+    std::string name = quoted(program, span);
+    while (name.size() > 2 && (name.front() == '[' || name.front() == '('))
+        name = name.substr(1, name.size() - 2);
+    return name;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     // Without arguments a called program may be one that shares its caller's locals.
     if (!analysis.is_main() && !analysis.is_macro()) return;
@@ -124,6 +132,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     std::vector<std::pair<Place, int>> attempts;
     for (const dataflow::Read& read : analysis.facts().reads) {
         if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
+        // Nobody knows whether a control still looks at what decides nothing any more, as behind NDEF(…) OR.
+        if (dataflow::asks_for_vacancy(program, analysis.facts(), read.node, read.node, read.place)) continue;
         auto tried = std::ranges::find(attempts, read.place, &std::pair<Place, int>::first);
         if (tried == attempts.end()) tried = attempts.insert(tried, {read.place, 0});
         if (tried->second >= most_attempts || counts(analysis, read)) continue;
@@ -132,7 +142,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!way && read.value.vacancy != dataflow::Vacancy::vacant) continue;
         tried->second = most_attempts; // once a variable
         const Span span = program.expressions[read.expression].span;
-        const std::string name = program.spell(read.place);
+        const std::string name = as_written(program, span);
         Finding& finding = reporter.report(analysis.file(), span, message_for(analysis, read), {name});
         finding.path.push_back(
             remark_at(analysis, read.value.doubt, name + " has no value when the program begins"));
