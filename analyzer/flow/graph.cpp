@@ -85,9 +85,9 @@ class Building {
                                                       block.may_jump.end());
                            },
                            [this](const Return& back) { // in a program that nobody called, it goes on there
-                               if (const auto number =
-                                       back.resume_label ? constant_target(program_, *back.resume_label)
-                                                         : std::nullopt)
+                               if (const auto number = back.resume_label
+                                                           ? constant_target(program_, *back.resume_label)
+                                                           : std::nullopt)
                                    want(number);
                            },
                            [this, id](const Call&) {

@@ -148,15 +148,8 @@ class Loader {
                                                      {"bracket-levels", &Limits::bracket_levels}}};
         for (const JsonMember& member : object(node, "'limits'")) {
             const auto* const limit = std::ranges::find(known, member.key, &Limit::name);
-            if (member.key == "calls-together") {
-                limits.calls_together = level(member.node, member.key);
-            } else if (limit == known.end()) {
-                auto names_known = names(known);
-                names_known.emplace_back("calls-together");
-                reject_key(member, names_known);
-            } else {
-                limits.*(limit->value) = level(member.node, member.key);
-            }
+            if (limit == known.end()) reject_key(member, names(known));
+            limits.*(limit->value) = level(member.node, member.key);
         }
     }
 

@@ -1,12 +1,7 @@
 //! DIN008: IF, THEN, ELSE or ENDIF shares its block.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule block_must_be_alone{
     .code = "DIN008",
@@ -29,7 +24,6 @@ extern const Rule block_must_be_alone{
                         "N13 ENDIF\n"
                         "N14 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 INPUT(\"Diameter\",#l1)\n"
                          "N11 IF #l1>60\n"
@@ -40,14 +34,7 @@ extern const Rule block_must_be_alone{
                          "END\n"}},
     .alarms = {},
     .sources = {"SEED-003:19668"},
-    .check = &check,
+    .check = Irregular::not_alone,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::not_alone, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

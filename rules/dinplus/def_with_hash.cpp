@@ -1,12 +1,7 @@
 //! DIN323: DEF, NDEF or DVDEF with a # before the name.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule def_with_hash{
     .code = "DIN323",
@@ -29,7 +24,6 @@ extern const Rule def_with_hash{
                         "N3 G0 X#__la\n"
                         "N4 ENDIF\n"
                         "RETURN\n"}},
-    .also = {},
     .good = {{"dinplus", "%FACE.ncs\n"
                          "MACHINING\n"
                          "N1 IF DEF(__la)\n"
@@ -39,14 +33,7 @@ extern const Rule def_with_hash{
                          "RETURN\n"}},
     .alarms = {},
     .sources = {"SEED-003:19732", "SEED-003:22299 (the manual breaks its own rule)"},
-    .check = &check,
+    .check = Irregular::hash_in_vacancy_test,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::hash_in_vacancy_test, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

@@ -49,7 +49,6 @@ extern const Rule radius_comp_not_cancelled{
                         "N14 G0 X36 Z5\n"
                         "N15 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 T2\n"
                          "N11 G0 X18 Z3\n"

@@ -50,7 +50,6 @@ extern const Rule transfer_value_unchecked{
                         "N24 ENDIF\n"
                         "RETURN\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 L\"CHAMFER\" LA50\n"
                          "N12 M30\n"
@@ -88,7 +87,8 @@ bool is_unchecked(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     return analysis.control().spaces[read.place.space].unset == Unset::undefined &&
            read.use != dataflow::Use::vacancy_test && read.value.vacancy == dataflow::Vacancy::maybe &&
            std::ranges::find(formals, read.place) != formals.end() &&
-           !dataflow::asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node, read.place);
+           !dataflow::asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node,
+                                       read.place);
 }
 
 /// The comparison with 0 that the read is a side of.

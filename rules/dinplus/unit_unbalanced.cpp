@@ -47,7 +47,6 @@ extern const Rule unit_unbalanced{
                         "N6 END_OF_UNIT\n"
                         "N7 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N1 UNIT ID\"START\"\n"
                          "N3 G26 S3000\n"

@@ -30,13 +30,15 @@ extern const Rule duplicate_sequence_number{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages =
-        {{"behind", "N{0} stands {2}, and '{1}' takes the one in line {3}, the next behind it. Give each block "
-                    "a number of its own."},
-         {"from-the-top", "N{0} stands {2}, and '{1}' takes the one in line {3}, the first of the program, as "
-                          "none is behind it. Give each block a number of its own."},
-         {"plain", "N{0} stands {2}, and '{1}' leads to it: which block is taken depends on where the search "
-                   "starts. Give each block a number of its own."}},
+    .messages = {{"behind",
+                  "N{0} stands {2}, and '{1}' takes the one in line {3}, the next behind it. Give each block "
+                  "a number of its own."},
+                 {"from-the-top",
+                  "N{0} stands {2}, and '{1}' takes the one in line {3}, the first of the program, as "
+                  "none is behind it. Give each block a number of its own."},
+                 {"plain",
+                  "N{0} stands {2}, and '{1}' leads to it: which block is taken depends on where the search "
+                  "starts. Give each block a number of its own."}},
     .bad = {{"fanuc", "O9462(TWO)\n"
                       "IF[#100EQ1]GOTO20\n"
                       "N20 G0 X1.\n"
@@ -50,7 +52,6 @@ extern const Rule duplicate_sequence_number{
                         "N10 G810 NS2 NE2 P2\n"
                         "N20 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9462(TWO)\n"
                        "IF[#100EQ1]GOTO20\n"
                        "N20 G0 X1.\n"
@@ -122,7 +123,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         std::vector<Span> blocks;
         for (; first != labels.end() && first->number == number; ++first) blocks.push_back(first->span);
         if (blocks.size() == 1) continue;
-        if (const auto user = analysis.user_of_label(number)) report(analysis, reporter, number, blocks, *user);
+        if (const auto user = analysis.user_of_label(number))
+            report(analysis, reporter, number, blocks, *user);
     }
 }
 

@@ -27,7 +27,6 @@ extern const Rule end_without_do{
                       "#100=5\n"
                       "END1\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9313(ROW)\n"
                        "#100=0\n"
                        "WHILE[#100LT5]DO1\n"

@@ -37,7 +37,6 @@ extern const Rule jump_target_missing{
                       "IF[#100EQ1]GOTO70\n"
                       "#100=1\n"
                       "N7 M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9301(CHECK)\n"
                        "IF[#100EQ1]GOTO70\n"
                        "#100=1\n"

@@ -34,7 +34,6 @@ extern const Rule loop_number_reuse_nested{
                       "END1\n"
                       "END1\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9317(GRID)\n"
                        "#100=0\n"
                        "#101=0\n"

@@ -25,8 +25,9 @@ extern const Rule m99_p_missing_label{
     .messages = {{"plain",
                   "'{0}' returns to N{1}, which the caller {2} does not have. Add the sequence number "
                   "there, or return without P."},
-                 {"uncalled", "Nobody calls this program, so that '{0}' goes on at its own N{1}, which it does "
-                              "not have. Add the sequence number, or correct it."}},
+                 {"uncalled",
+                  "Nobody calls this program, so that '{0}' goes on at its own N{1}, which it does "
+                  "not have. Add the sequence number, or correct it."}},
     .bad = {{"fanuc", "O0001(MAIN)\n"
                       "M98P9333\n"
                       "N50 M30\n"
@@ -34,7 +35,6 @@ extern const Rule m99_p_missing_label{
                       "IF[#100EQ1]GOTO1\n"
                       "M99P500\n"
                       "N1 M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O0001(MAIN)\n"
                        "M98P9333\n"
                        "N50 M30\n"

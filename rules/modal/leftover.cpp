@@ -90,14 +90,26 @@ std::optional<double> own_code(const ProgramAnalysis& analysis, const dataflow::
     return analysis.data().pool().number_of(part.symbol);
 }
 
+bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
+                    const dataflow::ModalPart& part) {
+    const auto code = own_code(analysis, part);
+    return code && code != group.cancel && std::ranges::find(group.customary, *code) == group.customary.end();
+}
+
 Span place_of(const ProgramAnalysis& analysis, const Leftover& leftover) {
     return span_of(analysis, leftover.part);
 }
 
-Finding& report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
-                         std::string_view message_id, std::vector<std::string> arguments) {
-    const Span span = place_of(analysis, leftover);
-    Finding& finding = reporter.report(analysis.file(), span, message_id, std::move(arguments));
+void report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
+                     std::vector<std::string> arguments) {
+    report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+                    std::move(arguments));
+}
+
+void report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
+                     std::string_view message_id, std::vector<std::string> arguments) {
+    Finding& finding =
+        reporter.report(analysis.file(), place_of(analysis, leftover), message_id, std::move(arguments));
     const flow::NodeId set = node_of(analysis, leftover.part.origin);
     const flow::Exit& exit = leftover.exit->exit;
     trace(finding, analysis, set,
@@ -109,7 +121,6 @@ Finding& report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, co
     if (leftover.aftermath.program != nullptr)
         finding.related.push_back(
             {&leftover.aftermath.program->file(), leftover.aftermath.block, "a caller moves so here"});
-    return finding;
 }
 
 } // namespace maclint::rules

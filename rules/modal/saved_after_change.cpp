@@ -35,7 +35,6 @@ extern const Rule saved_after_change{
                       "G0 Z10.\n"
                       "G#33\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9517(UP)\n"
                        "#33=#4003\n"
                        "G91\n"

@@ -34,7 +34,6 @@ extern const Rule saved_value_lost{
                       "#33=#5003+#6\n"
                       "G#33\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9506(UP, K STEP)\n"
                        "#33=#4003\n"
                        "G91 G0 Z#6\n"

@@ -34,7 +34,6 @@ extern const Rule single_block_suppression_not_restored{
                       "#3003=1\n"
                       "G0 Z10.\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9515(UP WITHOUT A STOP)\n"
                        "#3003=1\n"
                        "G0 Z10.\n"
@@ -54,7 +53,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             return code && std::ranges::find(group.customary, *code) == group.customary.end();
         });
     for (const Leftover& leftover : leftovers)
-        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+        report_leftover(analysis, reporter, leftover,
                         {quoted(analysis.program(), place_of(analysis, leftover)),
                          std::string(analysis.control().groups[leftover.group].name)});
 }

@@ -1,12 +1,7 @@
 //! MAC701: more bracket levels than the control has.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule bracket_depth{
     .code = "MAC701",
@@ -32,7 +27,6 @@ extern const Rule bracket_depth{
                         "N30 PRINT(\"Feed\",#l4)\n"
                         "N40 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9701(DEEP)\n"
                        "#100=SIN[[[[#101]]]]\n"
                        "M30\n"},
@@ -46,14 +40,7 @@ extern const Rule bracket_depth{
     .alarms = {{"FANUC 16i/18i/21i", "118", "PARENTHESIS NESTING ERROR"},
                {"FANUC 30i/0i-D", "118", "TOO MANY BRACKET NESTING"}},
     .sources = {"MAN-16C287", "NCT-188"},
-    .check = &check,
+    .check = Irregular::bracket_depth,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::bracket_depth, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

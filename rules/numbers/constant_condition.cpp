@@ -60,7 +60,6 @@ extern const Rule constant_condition{
                         "N40 ENDWHILE\n"
                         "N50 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9718(LEVELS, K LEVEL)\n"
                        "IF[#6GT10]GOTO2\n"
                        "IF[#6GT5]GOTO1\n"

@@ -45,7 +45,6 @@ extern const Rule float_loop_counter{
                         "N50 ENDWHILE\n"
                         "N60 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9711(ROWS)\n"
                        "#33=0\n"
                        "WHILE[#33LE10]DO1\n"

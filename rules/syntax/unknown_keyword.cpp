@@ -1,12 +1,7 @@
 //! MAC118: a word that the control does not know.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule unknown_keyword{
     .code = "MAC118",
@@ -36,7 +31,6 @@ extern const Rule unknown_keyword{
                         "N14 ENDIF\n"
                         "N15 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9118(DEPTH)\n"
                        "IF[#100LE5]GOTO10\n"
                        "#100=5\n"
@@ -52,14 +46,7 @@ extern const Rule unknown_keyword{
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 16i/18i/21i", "199", "MACRO WORD UNDEFINED"}},
     .sources = {"IMD-114", "ISORP"},
-    .check = &check,
+    .check = Irregular::unknown_keyword,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::unknown_keyword, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

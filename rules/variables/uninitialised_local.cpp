@@ -32,7 +32,7 @@ extern const Rule uninitialised_local{
         {{"main", "'{0}' is vacant here: this program has not set it, and a program that nobody calls gets "
                   "no arguments. Set it first, or correct the number."},
          {"called", "'{0}' is vacant here: this program has not set it, and no letter of a call stands for "
-                    "it. Set it first, or correct the number."},
+                    "it, unless I, J and K are repeated. Set it first, or correct the number."},
          {"not-passed", "'{0}' is vacant here: this program has not set it, and no caller passes it. Set it "
                         "first, or pass the argument."},
          {"some-ways", "'{0}' is vacant here when the way that sets it is not taken. Set it on every way, "
@@ -54,7 +54,6 @@ extern const Rule uninitialised_local{
                         "N20 G0 X46 Z#l4\n"
                         "N30 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O0209(FACE)\n"
                        "#100=10.\n"
                        "#10=-2.\n"
@@ -75,14 +74,32 @@ extern const Rule uninitialised_local{
 
 namespace {
 
-/// Why the value is vacant is that the variable is as it was when the program began.
-bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+/// Why the value may be vacant is that the variable is as it was when the program began.
+bool is_as_at_entry(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     if (read.value.vacancy != dataflow::Vacancy::vacant && read.value.vacancy != dataflow::Vacancy::maybe)
         return false;
     const dataflow::Origin& doubt = analysis.data().origin(read.value.doubt);
     return doubt.kind == dataflow::Origin::Kind::entry &&
-           static_cast<std::int32_t>(doubt.id) == read.place.number && doubt.node == read.place.space &&
-           analysis.data().is_vacant_at_entry(read.place);
+           static_cast<std::int32_t>(doubt.id) == read.place.number && doubt.node == read.place.space;
+}
+
+bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    return is_as_at_entry(analysis, read) && analysis.data().is_vacant_at_entry(read.place);
+}
+
+/// Whether the program takes a series of I, J and K: nobody tells such variables from others but by reading
+/// all of them, from the first set to the one that holds the place.
+bool takes_series(const ProgramAnalysis& analysis, Place place) {
+    const auto is_argument = [&](Place other) {
+        return std::ranges::any_of(analysis.facts().reads, [&](const dataflow::Read& read) {
+            return read.place == other && is_as_at_entry(analysis, read);
+        });
+    };
+    for (const auto& set : analysis.control().series) {
+        if (!std::ranges::all_of(set, is_argument)) return false;
+        if (std::ranges::find(set, place) != set.end()) return true;
+    }
+    return false;
 }
 
 /// How the program can get here without setting the variable; nothing when it cannot. A comparison may be the
@@ -134,6 +151,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
         // Nobody knows whether a control still looks at what decides nothing any more, as behind NDEF(…) OR.
         if (dataflow::asks_for_vacancy(program, analysis.facts(), read.node, read.node, read.place)) continue;
+        if (!analysis.is_main() && analysis.callers().empty() && takes_series(analysis, read.place)) continue;
         auto tried = std::ranges::find(attempts, read.place, &std::pair<Place, int>::first);
         if (tried == attempts.end()) tried = attempts.insert(tried, {read.place, 0});
         if (tried->second >= most_attempts || counts(analysis, read)) continue;

@@ -34,7 +34,6 @@ extern const Rule zero_test_misses_vacant{
                       "G90 G1 Z#33\n"
                       "M99\n"
                       "N9 #3000=1(K MISSING)\n"}},
-    .also = {},
     .good = {{"fanuc", "O9220(PECK, K DEPTH OF ONE PECK)\n"
                        "IF[#6EQ#0]GOTO9\n"
                        "IF[#6EQ0]GOTO9\n"

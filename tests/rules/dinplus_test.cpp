@@ -181,8 +181,7 @@ TEST(TransferValue, IsAskedForByNdefOnTheWay) {
 
 TEST(TransferValue, IsAskedForBesideItsTestInTheSameCondition) {
     const auto under = [](const std::string& condition) {
-        return lines("DIN330", called("L\"S\"\nL\"S\" LA1\n",
-                                      "IF " + condition + "\nTHEN\nG14 Q0\nENDIF\n"));
+        return lines("DIN330", called("L\"S\"\nL\"S\" LA1\n", "IF " + condition + "\nTHEN\nG14 Q0\nENDIF\n"));
     };
     EXPECT_THAT(under("#__la==0"), ElementsAre(6));
     EXPECT_THAT(under("NDEF(__la) OR (#__la==0)"), IsEmpty());

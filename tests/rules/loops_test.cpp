@@ -103,8 +103,9 @@ TEST(InexactCounter, IsHarmlessWhenExactClampedOrWithRoomAtItsEnd) {
 TEST(InexactCounter, ThatMustMeetItsBoundIsNotCuredByAnotherBound) {
     const std::string body = "#31=#31+0.1\nEND1\nM99\n";
     for (const std::string bound : {"1", "1.05"})
-        EXPECT_THAT(messages_raised("MAC711", "O9001\n#31=0\nWHILE[#31NE" + bound + "]DO1\n" + body),
-                    ElementsAre(AllOf(HasSubstr("whether the bound is passed"), Not(HasSubstr("half a step")))));
+        EXPECT_THAT(
+            messages_raised("MAC711", "O9001\n#31=0\nWHILE[#31NE" + bound + "]DO1\n" + body),
+            ElementsAre(AllOf(HasSubstr("whether the bound is passed"), Not(HasSubstr("half a step")))));
     EXPECT_THAT(messages_raised("MAC711", "O9001\n#31=0\nN1 #31=#31+0.1\nIF[#31EQ1]GOTO2\nGOTO1\nN2 M99\n"),
                 ElementsAre(HasSubstr("whether the bound is passed")));
 }
@@ -120,7 +121,8 @@ TEST(InexactCounter, StartsWhereTheLastAssignmentBeforeTheLoopPutsIt) {
 
 TEST(InexactCounter, HasNoToleranceInWhatIsAStepOrMore) {
     const auto with = [](const std::string& bound) {
-        return lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LT[" + bound + "]]DO1\n#33=#33+0.1\nEND1\nM99\n");
+        return lines_raised("MAC711",
+                            "O9001\n#33=0\nWHILE[#33LT[" + bound + "]]DO1\n#33=#33+0.1\nEND1\nM99\n");
     };
     EXPECT_THAT(with("#1-0.05"), IsEmpty());
     EXPECT_THAT(with("#1-0.5"), ElementsAre(4));
