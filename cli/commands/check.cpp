@@ -9,6 +9,7 @@
 #include <array>
 #include <ctime>
 #include <iterator>
+#include <utility>
 
 namespace maclint::cli {
 namespace {
@@ -75,12 +76,12 @@ bool fails(const Report& report, std::optional<Severity> fail_on) {
 }
 
 void cut(Report& report, std::size_t most) {
-    std::size_t kept = 0;
-    std::erase_if(report.findings, [&](const JudgedFinding& judged) {
-        if (judged.suppressed || ++kept <= most) return false;
-        ++report.not_shown;
-        return true;
-    });
+    std::vector<JudgedFinding> all = std::exchange(report.findings, {});
+    std::size_t shown = 0;
+    for (JudgedFinding& judged : all) {
+        const bool kept = judged.suppressed || ++shown <= most;
+        (kept ? report.findings : report.not_shown).push_back(std::move(judged));
+    }
 }
 
 Report report_of(const CheckRequest& request, const std::vector<ReadFile>& files, LintResult& result,

@@ -1,6 +1,7 @@
 //! Walks folders without recursion; what was seen once, by whatever name, is not seen again.
 #include "cli/input/discover.hpp"
 
+#include "cli/input/repository.hpp"
 #include "cli/words.hpp"
 
 #include <algorithm>
@@ -172,10 +173,8 @@ Home home_of(const std::string& file, Settings& settings) {
     const fs::path beside = fs::absolute(file, ignored).lexically_normal().parent_path();
     if (const auto configuration = settings.for_folder(beside.string()); configuration && *configuration)
         return {(*configuration)->folder, Depth::all_below};
-    for (fs::path folder = beside;; folder = folder.parent_path()) {
-        if (fs::exists(folder / ".git", ignored)) return {folder, Depth::all_below};
-        if (!folder.has_relative_path()) return {beside, Depth::this_folder};
-    }
+    if (auto repository = repository_around(beside)) return {*std::move(repository), Depth::all_below};
+    return {beside, Depth::this_folder};
 }
 
 } // namespace

@@ -100,6 +100,13 @@ std::string allowances(const Rule& rule, std::string_view quote) {
     return all;
 }
 
+/// A source with what its key means where that decides how far to trust it.
+std::string shown_source(std::string_view source) {
+    constexpr std::string_view experience = "T";
+    if (source != experience && !source.starts_with("T:")) return std::string(source);
+    return "T (experience, not confirmed)" + std::string(source.substr(experience.size()));
+}
+
 } // namespace
 
 std::string page_name(const Rule& rule) { return std::string(rule.code) + ".md"; }
@@ -130,7 +137,8 @@ std::string markdown_page(const Rule& rule) {
     out += "\n## To allow it\n\n" + allowances(rule, "`") +
            " at the end of the block, or alone on the line before it.\n";
     if (!rule.sources.empty()) out += "\n## Sources\n\n";
-    for (const std::string_view source : rule.sources) out += "- " + std::string(source) + "\n";
+    for (const std::string_view source : rule.sources) out += "- " + shown_source(source) + "\n";
+    if (!rule.sources.empty()) out += "\n[What the keys stand for](../sources.md)\n";
     return out;
 }
 
@@ -144,7 +152,7 @@ std::string plain_page(const Rule& rule) {
     out += "\nTo allow it, write " + allowances(rule, "") +
            " at the end of the block, or alone on the line before it.\n";
     if (!rule.sources.empty()) out += "\nSources:\n\n";
-    for (const std::string_view source : rule.sources) out += "    " + std::string(source) + "\n";
+    for (const std::string_view source : rule.sources) out += "    " + shown_source(source) + "\n";
     return out;
 }
 

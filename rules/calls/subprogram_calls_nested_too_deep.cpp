@@ -105,7 +105,7 @@ extern const Rule subprogram_calls_nested_too_deep{
                          "END\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "077", "SUB PROGRAM NESTING ERROR"},
                {"FANUC 30i/0i-D", "077", "TOO MANY SUB,MACRO NESTING"}},
-    .sources = {"CNCWIKI-SUB", "RW-9"},
+    .sources = {"CNCWIKI-SUB", "RW-9", "SEED-003:10397", "SEED-003:19934"},
     .check = &check,
 };
 

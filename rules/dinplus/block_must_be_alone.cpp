@@ -1,7 +1,12 @@
 //! DIN008: IF, THEN, ELSE or ENDIF shares its block.
+#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
 
 extern const Rule block_must_be_alone{
     .code = "DIN008",
@@ -34,7 +39,14 @@ extern const Rule block_must_be_alone{
                          "END\n"}},
     .alarms = {},
     .sources = {"SEED-003:19668"},
-    .check = Irregular::not_alone,
+    .check = &check,
 };
 
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::not_alone, reporter);
+}
+
+} // namespace
 } // namespace maclint::rules

@@ -1,7 +1,12 @@
 //! DIN323: DEF, NDEF or DVDEF with a # before the name.
+#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
 
 extern const Rule def_with_hash{
     .code = "DIN323",
@@ -33,7 +38,14 @@ extern const Rule def_with_hash{
                          "RETURN\n"}},
     .alarms = {},
     .sources = {"SEED-003:19732", "SEED-003:22299 (the manual breaks its own rule)"},
-    .check = Irregular::hash_in_vacancy_test,
+    .check = &check,
 };
 
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::hash_in_vacancy_test, reporter);
+}
+
+} // namespace
 } // namespace maclint::rules

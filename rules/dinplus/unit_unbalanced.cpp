@@ -15,8 +15,7 @@ extern const Rule unit_unbalanced{
     .name = "unit-unbalanced",
     .aliases = "",
     .summary = "UNIT without END_OF_UNIT, a unit inside a unit, or END_OF_UNIT without UNIT",
-    .why = "smart.Turn reads a unit up to its END_OF_UNIT: it takes what follows for a part of it, and "
-           "overwrites it when the form is saved.",
+    .why = "A unit reaches up to its END_OF_UNIT: without it, what follows counts as a part of the unit.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .on_by_default = true,

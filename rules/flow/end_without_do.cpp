@@ -34,7 +34,7 @@ extern const Rule end_without_do{
                        "END1\n"
                        "M30\n"}},
     .alarms = {{"FANUC 30i/0i-D", "1124", "MISSING DO STATEMENT"},
-               {"FANUC 16i/18i/21i", "126", "ILLEGAL LOOP NUMBER"}},
+               {"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"}},
     .sources = {"GH-ALM"},
     .check = &check,
 };

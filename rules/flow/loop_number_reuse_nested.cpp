@@ -44,8 +44,7 @@ extern const Rule loop_number_reuse_nested{
                        "END2\n"
                        "END1\n"
                        "M30\n"}},
-    .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"},
-               {"FANUC 16i/18i/21i", "126", "ILLEGAL LOOP NUMBER"}},
+    .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"}},
     .sources = {"SEED-001:407", "ISORP"},
     .check = &check,
 };

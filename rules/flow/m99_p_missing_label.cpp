@@ -43,7 +43,7 @@ extern const Rule m99_p_missing_label{
                        "M99P50\n"
                        "N1 M99\n"}},
     .alarms = {{"FANUC 30i/0i-D", "078", "SEQUENCE NUMBER NOT FOUND"},
-               {"FANUC 16i/18i/21i", "128", "ILLEGAL MACRO SEQUENCE NUMBER"}},
+               {"FANUC 16i/18i/21i", "078", "NUMBER NOT FOUND"}},
     .sources = {"INTELITEK-M99", "GH-ALM"},
     .check = &check,
 };

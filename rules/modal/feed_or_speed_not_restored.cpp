@@ -64,7 +64,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const Leftover& leftover : leftovers) {
         const ModalGroup& group = analysis.control().groups[leftover.group];
         report_leftover(analysis, reporter, leftover,
-                        {quoted(analysis.program(), place_of(analysis, leftover)), std::string(group.name),
+                        {word_of(analysis, leftover.group, leftover.part), std::string(group.name),
                          analysis.control().variable_of(leftover.group).value_or("it")});
     }
 }

@@ -96,6 +96,13 @@ bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
     return code && code != group.cancel && std::ranges::find(group.customary, *code) == group.customary.end();
 }
 
+std::string word_of(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part) {
+    const auto code = own_code(analysis, part);
+    const bool plain = analysis.data().origin(part.origin).kind == dataflow::Origin::Kind::run;
+    return plain && code ? analysis.control().spell(group, *code)
+                         : quoted(analysis.program(), span_of(analysis, part));
+}
+
 Span place_of(const ProgramAnalysis& analysis, const Leftover& leftover) {
     return span_of(analysis, leftover.part);
 }

@@ -39,6 +39,11 @@ using IsFault =
 [[nodiscard]] bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
                                   const dataflow::ModalPart& part);
 
+/// The word that set the part, for a message: as it is written, or in a plain block, whose words are not
+/// kept, as its group spells it.
+[[nodiscard]] std::string word_of(const ProgramAnalysis& analysis, GroupId group,
+                                  const dataflow::ModalPart& part);
+
 /// The bytes that set the part.
 [[nodiscard]] Span place_of(const ProgramAnalysis& analysis, const Leftover& leftover);
 

@@ -54,7 +54,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         });
     for (const Leftover& leftover : leftovers)
         report_leftover(analysis, reporter, leftover,
-                        {quoted(analysis.program(), place_of(analysis, leftover)),
+                        {word_of(analysis, leftover.group, leftover.part),
                          std::string(analysis.control().groups[leftover.group].name)});
 }
 

@@ -1,7 +1,12 @@
 //! MAC118: a word that the control does not know.
+#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
 
 extern const Rule unknown_keyword{
     .code = "MAC118",
@@ -46,7 +51,14 @@ extern const Rule unknown_keyword{
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 16i/18i/21i", "199", "MACRO WORD UNDEFINED"}},
     .sources = {"IMD-114", "ISORP"},
-    .check = Irregular::unknown_keyword,
+    .check = &check,
 };
 
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_irregular(file, Irregular::unknown_keyword, reporter);
+}
+
+} // namespace
 } // namespace maclint::rules

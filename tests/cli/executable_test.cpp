@@ -205,7 +205,7 @@ TEST_F(Executable, ShowsNoMoreFindingsThanAskedButFailsForAll) {
     folder.write("O1001.nc", "%\nO1001\nIF[#500EQ1]GOTO98\nIF[#500EQ2]GOTO99\nM30\n%\n");
     const Finished finished = run({"--max-findings", "1", "--select", "MAC301"});
     EXPECT_EQ(finished.status, 1);
-    EXPECT_THAT(finished.out, HasSubstr("1 error in 1 file (1 checked, 1 more not shown)"));
+    EXPECT_THAT(finished.out, HasSubstr("2 errors in 1 file (1 checked, 1 not shown)"));
     EXPECT_EQ(run({"--max-findings", "0"}).status, 1);
 }
 
@@ -253,6 +253,15 @@ TEST_F(Executable, ExplainsRulesAndGuessesMistypedOnes) {
     const Finished mistyped = run({"explain", "jump-into-lop"});
     EXPECT_EQ(mistyped.status, 2);
     EXPECT_THAT(mistyped.err, HasSubstr("Did you mean 'jump-into-loop'?"));
+}
+
+TEST_F(Executable, ExplainsHowFarToTrustASourceAndHowEachLanguageAllowsARule) {
+    EXPECT_THAT(run({"explain", "MAC506"}).out, HasSubstr("T (experience, not confirmed)"));
+    EXPECT_THAT(
+        run({"explain", "MAC462"}).out,
+        AllOf(HasSubstr("T (experience, not confirmed): search order"),
+              HasSubstr("(MACLINT ALLOW MAC462 - REASON) or [MACLINT ALLOW MAC462 - REASON] (dinplus)")));
+    EXPECT_THAT(run({"explain", "DIN330"}).out, Not(HasSubstr("(MACLINT")));
 }
 
 TEST_F(Executable, ListsRulesAndWritesTheirPages) {
@@ -315,6 +324,16 @@ TEST_F(Executable, RefusesAControlOfAnotherLanguageThanTheDialectAskedFor) {
     const Finished configured = run({});
     EXPECT_EQ(configured.status, 2);
     EXPECT_THAT(configured.err, AllOf(HasSubstr("'dinplus'"), HasSubstr("'fanuc'")));
+}
+
+TEST_F(Executable, CountsWhatItDoesNotShow) {
+    folder.write("O1001.nc", "%\nO1001\nGOTO 97\nGOTO 98\nGOTO 99\nM30\n%\n");
+    EXPECT_EQ(run({"--max-findings", "0"}).out, "3 errors in 1 file (1 checked, 3 not shown)\n");
+    EXPECT_THAT(run({"--max-findings", "2"}).out, HasSubstr("3 errors in 1 file (1 checked, 1 not shown)\n"));
+    const auto report = nlohmann::json::parse(run({"--max-findings", "1", "--format", "json"}).out);
+    EXPECT_EQ(report.at("findings").size(), 1U);
+    EXPECT_EQ(report.at("summary").at("errors"), 3);
+    EXPECT_EQ(report.at("summary").at("not_shown"), 2);
 }
 
 TEST_F(Executable, SetsTheSeverityThatTheRuleItselfHas) {
