@@ -68,7 +68,7 @@ extern const Rule uninitialised_local{
                          "N30 M30\n"
                          "END\n"}},
     .alarms = {},
-    .sources = {"SEED-001:187"},
+    .sources = {"SEED-001:187", "ZAPP-ARG"},
     .check = &check,
 };
 
@@ -87,19 +87,23 @@ bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read
     return is_as_at_entry(analysis, read) && analysis.data().is_vacant_at_entry(read.place);
 }
 
-/// Whether the program takes a series of I, J and K: nobody tells such variables from others but by reading
-/// all of them, from the first set to the one that holds the place.
-bool takes_series(const ProgramAnalysis& analysis, Place place) {
-    const auto is_argument = [&](Place other) {
-        return std::ranges::any_of(analysis.facts().reads, [&](const dataflow::Read& read) {
-            return read.place == other && is_as_at_entry(analysis, read);
-        });
-    };
+/// The variables of a program with unknown callers that can be arguments by series of I, J and K. Nobody
+/// tells them from others but by the program reading all of a set, and all sets before.
+std::vector<Place> series_taken(const ProgramAnalysis& analysis) {
+    std::vector<Place> taken;
+    if (analysis.is_main() || !analysis.callers().empty()) return taken;
+    std::vector<Place> read_as_given;
+    for (const dataflow::Read& read : analysis.facts().reads)
+        if (is_as_at_entry(analysis, read) &&
+            std::ranges::find(read_as_given, read.place) == read_as_given.end())
+            read_as_given.push_back(read.place);
     for (const auto& set : analysis.control().series) {
-        if (!std::ranges::all_of(set, is_argument)) return false;
-        if (std::ranges::find(set, place) != set.end()) return true;
+        const bool whole = std::ranges::all_of(
+            set, [&](Place place) { return std::ranges::find(read_as_given, place) != read_as_given.end(); });
+        if (!whole) break;
+        taken.insert(taken.end(), set.begin(), set.end());
     }
-    return false;
+    return taken;
 }
 
 /// How the program can get here without setting the variable; nothing when it cannot. A comparison may be the
@@ -146,12 +150,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.is_main() && !analysis.is_macro()) return;
     constexpr int most_attempts = 64; // reads of one variable to which a way is looked for
     const Program& program = analysis.program();
+    const std::vector<Place> series = series_taken(analysis);
     std::vector<std::pair<Place, int>> attempts;
     for (const dataflow::Read& read : analysis.facts().reads) {
         if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
         // Nobody knows whether a control still looks at what decides nothing any more, as behind NDEF(…) OR.
         if (dataflow::asks_for_vacancy(program, analysis.facts(), read.node, read.node, read.place)) continue;
-        if (!analysis.is_main() && analysis.callers().empty() && takes_series(analysis, read.place)) continue;
+        if (std::ranges::find(series, read.place) != series.end()) continue;
         auto tried = std::ranges::find(attempts, read.place, &std::pair<Place, int>::first);
         if (tried == attempts.end()) tried = attempts.insert(tried, {read.place, 0});
         if (tried->second >= most_attempts || counts(analysis, read)) continue;
