@@ -316,8 +316,11 @@ class Loader {
             }
             if (dialect != nullptr && !is_for(*control, *dialect))
                 reject(source, span,
-                       "the control '" + name + "' does not run the dialect '" + dialect_name +
-                           "' of the same entry. Leave one of them out");
+                       std::string("the control '")
+                           .append(name)
+                           .append("' does not run the dialect '")
+                           .append(dialect_name)
+                           .append("' of the same entry. Leave one of them out"));
         }
     }
 
