@@ -69,11 +69,18 @@ void remove_old_pages(const fs::path& folder) {
 
 /// Whether everything in the folder may be replaced: it is empty, or what stands there was written here.
 bool is_ours(const fs::path& folder) {
-    std::error_code ignored;
-    if (fs::is_empty(folder, ignored)) return true;
+    std::error_code error;
+    if (fs::is_empty(folder, error) || error) return true; // writing will say what is wrong
     const auto index = Source::read_file((folder / index_name).string());
     const auto* source = std::get_if<Source>(&index);
     return source != nullptr && source->bytes().find(generated_mark) != std::string_view::npos;
+}
+
+/// The page with what only a page beside the others can have: a link to the table of sources.
+std::string written_page(const Rule& rule) {
+    std::string page = markdown_page(rule);
+    if (!rule.sources.empty()) page += "\n[What the keys stand for](../sources.md)\n";
+    return page;
 }
 
 int write_docs(const std::string& folder) {
@@ -88,8 +95,7 @@ int write_docs(const std::string& folder) {
     remove_old_pages(folder);
     auto failure = write_to((fs::path(folder) / index_name).string(), markdown_index());
     for (const Rule* rule : all_rules())
-        if (!failure)
-            failure = write_to((fs::path(folder) / page_name(*rule)).string(), markdown_page(*rule));
+        if (!failure) failure = write_to((fs::path(folder) / page_name(*rule)).string(), written_page(*rule));
     if (!failure) return exit_clean;
     print_notice(*failure);
     return exit_error;

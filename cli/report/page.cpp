@@ -138,7 +138,6 @@ std::string markdown_page(const Rule& rule) {
            " at the end of the block, or alone on the line before it.\n";
     if (!rule.sources.empty()) out += "\n## Sources\n\n";
     for (const std::string_view source : rule.sources) out += "- " + shown_source(source) + "\n";
-    if (!rule.sources.empty()) out += "\n[What the keys stand for](../sources.md)\n";
     return out;
 }
 

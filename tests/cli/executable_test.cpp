@@ -289,6 +289,7 @@ TEST_F(Executable, WritesNoPagesIntoAFolderOfSomebodyElse) {
     EXPECT_EQ(read_file(folder.path() / "notes/README.md"), "# Notes of the shop\n");
     EXPECT_TRUE(fs::exists(folder.path() / "notes/MAC000.md"));
     EXPECT_FALSE(fs::exists(folder.path() / "notes/MAC303.md"));
+    EXPECT_THAT(run({"rules", "--write-docs", "notes/MAC000.md"}).err, HasSubstr("cannot be written"));
 }
 
 TEST_F(Executable, TakesAControlForTheFilesOfItsLanguageOnly) {
