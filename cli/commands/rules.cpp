@@ -70,7 +70,8 @@ void remove_old_pages(const fs::path& folder) {
 /// Whether everything in the folder may be replaced: it is empty, or what stands there was written here.
 bool is_ours(const fs::path& folder) {
     std::error_code error;
-    if (fs::is_empty(folder, error) || error) return true; // writing will say what is wrong
+    if (!fs::is_directory(folder, error)) return true; // writing will say what is wrong
+    if (fs::is_empty(folder, error)) return true;
     const auto index = Source::read_file((folder / index_name).string());
     const auto* source = std::get_if<Source>(&index);
     return source != nullptr && source->bytes().find(generated_mark) != std::string_view::npos;
