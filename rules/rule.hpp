@@ -46,7 +46,6 @@ struct OtherSeverity {
 struct RaisedByCommand {};
 using FileCheck = void (*)(const ProgramFile&, Reporter&);
 using ProgramCheck = void (*)(const ProgramAnalysis&, Reporter&);
-using WorkspaceCheck = void (*)(const Workspace&, Reporter&);
 
 struct Rule {
     std::string_view code;    ///< "MAC303"
@@ -61,13 +60,12 @@ struct Rule {
     std::string_view off_reason;
     bool data_flow; ///< findings carry a path (SARIF codeFlows); a test demands it of the bad example
     std::vector<Message> messages;
-    std::vector<Example> bad; ///< raises exactly this rule under --select CODE
-    std::vector<std::string_view>
-        also;                  ///< codes that the bad example raises beside it under the default selection
+    std::vector<Example> bad;  ///< raises exactly this rule
     std::vector<Example> good; ///< raises nothing
     std::vector<Alarm> alarms;
     std::vector<std::string_view> sources;
-    std::variant<RaisedByCommand, FileCheck, ProgramCheck, WorkspaceCheck> check;
+    /// `Irregular`: whatever the text has of that kind, see rules/irregular.hpp.
+    std::variant<RaisedByCommand, Irregular, FileCheck, ProgramCheck> check;
 };
 
 /// Takes the findings of one rule.
@@ -93,7 +91,7 @@ class Reporter {
 /// The rule with this code, alias or name (any case), or nullptr.
 [[nodiscard]] const Rule* find_rule(std::string_view code_or_name);
 
-/// Which rules run and how severe their findings are.
+/// The rules that run.
 struct Selection {
     std::vector<const Rule*> rules;
 };

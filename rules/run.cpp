@@ -2,6 +2,7 @@
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
+#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
@@ -10,16 +11,26 @@
 namespace maclint {
 namespace {
 
-/// Runs every rule of one kind of check over `things`, each thing's findings into a place of its own.
-template<class Check, class Thing>
-void run_checks(const Selection& selection, const Thing& thing, std::vector<Finding>& findings) {
+void run_check(const Rule& rule, const ProgramFile& file, Reporter& reporter) {
+    if (const auto* irregular = std::get_if<Irregular>(&rule.check))
+        report_irregular(file, *irregular, reporter);
+    if (const auto* check = std::get_if<FileCheck>(&rule.check)) (*check)(file, reporter);
+}
+
+void run_check(const Rule& rule, const ProgramAnalysis& program, Reporter& reporter) {
+    if (const auto* check = std::get_if<ProgramCheck>(&rule.check)) (*check)(program, reporter);
+}
+
+/// Everything that the selected rules find in a file or a program.
+template<class Thing>
+std::vector<Finding> check(const Selection& selection, const Thing& thing) {
+    std::vector<Finding> findings;
     for (const Rule* rule : selection.rules) {
-        const auto* check = std::get_if<Check>(&rule->check);
-        if (check == nullptr) continue;
         Reporter reporter(*rule);
-        (*check)(thing, reporter);
+        run_check(*rule, thing, reporter);
         std::ranges::move(reporter.take(), std::back_inserter(findings));
     }
+    return findings;
 }
 
 } // namespace
@@ -32,13 +43,10 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
     for (const ProgramAnalysis& program : workspace.programs())
         if (program.asked()) programs.push_back(&program);
 
-    std::vector<std::vector<Finding>> parts(files.size() + programs.size() + 1);
+    std::vector<std::vector<Finding>> parts(files.size() + programs.size());
     for_each_parallel(parts.size(), jobs, [&](std::size_t i) {
-        if (i < files.size()) return run_checks<FileCheck>(selection, *files[i], parts[i]);
-        i -= files.size();
-        if (i < programs.size())
-            return run_checks<ProgramCheck>(selection, *programs[i], parts[files.size() + i]);
-        run_checks<WorkspaceCheck>(selection, workspace, parts.back());
+        parts[i] =
+            i < files.size() ? check(selection, *files[i]) : check(selection, *programs[i - files.size()]);
     });
 
     std::vector<Finding> findings;

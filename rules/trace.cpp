@@ -8,9 +8,10 @@
 namespace maclint::rules {
 namespace {
 
-void add_way(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to) {
+void add_way(std::vector<Remark>& remarks, const ProgramAnalysis& analysis, flow::NodeId from,
+             flow::NodeId to) {
     if (from == to) return;
-    for (Remark& step : way_between(analysis, from, to)) finding.path.push_back(std::move(step));
+    for (Remark& step : way_between(analysis, from, to)) remarks.push_back(std::move(step));
 }
 
 } // namespace
@@ -30,19 +31,23 @@ void trace(Finding& finding, const ProgramAnalysis& analysis, dataflow::OriginId
 void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, Remark begins,
            flow::NodeId node, std::string ends) {
     finding.path.push_back(std::move(begins));
-    add_way(finding, analysis, from, node);
+    add_way(finding.path, analysis, from, node);
     finding.path.push_back({finding.file, finding.span, std::move(ends)});
 }
 
 void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId node, std::string ends) {
-    add_way(finding, analysis, 0, node);
+    add_way(finding.path, analysis, 0, node);
     finding.path.push_back({finding.file, finding.span, std::move(ends)});
+}
+
+void tell_way_on(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId node) {
+    add_way(finding.related, analysis, from, node);
 }
 
 void trace_round(Finding& finding, const ProgramAnalysis& analysis, const dataflow::Loop& loop,
                  std::string ends) {
-    add_way(finding, analysis, 0, loop.head);
-    add_way(finding, analysis, loop.head, loop.latch);
+    add_way(finding.path, analysis, 0, loop.head);
+    add_way(finding.path, analysis, loop.head, loop.latch);
     const flow::Node& latch = analysis.graph().nodes[loop.latch];
     finding.path.push_back({finding.file, latch.part, "the loop goes back to its head here"});
     finding.path.push_back({finding.file, finding.span, std::move(ends)});

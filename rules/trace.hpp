@@ -24,6 +24,9 @@ void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from,
 /// The same from the program's start, where nothing happens.
 void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId node, std::string ends);
 
+/// What happens on the way from the finding's place in `from` to `node`, as related places.
+void tell_way_on(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId node);
+
 /// One round of a loop: from the finding's place in `node` back to it.
 void trace_round(Finding& finding, const ProgramAnalysis& analysis, const dataflow::Loop& loop,
                  std::string ends);

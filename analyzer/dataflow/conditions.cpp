@@ -204,6 +204,16 @@ bool same_expression(const Program& program, ExpressionId a, ExpressionId b) {
                       program.expressions[a].node);
 }
 
+bool asks_for_vacancy(const Program& program, const Facts& facts, flow::NodeId first, flow::NodeId last,
+                      Place place) {
+    const auto& all = facts.comparisons;
+    for (auto test = std::ranges::lower_bound(all, first, {}, &Comparison::node);
+         test != all.end() && test->node <= last; ++test)
+        if (is_vacancy_test(test->operation) && plain_place(program, test->left_expression) == place)
+            return true;
+    return false;
+}
+
 bool tests_any_vacancy(const Program& program, ExpressionId expression) {
     const Apply* apply = as_apply(program, expression);
     if (apply == nullptr) return false;

@@ -28,6 +28,10 @@ struct ReadSet {
 /// Whether the condition holds a vacancy test of whatever.
 [[nodiscard]] bool tests_any_vacancy(const Program& program, ExpressionId expression);
 
+/// Whether one of the nodes from `first` to `last` tests the variable for vacancy.
+[[nodiscard]] bool asks_for_vacancy(const Program& program, const Facts& facts, flow::NodeId first,
+                                    flow::NodeId last, Place place);
+
 /// How a condition turned out on a way.
 struct Decision {
     ExpressionId condition;

@@ -73,6 +73,32 @@ bool assigned_on_every_way(const flow::Graph& graph, const Analysis& analysis, P
     return !graph.way(0, node, usable, whole(graph));
 }
 
+std::vector<const Store*> last_stores_before(const flow::Graph& graph, const Analysis& analysis, Place place,
+                                             const Loop& loop) {
+    const auto& all = analysis.facts().stores;
+    std::vector<const Store*> found;
+    std::vector<bool> seen(graph.nodes.size(), false);
+    std::vector<flow::NodeId> pending{loop.head};
+    while (!pending.empty()) {
+        const flow::NodeId node = pending.back();
+        pending.pop_back();
+        for (const flow::EdgeId edge : graph.in[node]) {
+            const flow::NodeId from = graph.edges[edge].from;
+            if (seen[from] || loop.holds(from) || !analysis.passable(edge)) continue;
+            seen[from] = true;
+            const Store* last = nullptr;
+            for (auto store = std::ranges::lower_bound(all, from, {}, &Store::node);
+                 store != all.end() && store->node == from; ++store)
+                if (store->place == place) last = &*store;
+            if (last != nullptr)
+                found.push_back(last);
+            else
+                pending.push_back(from);
+        }
+    }
+    return found;
+}
+
 std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& program,
                                                                 const flow::Graph& graph,
                                                                 const Analysis& analysis, Place place,

@@ -1,7 +1,7 @@
 //! Ways through a program around every assignment to a variable.
 #pragma once
 
-#include "analyzer/dataflow/analysis.hpp"
+#include "analyzer/dataflow/loops.hpp"
 
 #include <optional>
 #include <span>
@@ -12,6 +12,10 @@ namespace maclint::dataflow {
 /// Whether every way from the program's start to the node passes an assignment to the variable.
 [[nodiscard]] bool assigned_on_every_way(const flow::Graph& graph, const Analysis& analysis, Place place,
                                          flow::NodeId node);
+
+/// The assignments to the variable that can be the last one before the loop begins.
+[[nodiscard]] std::vector<const Store*> last_stores_before(const flow::Graph& graph, const Analysis& analysis,
+                                                           Place place, const Loop& loop);
 
 /// A way from the program's start to the node on which nothing can have changed the variable, and whose
 /// conditions do not contradict each other. Nothing when none is found in a few attempts.

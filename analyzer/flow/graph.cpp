@@ -84,6 +84,12 @@ class Building {
                                wanted_.numbers.insert(wanted_.numbers.end(), block.may_jump.begin(),
                                                       block.may_jump.end());
                            },
+                           [this](const Return& back) { // in a program that nobody called, it goes on there
+                               if (const auto number = back.resume_label
+                                                           ? constant_target(program_, *back.resume_label)
+                                                           : std::nullopt)
+                                   want(number);
+                           },
                            [this, id](const Call&) {
                                for (const std::int64_t label : resumes_at_(id))
                                    wanted_.numbers.push_back(label);

@@ -1,6 +1,7 @@
 //! The row types of the fact tables: what a control knows, told to the analysis as data.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -172,7 +173,6 @@ struct ReferenceKind {
 struct Limits {
     int macro_calls;                         ///< nested macro calls; 0: there are none
     int subprogram_calls;                    ///< nested subprogram calls
-    std::optional<int> calls_together;       ///< sum of both on one chain, where it is known
     int loop_levels;                         ///< nested loops in one program; 0: no limit is known
     int first_loop_number, last_loop_number; ///< both 0: loops have no numbers, they pair by nesting
     int bracket_levels;                      ///< brackets in one expression, those of functions included
@@ -191,8 +191,10 @@ struct ControlModel {
     std::vector<ModalGroup> groups;
     std::vector<CallKind> calls;
     std::vector<Place>
-        formals;             ///< local variables that an argument letter of a call reaches (specification I)
-    bool vacant_equals_zero; ///< whether EQ and NE take vacant for 0
+        formals; ///< local variables that an argument letter of a call reaches (specification I)
+    std::vector<std::array<Place, 3>> series =
+        {}; ///< those that the first, second … I, J and K of a call reach (specification II)
+    bool vacant_equals_zero;        ///< whether EQ and NE take vacant for 0
     std::vector<Idle> idle = {};    ///< when nobody asks for a feed or speed
     bool loops_left_by_jump = true; ///< a jump can leave a loop, so a condition that always holds is a custom
     std::vector<SectionKind> sections = {}; ///< empty: programs have no sections

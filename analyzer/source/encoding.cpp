@@ -184,6 +184,11 @@ std::string to_utf8(std::string_view bytes, Encoding encoding) {
     return out;
 }
 
+Character first_character(std::string_view utf8) {
+    const std::size_t length = classify_lead(to_byte(utf8.front())).length;
+    return {decode(utf8.substr(0, length)), length};
+}
+
 std::size_t utf16_length(std::string_view bytes, Encoding encoding) {
     if (encoding == Encoding::windows_1252) return bytes.size();
     std::size_t units = 0;

@@ -19,6 +19,14 @@ enum class Encoding : std::uint8_t { utf8, windows_1252 };
 /// The text as valid UTF-8, whatever the bytes are: a UTF-8 sequence cut or broken becomes U+FFFD.
 [[nodiscard]] std::string to_utf8(std::string_view bytes, Encoding encoding);
 
+/// A character and the bytes that it takes.
+struct Character {
+    char32_t value;
+    std::size_t length;
+};
+/// The character that valid UTF-8, which is not empty, begins with.
+[[nodiscard]] Character first_character(std::string_view utf8);
+
 /// Length of the text in UTF-16 code units, the unit of columns in SARIF and LSP.
 /// `bytes` begins and ends between characters.
 [[nodiscard]] std::size_t utf16_length(std::string_view bytes, Encoding encoding);

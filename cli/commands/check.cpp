@@ -9,6 +9,7 @@
 #include <array>
 #include <ctime>
 #include <iterator>
+#include <utility>
 
 namespace maclint::cli {
 namespace {
@@ -22,13 +23,21 @@ std::string utc_now() {
     return {text.data(), length};
 }
 
-/// A --config that is wrong, or a --control that neither maclint nor the configuration knows, ends the run.
+/// A --config that is wrong, a --control that neither maclint nor the configuration knows, or one that does
+/// not go with --dialect ends the run.
 std::optional<Notice> refuse_settings(const Overrides& overrides, Settings& settings) {
     const auto here = settings.for_folder(".");
     if (!overrides.config_path.empty() && !here) return settings.take_notices().front();
-    if (overrides.control.empty() || find_control(overrides.control) != nullptr) return std::nullopt;
+    if (overrides.control.empty()) return std::nullopt;
     const Configuration* configuration = here ? here->get() : nullptr;
-    if (configuration != nullptr && configuration->control(overrides.control) != nullptr) return std::nullopt;
+    const ControlModel* control = configuration != nullptr ? configuration->control(overrides.control)
+                                                           : find_control(overrides.control);
+    if (control != nullptr) {
+        if (overrides.dialect == nullptr || is_for(*control, *overrides.dialect)) return std::nullopt;
+        return Notice{NoticeKind::configuration, "",
+                      "--control " + overrides.control + " does not run what --dialect " +
+                          std::string(overrides.dialect->name) + " reads. Leave one of them out."};
+    }
     auto known = control_names();
     if (configuration != nullptr)
         for (const auto& own : configuration->controls) known.push_back(own.first);
@@ -67,12 +76,12 @@ bool fails(const Report& report, std::optional<Severity> fail_on) {
 }
 
 void cut(Report& report, std::size_t most) {
-    std::size_t kept = 0;
-    std::erase_if(report.findings, [&](const JudgedFinding& judged) {
-        if (judged.suppressed || ++kept <= most) return false;
-        ++report.not_shown;
-        return true;
-    });
+    std::vector<JudgedFinding> all = std::exchange(report.findings, {});
+    std::size_t shown = 0;
+    for (JudgedFinding& judged : all) {
+        const bool kept = judged.suppressed || ++shown <= most;
+        (kept ? report.findings : report.not_shown).push_back(std::move(judged));
+    }
 }
 
 Report report_of(const CheckRequest& request, const std::vector<ReadFile>& files, LintResult& result,

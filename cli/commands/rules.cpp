@@ -1,4 +1,5 @@
 //! `maclint rules`: the list, and the pages of the documentation.
+#include "analyzer/source/source.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/config/selection.hpp"
 #include "cli/report/page.hpp"
@@ -49,24 +50,53 @@ std::string json_list() {
     return list.dump(2) + "\n";
 }
 
+/// "MAC303.md", and not "MACHINES.md".
+bool is_page_name(std::string_view name) {
+    constexpr std::size_t digits = 3;
+    if (!name.ends_with(".md") || !(name.starts_with("MAC") || name.starts_with("DIN"))) return false;
+    const std::string_view number = name.substr(3, name.size() - 6);
+    return number.size() == digits && number.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 /// Pages of rules that are gone, so that the folder shows what there is.
 void remove_old_pages(const fs::path& folder) {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
         const std::string name = entry.path().filename().string();
-        const bool ours = (name.starts_with("MAC") || name.starts_with("DIN")) && name.ends_with(".md");
-        if (ours && find_rule(name.substr(0, name.size() - 3)) == nullptr) fs::remove(entry.path(), ignored);
+        if (is_page_name(name) && find_rule(name.substr(0, 6)) == nullptr) fs::remove(entry.path(), ignored);
     }
+}
+
+/// Whether everything in the folder may be replaced: it is empty, or what stands there was written here.
+bool is_ours(const fs::path& folder) {
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) return true; // writing will say what is wrong
+    if (fs::is_empty(folder, error)) return true;
+    const auto index = Source::read_file((folder / index_name).string());
+    const auto* source = std::get_if<Source>(&index);
+    return source != nullptr && source->bytes().find(generated_mark) != std::string_view::npos;
+}
+
+/// The page with what only a page beside the others can have: a link to the table of sources.
+std::string written_page(const Rule& rule) {
+    std::string page = markdown_page(rule);
+    if (!rule.sources.empty()) page += "\n[What the keys stand for](../sources.md)\n";
+    return page;
 }
 
 int write_docs(const std::string& folder) {
     std::error_code ignored;
     fs::create_directories(folder, ignored);
+    if (!is_ours(folder)) {
+        print_notice({NoticeKind::unreadable, folder,
+                      "this folder holds files, and no " + std::string(index_name) +
+                          " that --write-docs wrote. Name an empty folder."});
+        return exit_error;
+    }
     remove_old_pages(folder);
-    auto failure = write_to((fs::path(folder) / "README.md").string(), markdown_index());
+    auto failure = write_to((fs::path(folder) / index_name).string(), markdown_index());
     for (const Rule* rule : all_rules())
-        if (!failure)
-            failure = write_to((fs::path(folder) / page_name(*rule)).string(), markdown_page(*rule));
+        if (!failure) failure = write_to((fs::path(folder) / page_name(*rule)).string(), written_page(*rule));
     if (!failure) return exit_clean;
     print_notice(*failure);
     return exit_error;

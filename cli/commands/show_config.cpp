@@ -19,11 +19,10 @@ std::string with_reason(std::string_view value, const std::string& reason) {
 }
 
 std::string control_line(const ReadFile& file) {
-    const ControlModel* control = file.file ? file.file->control : file.settings.control;
-    if (control == nullptr) return line("control", "none");
-    const std::string reason =
-        file.settings.control_reason.empty() ? "assumed for the dialect" : file.settings.control_reason;
-    return line("control", with_reason(control->name + ", " + control->description, reason));
+    const ControlModel& control = *file.file->control;
+    const NamedControl* named = control_for(*file.dialect, file.settings.controls);
+    const std::string reason = named == nullptr ? "assumed for the dialect" : named->reason;
+    return line("control", with_reason(control.name + ", " + control.description, reason));
 }
 
 /// Rules whose state is not the one they come with, by reason.
@@ -36,8 +35,8 @@ std::string changed_rules(const RuleStates& rules) {
         const std::string code(rule->code);
         if (state.on != standard.of(*rule).on)
             list.append(list.empty() ? "" : ", ").append(code).append(state.on ? " on" : " off");
-        if (state.severity != rule->severity)
-            list.append(list.empty() ? "" : ", ").append(code).append(" ").append(name_of(state.severity));
+        if (state.severity)
+            list.append(list.empty() ? "" : ", ").append(code).append(" ").append(name_of(*state.severity));
     }
     std::string out;
     for (const auto& [reason, list] : by_reason)
@@ -67,9 +66,7 @@ std::string show_config(const std::vector<ReadFile>& files) {
         }
         out += line("dialect", with_reason(file.dialect->name, file.dialect_reason));
         out += control_line(file);
-        if (file.file)
-            out +=
-                line("encoding", file.file->source->encoding() == Encoding::utf8 ? "utf-8" : "windows-1252");
+        out += line("encoding", file.file->source->encoding() == Encoding::utf8 ? "utf-8" : "windows-1252");
         out += rules_lines(*file.settings.rules);
     }
     return out;

@@ -1,9 +1,11 @@
 //! What a .maclint.json says.
 #pragma once
 
+#include "analyzer/dialect/dialect.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/source/encoding.hpp"
 #include "analyzer/source/source.hpp"
+#include "cli/config/glob.hpp"
 #include "cli/notice.hpp"
 #include "rules/finding.hpp"
 
@@ -28,13 +30,13 @@ struct RuleWord {
 
 /// An entry of "files": what the matching files are written for.
 struct FileEntry {
-    std::string glob;
+    Glob glob;
     std::string control; ///< empty: not said
     std::string dialect; ///< empty: not said
 };
 
 struct PerFileIgnore {
-    std::string glob;
+    Glob glob;
     std::vector<RuleWord> rules;
 };
 
@@ -43,14 +45,14 @@ struct SeverityEntry {
     Severity severity;
 };
 
-/// One configuration with what it extends. Globs are relative to `folder`.
+/// One configuration with what it extends.
 struct Configuration {
     std::string path;            ///< as it is shown
     std::string folder;          ///< absolute
     std::vector<Source> sources; ///< the file itself, then those it extends
     std::map<std::string, std::shared_ptr<const ControlModel>, std::less<>> controls;
     std::vector<FileEntry> files;
-    std::vector<std::string> include, exclude;
+    std::vector<Glob> include, exclude;
     std::optional<std::vector<RuleWord>> select;
     std::vector<RuleWord> ignore;
     std::vector<SeverityEntry> severity;
@@ -67,6 +69,9 @@ struct Configuration {
 /// Reads a configuration file and what it extends.
 [[nodiscard]] std::variant<std::shared_ptr<const Configuration>, Notice>
 load_configuration(const std::string& path);
+
+/// Whether a control runs what is written in the dialect.
+[[nodiscard]] bool is_for(const ControlModel& control, const Dialect& dialect);
 
 /// Names that "control" and --control may take besides those of a configuration.
 [[nodiscard]] std::vector<std::string> control_names();

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <span>
+#include <system_error>
 #include <vector>
 
 namespace maclint::cli {
@@ -110,6 +112,12 @@ bool matches(std::string_view pattern, std::string_view path) {
     return std::ranges::any_of(names, [&](const auto& name) {
         return wanted.front() == "**" || matches_name(wanted.front(), name);
     });
+}
+
+bool Glob::takes(const std::string& path) const {
+    std::error_code ignored;
+    const auto whole = std::filesystem::absolute(path, ignored).lexically_normal();
+    return matches(pattern, whole.lexically_relative(folder).generic_string());
 }
 
 } // namespace maclint::cli

@@ -1,6 +1,7 @@
 //! Patterns for paths: * and ? inside a name, ** across folders, [a-z] for one character.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace maclint::cli {
@@ -8,5 +9,14 @@ namespace maclint::cli {
 /// Whether `path`, relative and with '/', matches. A pattern without '/' is tried on every name of the path,
 /// so that "old" and "*.bak" hold at any depth; one that matches a folder matches all that is in it.
 [[nodiscard]] bool matches(std::string_view pattern, std::string_view path);
+
+/// A pattern and the folder that it is relative to.
+struct Glob {
+    std::string pattern;
+    std::string folder; ///< absolute
+
+    /// Whether it matches a path, which may be absolute or relative to the current folder.
+    [[nodiscard]] bool takes(const std::string& path) const;
+};
 
 } // namespace maclint::cli

@@ -28,8 +28,8 @@ class Loader {
   public:
     std::shared_ptr<const Configuration> load(const std::string& path) {
         configuration_->path = path;
-        configuration_->folder = fs::absolute(path).lexically_normal().parent_path().string();
         read(path);
+        configuration_->folder = folder_of(path);
         return configuration_;
     }
 
@@ -59,7 +59,12 @@ class Loader {
         return rows;
     }
 
+    static std::string folder_of(const std::string& path) {
+        return fs::absolute(path).lexically_normal().parent_path().string();
+    }
+
     void read(const std::string& path) {
+        folder_ = folder_of(path);
         const auto source = open(path);
         configuration_->sources.push_back(source);
         const auto parsed = parse_json(source.bytes());
@@ -143,15 +148,8 @@ class Loader {
                                                      {"bracket-levels", &Limits::bracket_levels}}};
         for (const JsonMember& member : object(node, "'limits'")) {
             const auto* const limit = std::ranges::find(known, member.key, &Limit::name);
-            if (member.key == "calls-together") {
-                limits.calls_together = level(member.node, member.key);
-            } else if (limit == known.end()) {
-                auto names_known = names(known);
-                names_known.emplace_back("calls-together");
-                reject_key(member, names_known);
-            } else {
-                limits.*(limit->value) = level(member.node, member.key);
-            }
+            if (limit == known.end()) reject_key(member, names(known));
+            limits.*(limit->value) = level(member.node, member.key);
         }
     }
 
@@ -166,13 +164,14 @@ class Loader {
         static constexpr std::array<std::string_view, 3> known = {"glob", "control", "dialect"};
         for (const JsonNode& entry : array(node, "'files'")) {
             FileEntry file;
+            Span control_span{};
             for (const JsonMember& member : object(entry, "an entry of 'files'")) {
                 const std::string& value = text(member.node, "'" + member.key + "'");
                 if (member.key == "glob") {
-                    file.glob = value;
+                    file.glob = glob(value);
                 } else if (member.key == "control") {
                     file.control = value;
-                    controls_named_.emplace_back(value, member.node.span);
+                    control_span = member.node.span;
                 } else if (member.key == "dialect") {
                     file.dialect = value;
                     if (find_dialect(value) == nullptr && value != "auto")
@@ -184,16 +183,17 @@ class Loader {
                     reject_key(member, {known.begin(), known.end()});
                 }
             }
-            if (file.glob.empty())
+            if (file.glob.pattern.empty())
                 reject(entry.span, "an entry of 'files' has no 'glob'. Say which files it is for");
+            if (!file.control.empty()) controls_named_.push_back({file.control, file.dialect, control_span});
             configuration_->files.push_back(std::move(file));
         }
         // Read once all controls are known: 'files' may stand before 'controls'.
         files_source_ = configuration_->sources.size() - 1;
     }
 
-    void read_include(const JsonNode& node) { configuration_->include = texts(node, "'include'"); }
-    void read_exclude(const JsonNode& node) { configuration_->exclude = texts(node, "'exclude'"); }
+    void read_include(const JsonNode& node) { configuration_->include = globs(node, "'include'"); }
+    void read_exclude(const JsonNode& node) { configuration_->exclude = globs(node, "'exclude'"); }
     void read_select(const JsonNode& node) { configuration_->select = rule_words(node, "'select'"); }
     void read_ignore(const JsonNode& node) { configuration_->ignore = rule_words(node, "'ignore'"); }
 
@@ -203,18 +203,16 @@ class Loader {
             const auto severity = severity_named(word);
             if (!severity)
                 reject(member.node.span, "there is no severity '" + word + "'. Write error, warning or note");
-            const auto same = [&](const SeverityEntry& entry) { return entry.rules.word == member.key; };
-            if (std::ranges::none_of(configuration_->severity, same))
-                configuration_->severity.push_back({{member.key, source(), member.key_span}, *severity});
+            configuration_->severity.push_back({{member.key, source(), member.key_span}, *severity});
         }
     }
 
     void read_per_file_ignores(const JsonNode& node) {
         for (const JsonMember& member : object(node, "'per-file-ignores'")) {
-            if (std::ranges::find(configuration_->per_file_ignores, member.key, &PerFileIgnore::glob) ==
-                configuration_->per_file_ignores.end())
+            const auto same = [&](const PerFileIgnore& entry) { return entry.glob.pattern == member.key; };
+            if (std::ranges::none_of(configuration_->per_file_ignores, same))
                 configuration_->per_file_ignores.push_back(
-                    {member.key, rule_words(member.node, "'per-file-ignores'")});
+                    {glob(member.key), rule_words(member.node, "'per-file-ignores'")});
         }
     }
 
@@ -257,12 +255,15 @@ class Loader {
         return *value;
     }
 
-    std::vector<std::string> texts(const JsonNode& node, const std::string& what) {
-        std::vector<std::string> values;
+    std::vector<Glob> globs(const JsonNode& node, const std::string& what) {
+        std::vector<Glob> values;
         for (const JsonNode& element : array(node, what))
-            values.push_back(text(element, "an entry of " + what));
+            values.push_back(glob(text(element, "an entry of " + what)));
         return values;
     }
+
+    /// Relative to the folder of the file that is being read, not of the one that extends it.
+    [[nodiscard]] Glob glob(const std::string& pattern) const { return {pattern, folder_}; }
 
     std::vector<RuleWord> rule_words(const JsonNode& node, const std::string& what) {
         std::vector<RuleWord> words;
@@ -283,7 +284,10 @@ class Loader {
     }
 
     [[noreturn]] void reject(Span span, const std::string& message) const {
-        const Source& source = configuration_->sources.back();
+        reject(configuration_->sources.back(), span, message);
+    }
+
+    [[noreturn]] static void reject(const Source& source, Span span, const std::string& message) {
         const Position at = source.position(span.begin);
         const std::string place = "line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
         const bool ends = message.ends_with('?') || message.ends_with('.');
@@ -299,23 +303,36 @@ class Loader {
   public:
     /// Controls of "files" are looked up when all files of the chain have been read.
     void check_controls() const {
-        for (const auto& [name, span] : controls_named_) {
-            if (configuration_->control(name) != nullptr) continue;
-            auto known = control_names();
-            for (const auto& control : configuration_->controls) known.push_back(control.first);
-            const Source& source = configuration_->sources[files_source_];
-            const Position at = source.position(span.begin);
-            throw Rejected{{NoticeKind::configuration, source.path(),
-                            "line " + std::to_string(at.line) + ", column " + std::to_string(at.column) +
-                                ": there is no control '" + name + "'." +
-                                did_you_mean(name, known, "Known are " + enumerate(known) + ".")}};
+        const Source& source = configuration_->sources[files_source_];
+        for (const auto& [name, dialect_name, span] : controls_named_) {
+            const ControlModel* control = configuration_->control(name);
+            const Dialect* dialect = find_dialect(dialect_name);
+            if (control == nullptr) {
+                auto known = control_names();
+                for (const auto& own : configuration_->controls) known.push_back(own.first);
+                reject(source, span,
+                       "there is no control '" + name + "'." +
+                           did_you_mean(name, known, "Known are " + enumerate(known) + "."));
+            }
+            if (dialect != nullptr && !is_for(*control, *dialect))
+                reject(source, span,
+                       std::string("the control '")
+                           .append(name)
+                           .append("' does not run the dialect '")
+                           .append(dialect_name)
+                           .append("' of the same entry. Leave one of them out"));
         }
     }
 
   private:
     std::shared_ptr<Configuration> configuration_ = std::make_shared<Configuration>();
+    std::string folder_; ///< of the file that is being read
     std::vector<std::string> seen_;
-    std::vector<std::pair<std::string, Span>> controls_named_;
+    struct ControlWord {
+        std::string control, dialect;
+        Span span;
+    };
+    std::vector<ControlWord> controls_named_;
     std::size_t files_source_ = 0;
 };
 
@@ -347,6 +364,10 @@ std::vector<const RuleWord*> Configuration::rule_words() const {
     for (const SeverityEntry& entry : severity) words.push_back(&entry.rules);
     for (const PerFileIgnore& entry : per_file_ignores) add(entry.rules);
     return words;
+}
+
+bool is_for(const ControlModel& control, const Dialect& dialect) {
+    return control.language == find_control(dialect.default_control)->language;
 }
 
 std::vector<std::string> control_names() {

@@ -52,7 +52,7 @@ const std::vector<std::string>& rule_words() {
 RuleStates::RuleStates() {
     for (const Rule* rule : all_rules())
         states_.push_back(
-            {rule->on_by_default, rule->severity, rule->on_by_default ? "on by default" : "off by default"});
+            {rule->on_by_default, std::nullopt, rule->on_by_default ? "on by default" : "off by default"});
 }
 
 void RuleStates::select_only(const std::vector<const Rule*>& rules, std::string_view reason) {

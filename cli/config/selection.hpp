@@ -19,8 +19,8 @@ namespace maclint::cli {
 /// A setting of one rule and where it comes from.
 struct RuleState {
     bool on;
-    Severity severity;
-    std::string reason; ///< "on by default", "--ignore", ".maclint.json: ignore"
+    std::optional<Severity> severity; ///< when the user chose one; else the finding's own
+    std::string reason;               ///< "on by default", "--ignore", ".maclint.json: ignore"
 };
 
 /// One state a rule, in the order of all_rules().

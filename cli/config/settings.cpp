@@ -2,7 +2,6 @@
 //! other.
 #include "cli/config/settings.hpp"
 
-#include "cli/config/glob.hpp"
 #include "cli/words.hpp"
 
 #include <algorithm>
@@ -37,10 +36,22 @@ std::vector<const Rule*> rules_of(const std::vector<std::string>& words) {
     return rules;
 }
 
+/// So that what is set last holds: the nearer file's word over that of the file it extends, "MAC501" over
+/// "MAC5" within a file.
+std::vector<SeverityEntry> farthest_and_widest_first(std::vector<SeverityEntry> entries) {
+    std::ranges::stable_sort(entries, [](const SeverityEntry& a, const SeverityEntry& b) {
+        if (a.rules.source != b.rules.source) return a.rules.source > b.rules.source;
+        return rules_named(a.rules.word).size() > rules_named(b.rules.word).size();
+    });
+    return entries;
+}
+
 } // namespace
 
-std::string relative_to(const std::string& folder, const std::string& path) {
-    return absolute(path).lexically_relative(folder).generic_string();
+const NamedControl* control_for(const Dialect& dialect, const std::vector<NamedControl>& controls) {
+    const auto found = std::ranges::find_if(
+        controls, [&](const NamedControl& named) { return is_for(*named.control, dialect); });
+    return found == controls.end() ? nullptr : &*found;
 }
 
 std::optional<std::shared_ptr<const Configuration>> Settings::load(const std::string& path) {
@@ -75,40 +86,40 @@ std::optional<FileSettings> Settings::for_file(const std::string& path) {
     if (!found) return std::nullopt;
     FileSettings settings;
     settings.configuration = *found;
-    const std::string relative = *found ? relative_to((*found)->folder, path) : std::string();
     if (*found) {
         for (const FileEntry& entry : (*found)->files) {
-            if (!matches(entry.glob, relative)) continue;
-            const std::string reason = shown((*found)->path) + ": files '" + shown(entry.glob) + "'";
+            if (!entry.glob.takes(path)) continue;
+            const std::string reason = shown((*found)->path) + ": files '" + shown(entry.glob.pattern) + "'";
             if (!entry.dialect.empty()) {
                 settings.dialect = find_dialect(entry.dialect);
                 settings.dialect_reason = reason;
             }
             if (!entry.control.empty()) {
-                settings.control = (*found)->control(entry.control);
-                settings.control_reason = reason;
+                settings.controls.push_back({(*found)->control(entry.control), reason});
             }
         }
+        std::ranges::reverse(settings.controls); // the last entry that matches counts most
     }
     if (overrides_.dialect != nullptr) {
         settings.dialect = overrides_.dialect;
         settings.dialect_reason = "--dialect";
     }
     if (!overrides_.control.empty()) {
-        settings.control = *found ? (*found)->control(overrides_.control) : find_control(overrides_.control);
-        settings.control_reason = "--control";
+        const ControlModel* named =
+            *found ? (*found)->control(overrides_.control) : find_control(overrides_.control);
+        if (named != nullptr) settings.controls.insert(settings.controls.begin(), {named, "--control"});
     }
-    settings.rules = rules_for(found->get(), relative);
+    settings.rules = rules_for(found->get(), path);
     settings.complete = overrides_.complete || (*found && (*found)->complete);
     return settings;
 }
 
 std::shared_ptr<const RuleStates> Settings::rules_for(const Configuration* configuration,
-                                                      const std::string& relative) {
+                                                      const std::string& path) {
     std::vector<bool> ignores;
     if (configuration != nullptr)
         for (const PerFileIgnore& entry : configuration->per_file_ignores)
-            ignores.push_back(matches(entry.glob, relative));
+            ignores.push_back(entry.glob.takes(path));
     auto& known = rule_states_[{configuration, ignores}];
     if (known) return known;
     auto rules = std::make_shared<RuleStates>();
@@ -119,15 +130,15 @@ std::shared_ptr<const RuleStates> Settings::rules_for(const Configuration* confi
                 rules->select_only(rules_of(*configuration->select), name + ": select");
             rules->switch_off(rules_of(configuration->ignore), name + ": ignore");
         }
-        for (const SeverityEntry& entry : configuration->severity)
-            rules->set_severity(rules_named(entry.rules.word), entry.severity, name + ": severity");
+        for (const auto& [words, severity] : farthest_and_widest_first(configuration->severity))
+            rules->set_severity(rules_named(words.word), severity, name + ": severity");
     }
     apply_overrides(*rules);
     for (std::size_t i = 0; i < ignores.size(); ++i) {
         const PerFileIgnore& entry = configuration->per_file_ignores[i];
         if (ignores[i])
-            rules->switch_off(rules_of(entry.rules),
-                              shown(configuration->path) + ": per-file-ignores '" + shown(entry.glob) + "'");
+            rules->switch_off(rules_of(entry.rules), shown(configuration->path) + ": per-file-ignores '" +
+                                                         shown(entry.glob.pattern) + "'");
     }
     return known = rules;
 }

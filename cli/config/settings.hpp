@@ -27,12 +27,17 @@ struct Overrides {
     bool complete = false;   ///< every program of the control is there, whatever the configuration says
 };
 
+/// A control that somebody named, and where.
+struct NamedControl {
+    const ControlModel* control;
+    std::string reason; ///< "--control", ".maclint.json: files '*.nc'"
+};
+
 struct FileSettings {
     std::shared_ptr<const Configuration> configuration; ///< nullptr: none
     const Dialect* dialect = nullptr;                   ///< nullptr: the file's content decides
     std::string dialect_reason;
-    const ControlModel* control = nullptr; ///< nullptr: what the dialect assumes
-    std::string control_reason;
+    std::vector<NamedControl> controls; ///< what counts most comes first; each for files of its language only
     std::shared_ptr<const RuleStates> rules;
     bool complete = false; ///< every program of the control is there
 };
@@ -56,8 +61,7 @@ class Settings {
   private:
     using Loaded = std::optional<std::shared_ptr<const Configuration>>;
     Loaded load(const std::string& path);
-    std::shared_ptr<const RuleStates> rules_for(const Configuration* configuration,
-                                                const std::string& relative);
+    std::shared_ptr<const RuleStates> rules_for(const Configuration* configuration, const std::string& path);
     void apply_overrides(RuleStates& rules) const;
 
     Overrides overrides_;
@@ -68,7 +72,8 @@ class Settings {
     std::vector<Notice> notices_;
 };
 
-/// The path relative to a configuration's folder, as its globs see it.
-[[nodiscard]] std::string relative_to(const std::string& folder, const std::string& path);
+/// The first of the controls that is for the dialect's language; nullptr: what the dialect assumes.
+[[nodiscard]] const NamedControl* control_for(const Dialect& dialect,
+                                              const std::vector<NamedControl>& controls);
 
 } // namespace maclint::cli

@@ -199,7 +199,7 @@ class FileJudge {
                 suppressed = Suppression{allowance->directive->comment->span, allowance->directive->reason};
             const RuleState& state = rules_.of(*finding.rule);
             if (!state.on) continue; // it ran only to tell whether its suppressions are of use
-            finding.severity = state.severity == finding.rule->severity ? finding.severity : state.severity;
+            finding.severity = state.severity.value_or(finding.severity);
             judged_.push_back({std::move(finding), std::move(suppressed)});
         }
     }

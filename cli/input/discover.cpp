@@ -1,7 +1,7 @@
 //! Walks folders without recursion; what was seen once, by whatever name, is not seen again.
 #include "cli/input/discover.hpp"
 
-#include "cli/config/glob.hpp"
+#include "cli/input/repository.hpp"
 #include "cli/words.hpp"
 
 #include <algorithm>
@@ -50,6 +50,10 @@ Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
     return {NoticeKind::unreadable, as_shown(folder),
             "this folder cannot be read: the system says '" + error.message() +
                 "'. Ask its owner for access or exclude it."};
+}
+
+bool takes_any(const std::vector<Glob>& globs, const fs::path& path) {
+    return std::ranges::any_of(globs, [&](const Glob& glob) { return glob.takes(path.string()); });
 }
 
 class Walk {
@@ -121,10 +125,7 @@ class Walk {
     }
 
     static bool is_excluded(const Configuration* configuration, const fs::path& path) {
-        if (configuration == nullptr || configuration->exclude.empty()) return false;
-        const std::string relative = relative_to(configuration->folder, path.string());
-        return std::ranges::any_of(configuration->exclude,
-                                   [&](const std::string& glob) { return matches(glob, relative); });
+        return configuration != nullptr && takes_any(configuration->exclude, path);
     }
 
     static bool is_wanted(const Configuration* configuration, const fs::directory_entry& entry) {
@@ -134,10 +135,7 @@ class Walk {
         if (fs::exists(status) && !fs::is_regular_file(status)) return false;
         if (entry.path().filename().string().starts_with('.')) return false;
         if (has_nc_extension(entry.path().string())) return true;
-        if (configuration == nullptr || configuration->include.empty()) return false;
-        const std::string relative = relative_to(configuration->folder, entry.path().string());
-        return std::ranges::any_of(configuration->include,
-                                   [&](const std::string& glob) { return matches(glob, relative); });
+        return configuration != nullptr && takes_any(configuration->include, entry.path());
     }
 
     void take_file(const fs::directory_entry& entry, bool asked) {
@@ -175,10 +173,8 @@ Home home_of(const std::string& file, Settings& settings) {
     const fs::path beside = fs::absolute(file, ignored).lexically_normal().parent_path();
     if (const auto configuration = settings.for_folder(beside.string()); configuration && *configuration)
         return {(*configuration)->folder, Depth::all_below};
-    for (fs::path folder = beside;; folder = folder.parent_path()) {
-        if (fs::exists(folder / ".git", ignored)) return {folder, Depth::all_below};
-        if (!folder.has_relative_path()) return {beside, Depth::this_folder};
-    }
+    if (auto repository = repository_around(beside)) return {*std::move(repository), Depth::all_below};
+    return {beside, Depth::this_folder};
 }
 
 } // namespace

@@ -22,7 +22,8 @@ std::variant<Source, InputError> open(const InputFile& input, const FileSettings
 }
 
 const ControlModel& control_of(const ReadFile& file) {
-    if (file.settings.control != nullptr) return *file.settings.control;
+    if (const NamedControl* named = control_for(*file.dialect, file.settings.controls))
+        return *named->control;
     return *find_control(file.dialect->default_control);
 }
 

@@ -88,19 +88,15 @@ class LineHasher {
 /// Calls `visit` with every UTF-16 code unit of valid UTF-8.
 template<class Visit>
 void for_each_unit(std::string_view utf8, const Visit& visit) {
-    for (std::size_t i = 0; i < utf8.size();) {
-        const auto lead = static_cast<unsigned char>(utf8[i]);
-        const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-        std::uint64_t character = length == 1 ? lead : lead & (0xFFU >> (length + 1));
-        for (std::size_t k = 1; k < length && i + k < utf8.size(); ++k)
-            character = (character << 6U) | (static_cast<unsigned char>(utf8[i + k]) & 0x3FU);
+    while (!utf8.empty()) {
+        const auto [character, length] = first_character(utf8);
         if (character >= 0x10000) {
             visit(0xD800 + ((character - 0x10000) >> 10U));
             visit(0xDC00 + ((character - 0x10000) & 0x3FFU));
         } else {
             visit(character);
         }
-        i += length;
+        utf8.remove_prefix(length);
     }
 }
 

@@ -35,17 +35,6 @@ bool in(const Ranges& ranges, char32_t character) {
         ranges, [=](Range range) { return range.first <= character && character <= range.last; });
 }
 
-/// The character that valid UTF-8 begins with.
-char32_t first_character(std::string_view utf8) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(utf8[i]); };
-    if (byte(0) < 0x80) return byte(0);
-    const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
-    char32_t character = byte(0) & (0xFFU >> (length + 1));
-    for (std::size_t i = 1; i < length && i < utf8.size(); ++i)
-        character = (character << 6U) | (byte(i) & 0x3FU);
-    return character;
-}
-
 /// One character of the line as it is shown.
 struct Cell {
     std::string text;
@@ -62,7 +51,7 @@ Cell cell_of(const Source& source, Span character, std::size_t column) {
     const std::string utf8 = source.to_utf8(bytes);
     std::string text = printable(utf8);
     if (text != utf8) return {text, text.size(), false}; // an escape, ASCII only
-    const char32_t first = first_character(text);
+    const char32_t first = first_character(text).value;
     return {std::move(text), in(combining, first) ? 0U : in(wide, first) ? 2U : 1U, false};
 }
 

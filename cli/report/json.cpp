@@ -84,7 +84,7 @@ std::string write_json(const Report& report) {
                   {"warnings", counts.warnings},
                   {"notes", counts.notes},
                   {"suppressed", counts.suppressed},
-                  {"not_shown", report.not_shown},
+                  {"not_shown", report.not_shown.size()},
                   {"exit_status", report.exit_status}}}};
     if (report.times) out["times"] = {{"begin", report.times->begin}, {"end", report.times->end}};
     return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

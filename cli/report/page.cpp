@@ -1,9 +1,11 @@
 //! Pages made from the records of the rules, so that they cannot say anything else.
 #include "cli/report/page.hpp"
 
+#include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/encoding.hpp"
 #include "cli/config/selection.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace maclint::cli {
@@ -82,9 +84,27 @@ std::string alarm_line(const Alarm& alarm) {
     return std::string(alarm.control) + ": " + std::string(alarm.number) + " " + std::string(alarm.text);
 }
 
-std::string allowance(const Rule& rule) {
-    const std::string open = rule.code.starts_with("DIN") ? "[" : "(";
-    return open + "MACLINT ALLOW " + std::string(rule.code) + " - REASON" + (open == "[" ? "]" : ")");
+/// The comment that allows the rule, once for every way that the dialects of its examples write comments.
+std::string allowances(const Rule& rule, std::string_view quote) {
+    std::string all;
+    for (const Dialect& dialect : dialects()) {
+        const auto of_dialect = [&](const Example& example) { return example.dialect == dialect.name; };
+        if (std::ranges::none_of(rule.bad, of_dialect) && std::ranges::none_of(rule.good, of_dialect))
+            continue;
+        const std::string comment = std::string(dialect.comment_open) + "MACLINT ALLOW " +
+                                    std::string(rule.code) + " - REASON" + std::string(dialect.comment_close);
+        if (all.find(comment) != std::string::npos) continue;
+        all.append(all.empty() ? "" : " or ").append(quote).append(comment).append(quote);
+        if (!dialect.comment_open.starts_with('(')) all.append(" (").append(dialect.name).append(")");
+    }
+    return all;
+}
+
+/// A source with what its key means where that decides how far to trust it.
+std::string shown_source(std::string_view source) {
+    constexpr std::string_view experience = "T";
+    if (source != experience && !source.starts_with("T:")) return std::string(source);
+    return "T (experience, not confirmed)" + std::string(source.substr(experience.size()));
 }
 
 } // namespace
@@ -114,10 +134,10 @@ std::string markdown_page(const Rule& rule) {
     out += markdown_examples("Bad", rule.bad) + markdown_examples("Good", rule.good);
     if (!rule.alarms.empty()) out += "\n## Alarms it prevents\n\n";
     for (const Alarm& alarm : rule.alarms) out += "- " + alarm_line(alarm) + "\n";
-    out += "\n## To allow it\n\n`" + allowance(rule) +
-           "` at the end of the block, or alone on the line before it.\n";
+    out += "\n## To allow it\n\n" + allowances(rule, "`") +
+           " at the end of the block, or alone on the line before it.\n";
     if (!rule.sources.empty()) out += "\n## Sources\n\n";
-    for (const std::string_view source : rule.sources) out += "- " + std::string(source) + "\n";
+    for (const std::string_view source : rule.sources) out += "- " + shown_source(source) + "\n";
     return out;
 }
 
@@ -128,15 +148,15 @@ std::string plain_page(const Rule& rule) {
     out += plain_examples("Bad", rule.bad) + plain_examples("Good", rule.good);
     if (!rule.alarms.empty()) out += "\nAlarms it prevents:\n\n";
     for (const Alarm& alarm : rule.alarms) out += "    " + alarm_line(alarm) + "\n";
-    out += "\nTo allow it, write " + allowance(rule) +
+    out += "\nTo allow it, write " + allowances(rule, "") +
            " at the end of the block, or alone on the line before it.\n";
     if (!rule.sources.empty()) out += "\nSources:\n\n";
-    for (const std::string_view source : rule.sources) out += "    " + std::string(source) + "\n";
+    for (const std::string_view source : rule.sources) out += "    " + shown_source(source) + "\n";
     return out;
 }
 
 std::string markdown_index() {
-    std::string out = "# Rules\n\nMade from the rules by `maclint rules --write-docs`.\n";
+    std::string out = "# Rules\n\n" + std::string(generated_mark) + "\n";
     std::string_view family;
     for (const Rule* rule : all_rules()) {
         if (family_of(*rule) != family) {

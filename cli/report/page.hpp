@@ -4,8 +4,13 @@
 #include "rules/rule.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace maclint::cli {
+
+/// The file of markdown_index(), and the sentence in it by which a folder of pages is known again.
+inline constexpr std::string_view index_name = "README.md";
+inline constexpr std::string_view generated_mark = "Made from the rules by `maclint rules --write-docs`.";
 
 /// Markdown with a heading of the first level.
 [[nodiscard]] std::string markdown_page(const Rule& rule);

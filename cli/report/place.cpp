@@ -1,6 +1,8 @@
 //! Paths to URIs.
 #include "cli/report/place.hpp"
 
+#include "cli/input/repository.hpp"
+
 #include <cctype>
 #include <filesystem>
 
@@ -11,9 +13,7 @@ namespace fs = std::filesystem;
 std::string source_root() {
     std::error_code error;
     const fs::path here = fs::current_path(error);
-    for (fs::path folder = here; folder.has_relative_path(); folder = folder.parent_path())
-        if (fs::exists(folder / ".git", error)) return folder.string();
-    return here.string();
+    return repository_around(here).value_or(here).string();
 }
 
 FileUri uri_of(const std::string& path, const std::string& root) {

@@ -21,12 +21,12 @@ struct Report {
     std::vector<JudgedFinding> findings;   ///< in the order of reports, suppressed ones included
     std::vector<Notice> notices;           ///< in the order of paths
     std::vector<const ProgramFile*> files; ///< that were linted because the user asked for them, by path
-    std::size_t not_shown = 0;             ///< findings left out of `findings` because of --max-findings
+    std::vector<JudgedFinding> not_shown;  ///< left out of `findings` because of --max-findings
     int exit_status = 0;
     std::optional<RunTimes> times; ///< none with --no-timestamps
 };
 
-/// How many findings of each severity count, suppressed ones apart.
+/// How many findings of each severity count, shown or not, suppressed ones apart.
 struct Tally {
     std::size_t errors = 0, warnings = 0, notes = 0, suppressed = 0, files = 0;
 };

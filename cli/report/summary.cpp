@@ -9,16 +9,18 @@ namespace maclint::cli {
 Tally tally(const Report& report) {
     Tally tally;
     std::unordered_set<const ProgramFile*> files;
-    for (const JudgedFinding& judged : report.findings) {
-        if (judged.suppressed) {
-            ++tally.suppressed;
-            continue;
-        }
-        files.insert(judged.finding.file);
-        switch (judged.finding.severity) {
-        case Severity::error: ++tally.errors; break;
-        case Severity::warning: ++tally.warnings; break;
-        case Severity::note: ++tally.notes; break;
+    for (const auto* findings : {&report.findings, &report.not_shown}) {
+        for (const auto& [finding, suppressed] : *findings) {
+            if (suppressed) {
+                ++tally.suppressed;
+                continue;
+            }
+            files.insert(finding.file);
+            switch (finding.severity) {
+            case Severity::error: ++tally.errors; break;
+            case Severity::warning: ++tally.warnings; break;
+            case Severity::note: ++tally.notes; break;
+            }
         }
     }
     tally.files = files.size();
@@ -36,7 +38,7 @@ std::string summary_line(const Report& report) {
     line = parts.empty() ? "no findings" : line + " in " + counted(counts.files, "file");
     line += " (" + std::to_string(report.files.size()) + " checked";
     if (counts.suppressed > 0) line += ", " + std::to_string(counts.suppressed) + " allowed by comments";
-    if (report.not_shown > 0) line += ", " + std::to_string(report.not_shown) + " more not shown";
+    if (!report.not_shown.empty()) line += ", " + std::to_string(report.not_shown.size()) + " not shown";
     return line + ")";
 }
 

@@ -5,6 +5,9 @@
 
 namespace maclint::rules {
 
+namespace {
+
+/// The calls of the program that reach the first level beyond the limit. Deeper ones have the same cause.
 std::vector<CallSite> calls_beyond(const ProgramAnalysis& analysis, Counted counted, int limit) {
     std::vector<CallSite> calls;
     const int level = counted == Counted::macro ? analysis.depth().macro : analysis.depth().subprogram;
@@ -17,6 +20,8 @@ std::vector<CallSite> calls_beyond(const ProgramAnalysis& analysis, Counted coun
     return calls;
 }
 
+} // namespace
+
 std::string name_of_callee(const ProgramAnalysis& analysis, const CallSite& site) {
     if (site.target) return analysis.workspace().programs()[*site.target].program().name;
     const Program& program = analysis.program();
@@ -26,6 +31,9 @@ std::string name_of_callee(const ProgramAnalysis& analysis, const CallSite& site
     return number == nullptr ? std::string("?") : "P" + quoted(program, program.expressions[*number].span);
 }
 
+namespace {
+
+/// "O1 > O9001 > O9002", from the outermost program over the analysed one to the callee.
 std::string chain_words(const ProgramAnalysis& analysis, const CallSite& last, Counted counted) {
     std::string words;
     for (const Caller& caller : analysis.chain_to(counted))
@@ -33,12 +41,29 @@ std::string chain_words(const ProgramAnalysis& analysis, const CallSite& last, C
     return words + analysis.program().name + " > " + name_of_callee(analysis, last);
 }
 
+/// The calls that lead to the program, outermost first, as steps of the finding's path.
 void add_chain(Finding& finding, const ProgramAnalysis& analysis, Counted counted) {
     for (const Caller& caller : analysis.chain_to(counted)) {
         const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
         const CallSite* site = calling.call_at(caller.effect);
         const std::string& callee = analysis.workspace().programs()[*site->target].program().name;
         finding.path.push_back(remark_at_effect(calling, caller.effect, "calls " + callee));
+    }
+}
+
+} // namespace
+
+void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, Counted counted, int limit) {
+    const ControlModel& control = analysis.control();
+    for (const CallSite& site : calls_beyond(analysis, counted, limit)) {
+        const Span span = analysis.program().effects[site.effect].span;
+        Finding& finding =
+            reporter.report(analysis.file(), span, control.assumed ? "assumed" : "named",
+                            {quoted(analysis.program(), span), std::to_string(limit + 1), control.description,
+                             std::to_string(limit), chain_words(analysis, site, counted)});
+        add_chain(finding, analysis, counted);
+        finding.path.push_back(
+            {&analysis.file(), span, "calls " + name_of_callee(analysis, site) + ", one level too deep"});
     }
 }
 

@@ -2,23 +2,18 @@
 #pragma once
 
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/finding.hpp"
+#include "rules/rule.hpp"
 
 #include <string>
-#include <vector>
 
 namespace maclint::rules {
-
-/// The calls of the program that reach the first level beyond the limit. Deeper ones have the same cause.
-[[nodiscard]] std::vector<CallSite> calls_beyond(const ProgramAnalysis& analysis, Counted counted, int limit);
 
 /// The program that a call runs: its name, or what the call writes for it.
 [[nodiscard]] std::string name_of_callee(const ProgramAnalysis& analysis, const CallSite& site);
 
-/// "O1 > O9001 > O9002", from the outermost program over the analysed one to the callee.
-[[nodiscard]] std::string chain_words(const ProgramAnalysis& analysis, const CallSite& last, Counted counted);
-
-/// The calls that lead to the program, outermost first, as steps of the finding's path.
-void add_chain(Finding& finding, const ProgramAnalysis& analysis, Counted counted);
+/// The calls of the program that reach the first level beyond the limit: the message "named" or "assumed",
+/// with the call, its level, the control, the limit and the chain of programs. Deeper ones have the same
+/// cause.
+void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, Counted counted, int limit);
 
 } // namespace maclint::rules

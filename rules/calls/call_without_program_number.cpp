@@ -1,12 +1,7 @@
 //! MAC401: a call that does not say what to call.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule call_without_program_number{
     .code = "MAC401",
@@ -25,20 +20,12 @@ extern const Rule call_without_program_number{
     .bad = {{"fanuc", "O9401(MAIN)\n"
                       "G65X10.Y5.\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9401(MAIN)\n"
                        "G65P8000X10.Y5.\n"
                        "M30\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "076", "ADDRESS P NOT DEFINED"}},
     .sources = {"SEED-001:423"},
-    .check = &check,
+    .check = Irregular::call_without_program,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::call_without_program, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

@@ -34,7 +34,6 @@ extern const Rule g66_not_cancelled{
                       "G0 X10.\n"
                       "X20.\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9413(ROW)\n"
                        "G66P9010Z-20.R5.\n"
                        "G0 X10.\n"

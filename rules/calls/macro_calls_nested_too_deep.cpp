@@ -1,10 +1,7 @@
 //! MAC410: one macro level too many.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/calls/call_depth.hpp"
-#include "rules/path.hpp"
 #include "rules/rule.hpp"
-
-#include <string>
 
 namespace maclint::rules {
 
@@ -45,7 +42,6 @@ extern const Rule macro_calls_nested_too_deep{
                       "M99\n"
                       "O9005\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O0001(MAIN)\n"
                        "G65P9001\n"
                        "M30\n"
@@ -69,18 +65,7 @@ extern const Rule macro_calls_nested_too_deep{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const ControlModel& control = analysis.control();
-    for (const CallSite& site : calls_beyond(analysis, Counted::macro, control.limits.macro_calls)) {
-        const Span span = analysis.program().effects[site.effect].span;
-        Finding& finding =
-            reporter.report(analysis.file(), span, control.assumed ? "assumed" : "named",
-                            {quoted(analysis.program(), span), std::to_string(control.limits.macro_calls + 1),
-                             control.description, std::to_string(control.limits.macro_calls),
-                             chain_words(analysis, site, Counted::macro)});
-        add_chain(finding, analysis, Counted::macro);
-        finding.path.push_back(
-            {&analysis.file(), span, "calls " + name_of_callee(analysis, site) + ", one level too deep"});
-    }
+    report_calls_beyond(analysis, reporter, Counted::macro, analysis.control().limits.macro_calls);
 }
 
 } // namespace

@@ -36,7 +36,6 @@ extern const Rule program_not_found{
                         "N10 L\"CHAMFER\" LA50\n"
                         "N20 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9402(MAIN)\n"
                        "M30\n"},
              {"dinplus", "MACHINING\n"

@@ -49,7 +49,6 @@ extern const Rule recursive_call{
                         "N50 L\"HALF\" LA#l1\n"
                         "RETURN\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O0001(MAIN)\n"
                        "G65P9412\n"
                        "M30\n"

@@ -1,10 +1,7 @@
 //! MAC411: one subprogram level too many.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/calls/call_depth.hpp"
-#include "rules/path.hpp"
 #include "rules/rule.hpp"
-
-#include <string>
 
 namespace maclint::rules {
 
@@ -70,7 +67,6 @@ extern const Rule subprogram_calls_nested_too_deep{
                         "N90 G14 Q0\n"
                         "RETURN\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O0001(MAIN)\n"
                        "M98P9001\n"
                        "M30\n"
@@ -109,26 +105,14 @@ extern const Rule subprogram_calls_nested_too_deep{
                          "END\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "077", "SUB PROGRAM NESTING ERROR"},
                {"FANUC 30i/0i-D", "077", "TOO MANY SUB,MACRO NESTING"}},
-    .sources = {"CNCWIKI-SUB", "RW-9"},
+    .sources = {"CNCWIKI-SUB", "RW-9", "SEED-003:10397", "SEED-003:19934"},
     .check = &check,
 };
 
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const ControlModel& control = analysis.control();
-    for (const CallSite& site :
-         calls_beyond(analysis, Counted::subprogram, control.limits.subprogram_calls)) {
-        const Span span = analysis.program().effects[site.effect].span;
-        Finding& finding = reporter.report(
-            analysis.file(), span, control.assumed ? "assumed" : "named",
-            {quoted(analysis.program(), span), std::to_string(control.limits.subprogram_calls + 1),
-             control.description, std::to_string(control.limits.subprogram_calls),
-             chain_words(analysis, site, Counted::subprogram)});
-        add_chain(finding, analysis, Counted::subprogram);
-        finding.path.push_back(
-            {&analysis.file(), span, "calls " + name_of_callee(analysis, site) + ", one level too deep"});
-    }
+    report_calls_beyond(analysis, reporter, Counted::subprogram, analysis.control().limits.subprogram_calls);
 }
 
 } // namespace

@@ -36,7 +36,6 @@ extern const Rule assign_vs_compare{
                         "N10 #l1==40\n"
                         "N11 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 INPUT(\"Size\",#l1)\n"
                          "N11 IF #l1==1\n"

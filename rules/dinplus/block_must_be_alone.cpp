@@ -29,7 +29,6 @@ extern const Rule block_must_be_alone{
                         "N13 ENDIF\n"
                         "N14 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 INPUT(\"Diameter\",#l1)\n"
                          "N11 IF #l1>60\n"

@@ -38,7 +38,6 @@ extern const Rule case_without_break{
                         "N17 ENDSWITCH\n"
                         "N18 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 INPUT(\"Size\",#l1)\n"
                          "N11 SWITCH #l1\n"

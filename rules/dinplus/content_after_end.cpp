@@ -28,7 +28,6 @@ extern const Rule content_after_end{
                         "N20 M30\n"
                         "END\n"
                         "N30 G0 X0\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 G14 Q0\n"
                          "N20 G0 X0\n"

@@ -52,7 +52,6 @@ extern const Rule contour_reference_missing{
                         "N12 G810 NS3 NE11 P2\n"
                         "N13 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "BLANK\n"
                          "N1 G20 X60 Z80 K1\n"
                          "FINISHED\n"

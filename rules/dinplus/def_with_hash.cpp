@@ -29,7 +29,6 @@ extern const Rule def_with_hash{
                         "N3 G0 X#__la\n"
                         "N4 ENDIF\n"
                         "RETURN\n"}},
-    .also = {},
     .good = {{"dinplus", "%FACE.ncs\n"
                          "MACHINING\n"
                          "N1 IF DEF(__la)\n"

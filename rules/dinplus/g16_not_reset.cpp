@@ -1,12 +1,11 @@
 //! DIN632: a tilted working plane is left active.
-#include "analyzer/workspace/program_analysis.hpp"
 #include "rules/dinplus/left_active.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
 
 namespace {
-void check(const ProgramAnalysis& analysis, Reporter& reporter);
+constexpr std::string_view group = "tilted working plane";
 }
 
 extern const Rule g16_not_reset{
@@ -32,7 +31,6 @@ extern const Rule g16_not_reset{
                         "N14 G0 Z20\n"
                         "N15 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 T9\n"
                          "N11 G16 B45 I38 K-10 Q1\n"
@@ -44,14 +42,7 @@ extern const Rule g16_not_reset{
                          "END\n"}},
     .alarms = {},
     .sources = {"SEED-003:23206", "SEED-003:23218"},
-    .check = &check,
+    .check = &check_left_at_end<group>,
 };
 
-namespace {
-
-void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    report_left_at_end(analysis, "tilted working plane", reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

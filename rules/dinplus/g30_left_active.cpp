@@ -1,12 +1,11 @@
 //! DIN906: conversion and mirroring are left active.
-#include "analyzer/workspace/program_analysis.hpp"
 #include "rules/dinplus/left_active.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
 
 namespace {
-void check(const ProgramAnalysis& analysis, Reporter& reporter);
+constexpr std::string_view group = "conversion and mirroring";
 }
 
 extern const Rule g30_left_active{
@@ -30,7 +29,6 @@ extern const Rule g30_left_active{
                         "N12 G0 X44 Z2\n"
                         "N13 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 G30 H1 Q3\n"
                          "N11 T1\n"
@@ -40,14 +38,7 @@ extern const Rule g30_left_active{
                          "END\n"}},
     .alarms = {},
     .sources = {"SEED-003:20071-20078"},
-    .check = &check,
+    .check = &check_left_at_end<group>,
 };
 
-namespace {
-
-void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    report_left_at_end(analysis, "conversion and mirroring", reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

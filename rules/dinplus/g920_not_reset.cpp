@@ -1,12 +1,11 @@
 //! DIN634: zero shifts are left switched off.
-#include "analyzer/workspace/program_analysis.hpp"
 #include "rules/dinplus/left_active.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
 
 namespace {
-void check(const ProgramAnalysis& analysis, Reporter& reporter);
+constexpr std::string_view group = "deactivation of zero shifts";
 }
 
 extern const Rule g920_not_reset{
@@ -30,7 +29,6 @@ extern const Rule g920_not_reset{
                         "N12 G701 X300 Z450\n"
                         "N13 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 T12\n"
                          "N11 G921\n"
@@ -40,14 +38,7 @@ extern const Rule g920_not_reset{
                          "END\n"}},
     .alarms = {},
     .sources = {"SEED-003:12741", "SEED-003:18155-18163", "SEED-003:18391-18397"},
-    .check = &check,
+    .check = &check_left_at_end<group>,
 };
 
-namespace {
-
-void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    report_left_at_end(analysis, "deactivation of zero shifts", reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

@@ -39,7 +39,6 @@ extern const Rule if_unbalanced{
                         "N11 ENDIF\n"
                         "N12 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 INPUT(\"Diameter\",#l1)\n"
                          "N11 IF #l1>60\n"

@@ -54,12 +54,6 @@ bool lasts_until(const ProgramAnalysis& analysis, GroupId group, const dataflow:
     return dataflow::can_follow(analysis.program(), analysis.graph(), analysis.data(), set, node, setting);
 }
 
-bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
-                    const dataflow::ModalPart& part) {
-    const auto code = own_code(analysis, part);
-    return code && code != group.cancel && std::ranges::find(group.customary, *code) == group.customary.end();
-}
-
 std::vector<Leftover> left_at_return(const ProgramAnalysis& analysis) {
     if (analysis.is_main()) return {};
     return find_leftovers(
@@ -90,7 +84,7 @@ std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId id, d
 void report_left_at_end(const ProgramAnalysis& analysis, std::string_view group, Reporter& reporter) {
     const auto leftover = left_at_end(analysis, group);
     if (!leftover) return;
-    report_leftover(analysis, reporter, *leftover, leftover->on_every_way ? "every-way" : "some-ways",
+    report_leftover(analysis, reporter, *leftover,
                     words_of(analysis, leftover->group, *own_code(analysis, leftover->part)));
 }
 

@@ -22,12 +22,14 @@ namespace maclint::rules {
 /// Reports what `left_at_end` finds: the arguments are the code and what cancels it.
 void report_left_at_end(const ProgramAnalysis& analysis, std::string_view group, Reporter& reporter);
 
+/// The check of rules that do nothing else.
+template<const std::string_view& group>
+void check_left_at_end(const ProgramAnalysis& analysis, Reporter& reporter) {
+    report_left_at_end(analysis, group, reporter);
+}
+
 /// The code that switched it on and what cancels it: "G42", "G40".
 [[nodiscard]] std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId id, double code);
-
-/// Whether the part is a code of this program's own that is no customary one of its group.
-[[nodiscard]] bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
-                                  const dataflow::ModalPart& part);
 
 /// Whether some way that can be taken leads from the block that set the part to the node, with the group left
 /// alone in between.

@@ -37,7 +37,6 @@ extern const Rule loop_variable_uninitialised{
                         "N14 ENDWHILE\n"
                         "N15 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 #c4=0\n"
                          "N11 WHILE #c4<10\n"

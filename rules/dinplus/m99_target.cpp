@@ -33,7 +33,6 @@ extern const Rule m99_target{
                         "N30 G0 X0 Z2\n"
                         "N40 M99 NS15\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 G14 Q0\n"
                          "N20 T1\n"

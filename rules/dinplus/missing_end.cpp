@@ -30,7 +30,6 @@ extern const Rule missing_end{
                         "MACHINING\n"
                         "N10 G14 Q0\n"
                         "N20 M30\n"}},
-    .also = {},
     .good = {{"dinplus", "%PIN.nc\n"
                          "MACHINING\n"
                          "N10 G14 Q0\n"

@@ -28,7 +28,6 @@ extern const Rule missing_machining{
     .bad = {{"dinplus", "BLANK\n"
                         "N1 G20 X50 Z80\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "BLANK\n"
                          "N1 G20 X50 Z80\n"
                          "MACHINING\n"

@@ -49,7 +49,6 @@ extern const Rule radius_comp_not_cancelled{
                         "N14 G0 X36 Z5\n"
                         "N15 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 T2\n"
                          "N11 G0 X18 Z3\n"
@@ -101,8 +100,9 @@ void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const datafl
     words.push_back(quoted(analysis.program(), there));
     words.push_back(line_number(analysis.file(), there.begin));
     Finding& finding = reporter.report(analysis.file(), span, "tool", std::move(words));
-    trace(finding, analysis, part.origin, "the compensation is switched on", node_of(analysis, part.origin),
-          "it moves every later position");
+    const flow::NodeId set = node_of(analysis, part.origin);
+    trace(finding, analysis, set, "the compensation is switched on here");
+    tell_way_on(finding, analysis, set, change.node);
     finding.related.push_back(remark_at_effect(analysis, change.effect, "it is still active here"));
 }
 

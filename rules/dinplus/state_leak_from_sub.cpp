@@ -33,7 +33,6 @@ extern const Rule state_leak_from_sub{
                         "N3 G1 Z-18\n"
                         "N4 G0 X60\n"
                         "RETURN\n"}},
-    .also = {},
     .good = {{"dinplus", "%SEAT.ncs\n"
                          "MACHINING\n"
                          "N1 G0 X40 Z2\n"
@@ -52,7 +51,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const Leftover& leftover : left_at_return(analysis))
-        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+        report_leftover(analysis, reporter, leftover,
                         words_of(analysis, leftover.group, *own_code(analysis, leftover.part)));
 }
 

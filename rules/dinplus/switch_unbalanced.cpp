@@ -42,7 +42,6 @@ extern const Rule switch_unbalanced{
                         "N14 ENDSWITCH\n"
                         "N15 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 INPUT(\"Size\",#l1)\n"
                          "N11 SWITCH #l1\n"

@@ -1,12 +1,7 @@
 //! DIN402: an IF that no THEN follows.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule then_missing{
     .code = "DIN402",
@@ -27,7 +22,6 @@ extern const Rule then_missing{
                         "N13 ENDIF\n"
                         "N14 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 INPUT(\"Diameter\",#l1)\n"
                          "N11 IF #l1>60\n"
@@ -38,14 +32,7 @@ extern const Rule then_missing{
                          "END\n"}},
     .alarms = {},
     .sources = {"SEED-003:19643-19645"},
-    .check = &check,
+    .check = Irregular::then_missing,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::then_missing, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

@@ -1,4 +1,5 @@
 //! DIN330: a transfer value that some caller leaves out is used without asking.
+#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -49,7 +50,6 @@ extern const Rule transfer_value_unchecked{
                         "N24 ENDIF\n"
                         "RETURN\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 L\"CHAMFER\" LA50\n"
                          "N12 M30\n"
@@ -79,13 +79,16 @@ const Caller* caller_without(const ProgramAnalysis& analysis, Place formal) {
     return nullptr;
 }
 
-/// A value that nothing has asked for on the way here. Languages that tell vacant from 0 in every comparison
-/// have rules of their own.
+/// A value that nothing has asked for on the way here, or beside it in its condition: nobody knows whether
+/// IF NDEF(__ld) OR (#__ld==0) still looks at what decides nothing any more. Languages that tell vacant from
+/// 0 in every comparison have rules of their own.
 bool is_unchecked(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     const auto& formals = analysis.control().formals;
     return analysis.control().spaces[read.place.space].unset == Unset::undefined &&
            read.use != dataflow::Use::vacancy_test && read.value.vacancy == dataflow::Vacancy::maybe &&
-           std::ranges::find(formals, read.place) != formals.end();
+           std::ranges::find(formals, read.place) != formals.end() &&
+           !dataflow::asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node,
+                                       read.place);
 }
 
 /// The comparison with 0 that the read is a side of.

@@ -1,12 +1,7 @@
 //! DIN331: #__xx of which no call can pass a value.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule transfer_value_unknown{
     .code = "DIN331",
@@ -26,21 +21,13 @@ extern const Rule transfer_value_unknown{
                         "MACHINING\n"
                         "N1 G4 F#__lg\n"
                         "RETURN\n"}},
-    .also = {},
     .good = {{"dinplus", "%DWELL.ncs\n"
                          "MACHINING\n"
                          "N1 G4 F#__lh\n"
                          "RETURN\n"}},
     .alarms = {},
     .sources = {"SEED-003:19937", "SEED-003:8527-8554"},
-    .check = &check,
+    .check = Irregular::unknown_transfer_value,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::unknown_transfer_value, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

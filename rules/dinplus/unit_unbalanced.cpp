@@ -15,8 +15,7 @@ extern const Rule unit_unbalanced{
     .name = "unit-unbalanced",
     .aliases = "",
     .summary = "UNIT without END_OF_UNIT, a unit inside a unit, or END_OF_UNIT without UNIT",
-    .why = "smart.Turn reads a unit up to its END_OF_UNIT: it takes what follows for a part of it, and "
-           "overwrites it when the form is saved.",
+    .why = "A unit reaches up to its END_OF_UNIT: without it, what follows counts as a part of the unit.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .on_by_default = true,
@@ -47,7 +46,6 @@ extern const Rule unit_unbalanced{
                         "N6 END_OF_UNIT\n"
                         "N7 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N1 UNIT ID\"START\"\n"
                          "N3 G26 S3000\n"

@@ -37,7 +37,6 @@ extern const Rule while_unbalanced{
                         "N11 ENDWHILE\n"
                         "N12 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"dinplus", "MACHINING\n"
                          "N10 #l1=0\n"
                          "N11 WHILE #l1<5\n"

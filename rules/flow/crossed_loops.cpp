@@ -37,7 +37,6 @@ extern const Rule crossed_loops{
                       "END1\n"
                       "END2\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9316(GRID)\n"
                        "#100=0\n"
                        "#101=0\n"

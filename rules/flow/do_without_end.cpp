@@ -31,7 +31,6 @@ extern const Rule do_without_end{
                       "WHILE[#100LT5]DO1\n"
                       "#100=#100+1\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9312(ROW)\n"
                        "#100=0\n"
                        "WHILE[#100LT5]DO1\n"

@@ -29,7 +29,6 @@ extern const Rule do_without_while{
                       "G0 X100.\n"
                       "END1\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9318(WARM UP)\n"
                        "#100=0\n"
                        "DO1\n"

@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -29,12 +30,15 @@ extern const Rule duplicate_sequence_number{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages =
-        {{"taken",
-          "N{0} stands twice, and '{1}' takes the one in line {2}, the next behind it. Give one of them "
-          "another number."},
-         {"plain", "N{0} stands twice, and '{1}' leads to it: which block is taken depends on where the "
-                   "search starts. Give one of them another number."}},
+    .messages = {{"behind",
+                  "N{0} stands {2}, and '{1}' takes the one in line {3}, the next behind it. Give each block "
+                  "a number of its own."},
+                 {"from-the-top",
+                  "N{0} stands {2}, and '{1}' takes the one in line {3}, the first of the program, as "
+                  "none is behind it. Give each block a number of its own."},
+                 {"plain",
+                  "N{0} stands {2}, and '{1}' leads to it: which block is taken depends on where the search "
+                  "starts. Give each block a number of its own."}},
     .bad = {{"fanuc", "O9462(TWO)\n"
                       "IF[#100EQ1]GOTO20\n"
                       "N20 G0 X1.\n"
@@ -48,7 +52,6 @@ extern const Rule duplicate_sequence_number{
                         "N10 G810 NS2 NE2 P2\n"
                         "N20 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9462(TWO)\n"
                        "IF[#100EQ1]GOTO20\n"
                        "N20 G0 X1.\n"
@@ -76,19 +79,24 @@ const flow::Label* taken_by(const ProgramAnalysis& analysis, EffectId jump) {
     return found == jumps.end() || !found->target ? nullptr : &*found->target;
 }
 
-void report(const ProgramAnalysis& analysis, Reporter& reporter, std::int64_t number, Span second, Span first,
-            EffectId user) {
+/// One finding for all blocks of a number, at the second of them.
+void report(const ProgramAnalysis& analysis, Reporter& reporter, std::int64_t number,
+            std::span<const Span> blocks, EffectId user) {
     const Span span = analysis.program().effects[user].span;
-    std::vector<std::string> words{std::to_string(number), quoted(analysis.program(), span)};
-    const flow::Label* taken = taken_by(analysis, user);
-    if (taken != nullptr) words.push_back(line_number(analysis.file(), taken->span.begin));
-    Finding& finding =
-        reporter.report(analysis.file(), second, taken != nullptr ? "taken" : "plain", std::move(words));
-    finding.related.push_back({&analysis.file(), first, "the same number stands here"});
+    std::vector<std::string> words{std::to_string(number), quoted(analysis.program(), span),
+                                   blocks.size() == 2 ? "twice" : std::to_string(blocks.size()) + " times"};
+    std::string_view message = "plain";
+    if (const flow::Label* taken = taken_by(analysis, user)) {
+        words.push_back(line_number(analysis.file(), taken->span.begin));
+        message = taken->span.begin > span.begin ? "behind" : "from-the-top";
+    }
+    Finding& finding = reporter.report(analysis.file(), blocks[1], message, std::move(words));
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        if (i != 1) finding.related.push_back({&analysis.file(), blocks[i], "the same number stands here"});
     finding.related.push_back(remark_at_effect(analysis, user, "this leads to it"));
 }
 
-/// Two blocks of the sections in which a reference or a restart is looked for.
+/// Blocks of the sections in which a reference or a restart is looked for.
 void check_references(const ProgramAnalysis& analysis, Reporter& reporter) {
     using Wanted = std::pair<std::int64_t, SectionKind::Role>;
     std::map<Wanted, EffectId> users;
@@ -97,28 +105,26 @@ void check_references(const ProgramAnalysis& analysis, Reporter& reporter) {
         users.emplace(Wanted(user.number, user.target), user.effect);
         numbers.insert(user.number);
     }
-    std::map<Wanted, Span> seen;
+    std::map<Wanted, std::vector<Span>> found;
     for (const NumberedBlock& block : find_blocks(analysis.file(), numbers)) {
         if (block.section == nullptr) continue;
         const Wanted wanted(block.number, block.section->role);
-        const auto user = users.find(wanted);
-        if (user == users.end()) continue;
-        const auto [first, is_first] = seen.emplace(wanted, block.number_span);
-        if (!is_first)
-            report(analysis, reporter, block.number, block.number_span, first->second, user->second);
+        if (users.contains(wanted)) found[wanted].push_back(block.number_span);
     }
+    for (const auto& [wanted, blocks] : found)
+        if (blocks.size() > 1) report(analysis, reporter, wanted.first, blocks, users.at(wanted));
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     check_references(analysis, reporter);
     const auto& labels = analysis.graph().labels; // equal numbers stand together
-    std::optional<EffectId> user;
-    for (std::size_t i = 1; i < labels.size(); ++i) {
-        if (labels[i].number != labels[i - 1].number) continue;
-        if (i < 2 || labels[i - 2].number != labels[i].number)
-            user = analysis.user_of_label(labels[i].number);
-        if (!user) continue;
-        report(analysis, reporter, labels[i].number, labels[i].span, labels[i - 1].span, *user);
+    for (auto first = labels.begin(); first != labels.end();) {
+        const std::int64_t number = first->number;
+        std::vector<Span> blocks;
+        for (; first != labels.end() && first->number == number; ++first) blocks.push_back(first->span);
+        if (blocks.size() == 1) continue;
+        if (const auto user = analysis.user_of_label(number))
+            report(analysis, reporter, number, blocks, *user);
     }
 }
 

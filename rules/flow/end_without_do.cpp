@@ -27,7 +27,6 @@ extern const Rule end_without_do{
                       "#100=5\n"
                       "END1\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9313(ROW)\n"
                        "#100=0\n"
                        "WHILE[#100LT5]DO1\n"
@@ -35,7 +34,7 @@ extern const Rule end_without_do{
                        "END1\n"
                        "M30\n"}},
     .alarms = {{"FANUC 30i/0i-D", "1124", "MISSING DO STATEMENT"},
-               {"FANUC 16i/18i/21i", "126", "ILLEGAL LOOP NUMBER"}},
+               {"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"}},
     .sources = {"GH-ALM"},
     .check = &check,
 };

@@ -32,7 +32,6 @@ extern const Rule endless_jump_loop{
                       "G0 X100.\n"
                       "GOTO10\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9336(WAIT)\n"
                        "#100=0\n"
                        "N10 G0 X0\n"

@@ -49,7 +49,6 @@ extern const Rule infinite_loop_step{
                         "N60 ENDWHILE\n"
                         "N70 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9320(DEPTH PASSES, Z DEPTH K STEP)\n"
                        "IF[#6LE0]GOTO9\n"
                        "#33=0\n"

@@ -50,7 +50,6 @@ extern const Rule infinite_loop_unchanged{
                         "N70 ENDWHILE\n"
                         "N80 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9319(ROWS)\n"
                        "#33=0\n"
                        "WHILE[#33LT5]DO1\n"

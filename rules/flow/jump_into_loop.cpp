@@ -36,7 +36,6 @@ extern const Rule jump_into_loop{
                       "#100=#100+1\n"
                       "END1\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9303(ROW)\n"
                        "#100=0\n"
                        "IF[#101EQ1]GOTO20\n"

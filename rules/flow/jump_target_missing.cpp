@@ -37,7 +37,6 @@ extern const Rule jump_target_missing{
                       "IF[#100EQ1]GOTO70\n"
                       "#100=1\n"
                       "N7 M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9301(CHECK)\n"
                        "IF[#100EQ1]GOTO70\n"
                        "#100=1\n"
@@ -52,10 +51,10 @@ extern const Rule jump_target_missing{
 
 namespace {
 
-/// The 30i takes the longest ones; N0 is wrong, but some controls find it.
+/// The 30i takes the longest ones. Some controls find N0, but nobody should be told to write it.
 bool can_exist(std::int64_t number) {
     constexpr std::int64_t greatest = 99'999'999;
-    return number >= 0 && number <= greatest;
+    return number >= 1 && number <= greatest;
 }
 
 std::string number_word(double number) { return std::to_string(static_cast<long long>(number)); }

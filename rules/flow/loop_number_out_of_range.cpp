@@ -30,7 +30,6 @@ extern const Rule loop_number_out_of_range{
                       "#100=#100+1\n"
                       "END4\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9314(ROW)\n"
                        "#100=0\n"
                        "WHILE[#100LT5]DO3\n"

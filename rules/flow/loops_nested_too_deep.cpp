@@ -44,7 +44,6 @@ extern const Rule loops_nested_too_deep{
                       "END2\n"
                       "END1\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9315(BLOCK)\n"
                        "#100=0\n"
                        "#101=0\n"

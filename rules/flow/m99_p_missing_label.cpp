@@ -24,7 +24,10 @@ extern const Rule m99_p_missing_label{
     .data_flow = true,
     .messages = {{"plain",
                   "'{0}' returns to N{1}, which the caller {2} does not have. Add the sequence number "
-                  "there, or return without P."}},
+                  "there, or return without P."},
+                 {"uncalled",
+                  "Nobody calls this program, so that '{0}' goes on at its own N{1}, which it does "
+                  "not have. Add the sequence number, or correct it."}},
     .bad = {{"fanuc", "O0001(MAIN)\n"
                       "M98P9333\n"
                       "N50 M30\n"
@@ -32,7 +35,6 @@ extern const Rule m99_p_missing_label{
                       "IF[#100EQ1]GOTO1\n"
                       "M99P500\n"
                       "N1 M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O0001(MAIN)\n"
                        "M98P9333\n"
                        "N50 M30\n"
@@ -41,7 +43,7 @@ extern const Rule m99_p_missing_label{
                        "M99P50\n"
                        "N1 M99\n"}},
     .alarms = {{"FANUC 30i/0i-D", "078", "SEQUENCE NUMBER NOT FOUND"},
-               {"FANUC 16i/18i/21i", "128", "ILLEGAL MACRO SEQUENCE NUMBER"}},
+               {"FANUC 16i/18i/21i", "078", "NUMBER NOT FOUND"}},
     .sources = {"INTELITEK-M99", "GH-ALM"},
     .check = &check,
 };
@@ -58,6 +60,12 @@ const Caller* caller_without(const ProgramAnalysis& analysis, std::int64_t numbe
     return nullptr;
 }
 
+/// Whether all programs are known, and none of them can have called this one.
+bool is_called_by_nobody(const ProgramAnalysis& analysis) {
+    return analysis.workspace().complete() && analysis.callers().empty() &&
+           analysis.possible_callers().empty();
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_recursive()) return;
     const Program& program = analysis.program();
@@ -66,7 +74,14 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Effect& effect = program.effects[*exit.exit.effect];
         const auto& label = std::get<Return>(effect.what).resume_label;
         const auto number = label ? flow::constant_target(program, *label) : std::nullopt;
-        const Caller* caller = number ? caller_without(analysis, *number) : nullptr;
+        if (!number) continue;
+        if (is_called_by_nobody(analysis) && analysis.graph().find_label(*number, 0) == nullptr) {
+            Finding& finding = reporter.report(
+                analysis.file(), effect.span, "uncalled",
+                {quoted(program, effect.span), quoted(program, program.expressions[*label].span)});
+            trace(finding, analysis, exit.exit.node, "there is no such sequence number");
+        }
+        const Caller* caller = caller_without(analysis, *number);
         if (caller == nullptr) continue;
         const ProgramAnalysis& calling = analysis.workspace().programs()[caller->program];
         Finding& finding =

@@ -1,12 +1,7 @@
 //! MAC311: WHILE without its DO.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule while_without_do{
     .code = "MAC311",
@@ -26,7 +21,6 @@ extern const Rule while_without_do{
                       "#100=#100+1\n"
                       "END1\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9311(ROW)\n"
                        "#100=0\n"
                        "WHILE[#100LT5]DO1\n"
@@ -36,14 +30,7 @@ extern const Rule while_without_do{
     .alarms = {{"FANUC 16i/18i/21i", "125", "FORMAT ERROR IN MACRO"},
                {"FANUC 30i/0i-D", "1138", "WHILE STATEMENT FORMAT ERROR"}},
     .sources = {"SEED-001:395"},
-    .check = &check,
+    .check = Irregular::loop_without_do,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::loop_without_do, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

@@ -33,7 +33,6 @@ extern const Rule oversized_block{
                   "This block is longer than 4 KiB, so maclint skips it. Check the file for lost "
                   "line ends, or divide the block."}},
     .bad = {{"fanuc", long_block()}},
-    .also = {},
     .good = {{"fanuc", "O0004(SHORT BLOCKS)\n"
                        "G0 X1.5\n"
                        "G0 X3.\n"

@@ -29,7 +29,6 @@ extern const Rule unknown_rule_in_suppression{
                         "N10 G14 Q0 [MACLINT ALLOW DIN410X - house rule]\n"
                         "N20 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O0002(NO ALLOWANCE)\n"
                        "G0 X10.\n"
                        "M30\n"},

@@ -18,7 +18,6 @@ extern const Rule unreadable_file{
     .data_flow = false,
     .messages = {{"not-nc", "This is no NC program but {0}. Name another file, or fetch this one again."}},
     .bad = {{"fanuc", "\x89PNG\r\n\x1A\n\x01\x02\x03\x04"}},
-    .also = {},
     .good = {{"fanuc", "O0003(TEXT)\n"
                        "M30\n"}},
     .alarms = {},

@@ -27,7 +27,6 @@ extern const Rule unused_suppression{
                         "N10 G14 Q0 [MACLINT ALLOW DIN410 - a branch ran on here once]\n"
                         "N20 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O0001(NO ALLOWANCE)\n"
                        "G0 X10.\n"
                        "M30\n"},

@@ -36,7 +36,6 @@ extern const Rule compensation_or_transform_left_active{
                       "G68 X0 Y0 R30.\n"
                       "G1 X20. F200.\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9502(SLOT AT AN ANGLE)\n"
                        "G68 X0 Y0 R30.\n"
                        "G1 X20. F200.\n"
@@ -53,8 +52,7 @@ namespace {
 bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
               const dataflow::ModalPart& part) {
     if (group.concern == Concern::cycle && exit.exit.kind != flow::ExitKind::returns) return false;
-    const auto code = own_code(analysis, part);
-    return code && code != group.cancel && std::ranges::find(group.customary, *code) == group.customary.end();
+    return is_switched_on(analysis, group, part);
 }
 
 std::string cure(const ControlModel& control, const Leftover& leftover) {
@@ -72,8 +70,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         for (const Leftover& leftover : leftovers) {
             const std::string code =
                 analysis.control().spell(leftover.group, *own_code(analysis, leftover.part));
-            report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
-                            {code, cure(analysis.control(), leftover)});
+            report_leftover(analysis, reporter, leftover, {code, cure(analysis.control(), leftover)});
         }
     }
 }

@@ -32,7 +32,6 @@ extern const Rule feed_or_speed_not_restored{
     .bad = {{"fanuc", "O9503(PLUNGE, Z DEPTH F FEED)\n"
                       "G1 Z#26 F#9\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9503(PLUNGE, Z DEPTH F FEED)\n"
                        "#33=#4109\n"
                        "G1 Z#26 F#9\n"
@@ -64,8 +63,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         });
     for (const Leftover& leftover : leftovers) {
         const ModalGroup& group = analysis.control().groups[leftover.group];
-        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
-                        {quoted(analysis.program(), place_of(analysis, leftover)), std::string(group.name),
+        report_leftover(analysis, reporter, leftover,
+                        {word_of(analysis, leftover.group, leftover.part), std::string(group.name),
                          analysis.control().variable_of(leftover.group).value_or("it")});
     }
 }

@@ -90,27 +90,44 @@ std::optional<double> own_code(const ProgramAnalysis& analysis, const dataflow::
     return analysis.data().pool().number_of(part.symbol);
 }
 
+bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
+                    const dataflow::ModalPart& part) {
+    const auto code = own_code(analysis, part);
+    return code && code != group.cancel && std::ranges::find(group.customary, *code) == group.customary.end();
+}
+
+std::string word_of(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part) {
+    const auto code = own_code(analysis, part);
+    const bool plain = analysis.data().origin(part.origin).kind == dataflow::Origin::Kind::run;
+    return plain && code ? analysis.control().spell(group, *code)
+                         : quoted(analysis.program(), span_of(analysis, part));
+}
+
 Span place_of(const ProgramAnalysis& analysis, const Leftover& leftover) {
     return span_of(analysis, leftover.part);
 }
 
-Finding& report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
-                         std::string_view message_id, std::vector<std::string> arguments) {
-    const Span span = place_of(analysis, leftover);
-    Finding& finding = reporter.report(analysis.file(), span, message_id, std::move(arguments));
+void report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
+                     std::vector<std::string> arguments) {
+    report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+                    std::move(arguments));
+}
+
+void report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
+                     std::string_view message_id, std::vector<std::string> arguments) {
+    Finding& finding =
+        reporter.report(analysis.file(), place_of(analysis, leftover), message_id, std::move(arguments));
     const flow::NodeId set = node_of(analysis, leftover.part.origin);
     const flow::Exit& exit = leftover.exit->exit;
     trace(finding, analysis, set,
           "the " + std::string(analysis.control().groups[leftover.group].name) + " is set here");
-    if (set != exit.node)
-        for (Remark& step : way_between(analysis, set, exit.node)) finding.related.push_back(std::move(step));
+    tell_way_on(finding, analysis, set, exit.node);
     const Span end =
         exit.effect ? analysis.program().effects[*exit.effect].span : analysis.graph().nodes[exit.node].part;
     finding.related.push_back({&analysis.file(), end, words_for(exit.kind)});
     if (leftover.aftermath.program != nullptr)
         finding.related.push_back(
             {&leftover.aftermath.program->file(), leftover.aftermath.block, "a caller moves so here"});
-    return finding;
 }
 
 } // namespace maclint::rules

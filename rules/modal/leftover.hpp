@@ -35,11 +35,23 @@ using IsFault =
 [[nodiscard]] std::optional<double> own_code(const ProgramAnalysis& analysis,
                                              const dataflow::ModalPart& part);
 
+/// Whether the part is a code of this program's own that is no customary one of its group.
+[[nodiscard]] bool is_switched_on(const ProgramAnalysis& analysis, const ModalGroup& group,
+                                  const dataflow::ModalPart& part);
+
+/// The word that set the part, for a message: as it is written, or in a plain block, whose words are not
+/// kept, as its group spells it.
+[[nodiscard]] std::string word_of(const ProgramAnalysis& analysis, GroupId group,
+                                  const dataflow::ModalPart& part);
+
 /// The bytes that set the part.
 [[nodiscard]] Span place_of(const ProgramAnalysis& analysis, const Leftover& leftover);
 
 /// Reports the leftover where it was set, with the way there and the way to the exit.
-Finding& report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
-                         std::string_view message_id, std::vector<std::string> arguments);
+void report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
+                     std::string_view message_id, std::vector<std::string> arguments);
+/// The same with the message "every-way" or "some-ways".
+void report_leftover(const ProgramAnalysis& analysis, Reporter& reporter, const Leftover& leftover,
+                     std::vector<std::string> arguments);
 
 } // namespace maclint::rules

@@ -37,7 +37,6 @@ extern const Rule modal_code_as_number{
                       "G90 G0 Y[#3*SIN[#1]]\n"
                       "G#3\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9574(ELLIPSE POINT, A ANGLE D HEIGHT)\n"
                        "#3=#4003\n"
                        "#5=#7/2\n"

@@ -30,7 +30,6 @@ extern const Rule modal_state_forced{
     .bad = {{"fanuc", "O9518(UP)\n"
                       "G90 G0 Z10.\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9518(UP)\n"
                        "#33=#4003\n"
                        "G90 G0 Z10.\n"

@@ -34,7 +34,6 @@ extern const Rule modal_state_not_restored{
     .bad = {{"fanuc", "O9501(ONE STEP UP)\n"
                       "G91 G0 Z10.\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9501(ONE STEP UP)\n"
                        "#33=#4003\n"
                        "G91 G0 Z10.\n"
@@ -63,7 +62,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         });
     for (const Leftover& leftover : leftovers) {
         const std::string code = analysis.control().spell(leftover.group, *own_code(analysis, leftover.part));
-        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+        report_leftover(analysis, reporter, leftover,
                         {code, std::string(analysis.control().groups[leftover.group].name)});
     }
 }

@@ -32,7 +32,6 @@ extern const Rule motion_mode_not_restored{
     .bad = {{"fanuc", "O9504(UP)\n"
                       "G0 Z10.\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9504(UP)\n"
                        "#33=#4001\n"
                        "G0 Z10.\n"
@@ -52,7 +51,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             return exit.exit.kind == flow::ExitKind::returns && own_code(analysis, part).has_value();
         });
     for (const Leftover& leftover : leftovers)
-        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
+        report_leftover(analysis, reporter, leftover,
                         {analysis.control().spell(leftover.group, *own_code(analysis, leftover.part))});
 }
 

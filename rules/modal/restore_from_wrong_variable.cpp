@@ -34,7 +34,6 @@ extern const Rule restore_from_wrong_variable{
                       "G1 Z#26 F#9\n"
                       "F#33\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9505(PLUNGE, Z DEPTH F FEED)\n"
                        "#33=#4109\n"
                        "G1 Z#26 F#9\n"

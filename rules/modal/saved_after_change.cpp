@@ -1,6 +1,7 @@
 //! MAC517: a modal value is saved when the program has already changed it.
 #include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/leftover.hpp"
 #include "rules/modal/saved_state.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -35,7 +36,6 @@ extern const Rule saved_after_change{
                       "G0 Z10.\n"
                       "G#33\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9517(UP)\n"
                        "#33=#4003\n"
                        "G91\n"
@@ -86,11 +86,10 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
             const dataflow::ModalPart& part, const dataflow::ModalWrite& restore) {
     const Program& program = analysis.program();
     const Span span = program.effects[store.effect].span;
-    const Span change = remark_at(analysis, part.origin, {}).span;
-    Finding& finding =
-        reporter.report(analysis.file(), span, "own",
-                        {quoted(program, span), std::string(analysis.control().groups[group].name),
-                         quoted(program, change), quoted(program, program.effects[restore.effect].span)});
+    Finding& finding = reporter.report(
+        analysis.file(), span, "own",
+        {quoted(program, span), std::string(analysis.control().groups[group].name),
+         word_of(analysis, group, part), quoted(program, program.effects[restore.effect].span)});
     trace(finding, analysis, part.origin, "the program changes it here", store.node, "and saves it here");
     finding.related.push_back(
         {&analysis.file(), program.effects[restore.effect].span, "this puts back the program's own value"});

@@ -34,7 +34,6 @@ extern const Rule saved_value_lost{
                       "#33=#5003+#6\n"
                       "G#33\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9506(UP, K STEP)\n"
                        "#33=#4003\n"
                        "G91 G0 Z#6\n"
@@ -49,12 +48,18 @@ extern const Rule saved_value_lost{
 
 namespace {
 
+struct Saved {
+    CopySource source;
+    flow::NodeId node; ///< in which the variable got it
+};
+
 /// The modal value that the variable held just before the assignment, when it was a saved one.
-std::optional<CopySource> saved_before(const ProgramAnalysis& analysis, const dataflow::Store& store) {
+std::optional<Saved> saved_before(const ProgramAnalysis& analysis, const dataflow::Store& store) {
     const dataflow::Store* save = store_of(analysis, store.old);
     if (save == nullptr) return std::nullopt;
     const auto source = copy_source(analysis, save->expression, save->value);
-    return source && source->group ? source : std::nullopt;
+    if (!source || !source->group) return std::nullopt;
+    return Saved{*source, save->node};
 }
 
 /// Whether the word would have put the saved value back.
@@ -86,17 +91,17 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto source = copy_source(analysis, store->expression, store->value);
         if (source && source->group) continue; // saved anew
         const auto saved = saved_before(analysis, *store);
-        if (!saved || !would_restore(analysis, write, *saved->group)) continue;
+        if (!saved || !would_restore(analysis, write, *saved->source.group)) continue;
         if (write.stated && is_computed_from(analysis, *store)) continue;
-        if (is_put_back(analysis, *place, saved->expression)) continue;
+        if (is_put_back(analysis, *place, saved->source.expression)) continue;
         const Span span = program.effects[store->effect].span;
         const Span word = program.effects[write.effect].span;
         Finding& finding = reporter.report(analysis.file(), span, "overwritten",
                                            {quoted(program, span),
-                                            std::string(analysis.control().groups[*saved->group].name),
+                                            std::string(analysis.control().groups[*saved->source.group].name),
                                             program.spell(*place), quoted(program, word)});
-        trace(finding, analysis, 0,
-              {&analysis.file(), program.expressions[saved->expression].span, "it is saved here"},
+        trace(finding, analysis, saved->node,
+              {&analysis.file(), program.expressions[saved->source.expression].span, "it is saved here"},
               store->node, "and overwritten here");
         finding.related.push_back({&analysis.file(), word, "this word should put the saved value back"});
     }

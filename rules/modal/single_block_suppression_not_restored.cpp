@@ -34,7 +34,6 @@ extern const Rule single_block_suppression_not_restored{
                       "#3003=1\n"
                       "G0 Z10.\n"
                       "M99\n"}},
-    .also = {},
     .good = {{"fanuc", "O9515(UP WITHOUT A STOP)\n"
                        "#3003=1\n"
                        "G0 Z10.\n"
@@ -54,8 +53,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             return code && std::ranges::find(group.customary, *code) == group.customary.end();
         });
     for (const Leftover& leftover : leftovers)
-        report_leftover(analysis, reporter, leftover, leftover.on_every_way ? "every-way" : "some-ways",
-                        {quoted(analysis.program(), place_of(analysis, leftover)),
+        report_leftover(analysis, reporter, leftover,
+                        {word_of(analysis, leftover.group, leftover.part),
                          std::string(analysis.control().groups[leftover.group].name)});
 }
 

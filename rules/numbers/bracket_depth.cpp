@@ -1,28 +1,26 @@
 //! MAC701: more bracket levels than the control has.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule bracket_depth{
     .code = "MAC701",
     .name = "bracket-depth",
     .aliases = "DIN325",
     .summary = "Brackets are nested deeper than the control allows, those of functions included",
-    .why = "The control stops with an alarm when it reaches the block.",
+    .why = "A Fanuc control stops with an alarm when it reaches the block. The manual of DIN PLUS prints a "
+           "limit "
+           "of six in unclear words, and not what happens beyond it.",
     .severity = Severity::error,
     .severity_elsewhere = {{"dinplus", Severity::note}},
     .precision = Precision::very_high,
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"plain",
-                  "'{0}' opens one bracket level too many for the control, which stops here. Compute a "
-                  "part of the expression in a block before."}},
+    .messages =
+        {{"plain",
+          "'{0}' opens one bracket level more than the manual of the control allows. Compute a part of "
+          "the expression in a block before."}},
     .bad = {{"fanuc", "O9701(DEEP)\n"
                       "#100=SIN[[[[[[#101]]]]]]\n"
                       "M30\n"},
@@ -32,7 +30,6 @@ extern const Rule bracket_depth{
                         "N30 PRINT(\"Feed\",#l4)\n"
                         "N40 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9701(DEEP)\n"
                        "#100=SIN[[[[#101]]]]\n"
                        "M30\n"},
@@ -45,15 +42,8 @@ extern const Rule bracket_depth{
                          "END\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "118", "PARENTHESIS NESTING ERROR"},
                {"FANUC 30i/0i-D", "118", "TOO MANY BRACKET NESTING"}},
-    .sources = {"MAN-16C287", "NCT-188"},
-    .check = &check,
+    .sources = {"MAN-16C287", "NCT-188", "SEED-003:18887"},
+    .check = Irregular::bracket_depth,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::bracket_depth, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

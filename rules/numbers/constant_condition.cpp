@@ -1,7 +1,7 @@
 //! MAC718: a condition that always holds or never does.
 #include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/numbers/surroundings.hpp"
+#include "rules/numbers/deliberate_conditions.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -60,7 +60,6 @@ extern const Rule constant_condition{
                         "N40 ENDWHILE\n"
                         "N50 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9718(LEVELS, K LEVEL)\n"
                        "IF[#6GT10]GOTO2\n"
                        "IF[#6GT5]GOTO1\n"
@@ -143,7 +142,7 @@ bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& cond
 }
 
 bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
-               const Surroundings& surroundings) {
+               const DeliberateConditions& deliberate) {
     const Program& program = analysis.program();
     const bool always = condition.truth.can_hold;
     // Where a jump can leave it, a loop without a way out is MAC319's.
@@ -152,9 +151,9 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
     const Sides sides = sides_of(analysis, condition);
     const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
     if (sides.open) return true;
-    if (sides.constant) return !surroundings.depends_on_settings(reads);
-    if (only_clamps(analysis, condition, reads) || surroundings.repeats_another(condition)) return false;
-    if (surroundings.reads_setting(reads)) return false;
+    if (sides.constant) return !deliberate.depends_on_settings(reads);
+    if (only_clamps(analysis, condition, reads) || deliberate.repeats_another(condition)) return false;
+    if (deliberate.reads_setting(reads)) return false;
     // What is left over after all other cases were tested may be tested once more.
     return !always && !sides.vacant;
 }
@@ -162,12 +161,12 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     if (analysis.structures().balance_in_doubt) return; // a loop that cannot be read may repeat the block
-    std::optional<Surroundings> surroundings;           // most programs have no such condition
+    std::optional<DeliberateConditions> deliberate;     // most programs have no such condition
     for (const dataflow::Condition& condition : analysis.facts().conditions) {
         const dataflow::Truth truth = condition.truth;
         if (truth.can_hold == truth.can_fail) continue;
-        if (!surroundings) surroundings.emplace(analysis);
-        if (!is_defect(analysis, condition, *surroundings)) continue;
+        if (!deliberate) deliberate.emplace(analysis);
+        if (!is_defect(analysis, condition, *deliberate)) continue;
         const Span span = program.expressions[condition.expression].span;
         Finding& finding = reporter.report(analysis.file(), span, truth.can_hold ? "always" : "never",
                                            {quoted(program, span)});

@@ -53,7 +53,6 @@ extern const Rule float_equality{
                         "N60 ENDIF\n"
                         "N70 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9710(HALF A TURN, A ANGLE)\n"
                        "#33=#1/3\n"
                        "IF[ABS[#33-60]LT0.001]GOTO9\n"

@@ -26,7 +26,10 @@ extern const Rule float_loop_counter{
     .data_flow = true,
     .messages = {{"step", "'{0}' adds a rounding error in every pass, and '{1}' decides on the last one: "
                           "that pass may be missing or come once too often. Count whole passes, or add "
-                          "half a step to the bound."}},
+                          "half a step to the bound."},
+                 {"never-met", "'{0}' adds a rounding error in every pass, so that the counter may never be "
+                               "exactly the bound of '{1}'. Ask whether the bound is passed, not whether it "
+                               "is met."}},
     .bad = {{"fanuc", "O9711(ROWS)\n"
                       "#33=0\n"
                       "WHILE[#33LE1]DO1\n"
@@ -42,7 +45,6 @@ extern const Rule float_loop_counter{
                         "N50 ENDWHILE\n"
                         "N60 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9711(ROWS)\n"
                        "#33=0\n"
                        "WHILE[#33LE10]DO1\n"
@@ -70,10 +72,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const InexactCounter& counter : find_inexact_counters(analysis)) {
         const dataflow::Store& step = *counter.step;
         const Span span = program.effects[step.effect].span;
-        const dataflow::Comparison& test = *counter.tests.front();
-        const Span decides = program.expressions[test.expression].span;
-        Finding& finding =
-            reporter.report(analysis.file(), span, "step", {quoted(program, span), quoted(program, decides)});
+        const Span decides = program.expressions[counter.decisive->comparison->expression].span;
+        Finding& finding = reporter.report(analysis.file(), span, counter.must_meet() ? "never-met" : "step",
+                                           {quoted(program, span), quoted(program, decides)});
         if (step.step->amount.rounding != 0)
             trace(finding, analysis, step.step->amount.rounding, "the step is rounded here", step.node,
                   "and added in every pass");

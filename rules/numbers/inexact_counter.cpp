@@ -1,6 +1,8 @@
 //! Which loop counters are inexact, and when that is of no consequence.
 #include "rules/numbers/inexact_counter.hpp"
 
+#include "analyzer/dataflow/ways.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,41 +18,54 @@ bool is_inexact_step(const ProgramAnalysis& analysis, const dataflow::Value& amo
            static_cast<Operation>(symbol.a) == Operation::divide;
 }
 
-/// The number that the counter has before the loop; 0 when it is not known.
-double start_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop, Place place) {
-    for (const dataflow::Store& store : analysis.facts().stores)
-        if (store.place == place && !loop.holds(store.node))
-            if (const auto number = store.value.constant()) return *number;
-    return 0;
+/// The numbers that the counter can have before the loop, as far as they are known.
+std::vector<double> starts_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop, Place place) {
+    std::vector<double> starts;
+    for (const dataflow::Store* store :
+         dataflow::last_stores_before(analysis.graph(), analysis.data(), place, loop))
+        if (const auto number = store->value.constant()) starts.push_back(*number);
+    if (starts.empty()) starts.push_back(0);
+    return starts;
 }
 
 /// The bound stands between two steps, so that no error can reach it: WHILE[#1LT1.05] with steps of 0.1.
-bool has_room(const dataflow::CounterTest& test, double start, double step) {
-    const auto bound = test.bound_value->constant();
-    if (!bound || step == 0) return false;
-    const double steps = (*bound - start) / step;
+bool has_room(double bound, double start, double step) {
+    const double steps = (bound - start) / step;
     constexpr double room = 0.01;
     return std::abs(steps - std::round(steps)) > room;
 }
 
-/// [#2+0.001]: somebody thought of it.
-bool adds_tolerance(const Program& program, ExpressionId bound) {
+/// [#2+0.001]: somebody thought of it. What is no part of a step is no tolerance.
+bool adds_tolerance(const Program& program, ExpressionId bound, double step) {
     const auto* apply = std::get_if<Apply>(&program.expressions[bound].node);
     if (apply == nullptr || (apply->operation != Operation::add && apply->operation != Operation::subtract))
         return false;
     return std::ranges::any_of(program.operands_of(*apply), [&](ExpressionId operand) {
         const auto* literal = std::get_if<Literal>(&program.expressions[operand].node);
-        return literal != nullptr && literal->value != 0 && std::abs(literal->value) < 1;
+        return literal != nullptr && literal->value != 0 && std::abs(literal->value) < step;
     });
 }
 
-bool is_risky(const ProgramAnalysis& analysis, const dataflow::Loop& loop, const dataflow::Counter& counter) {
-    const double start = start_of(analysis, loop, counter.place);
-    return std::ranges::any_of(counter.tests, [&](const dataflow::CounterTest& test) {
-        if (adds_tolerance(analysis.program(), test.bound)) return false;
-        const auto step = counter.steps.front()->step->amount.constant();
-        return !step || !has_room(test, start, *step);
+/// Whether an error in the counter can decide for another pass or against it.
+bool is_risky(const ProgramAnalysis& analysis, const dataflow::Loop& loop, const dataflow::Counter& counter,
+              const dataflow::CounterTest& test) {
+    if (test.stays == Operation::equal) return false; // ends after a round, whatever the counter is
+    if (test.stays == Operation::not_equal) return true;
+    const auto step = counter.steps.front()->step->amount.constant();
+    constexpr double usual_step = 1; // of one that only the running program knows
+    if (adds_tolerance(analysis.program(), test.bound, step ? std::abs(*step) : usual_step)) return false;
+    const auto bound = test.bound_value->constant();
+    if (!bound || !step || *step == 0) return true;
+    return !std::ranges::all_of(starts_of(analysis, loop, counter.place),
+                                [&](double start) { return has_room(*bound, start, *step); });
+}
+
+const dataflow::CounterTest* decisive_test(const ProgramAnalysis& analysis, const dataflow::Loop& loop,
+                                           const dataflow::Counter& counter) {
+    const auto found = std::ranges::find_if(counter.tests, [&](const dataflow::CounterTest& test) {
+        return is_risky(analysis, loop, counter, test);
     });
+    return found == counter.tests.end() ? nullptr : &*found;
 }
 
 } // namespace
@@ -63,9 +78,11 @@ std::vector<InexactCounter> find_inexact_counters(const ProgramAnalysis& analysi
         const auto inexact = std::ranges::find_if(counter->steps, [&](const dataflow::Store* store) {
             return is_inexact_step(analysis, store->step->amount);
         });
-        if (inexact == counter->steps.end() || !is_risky(analysis, loop, *counter)) continue;
+        if (inexact == counter->steps.end()) continue;
+        const dataflow::CounterTest* decisive = decisive_test(analysis, loop, *counter);
+        if (decisive == nullptr) continue;
         if (std::ranges::find(found, *inexact, &InexactCounter::step) != found.end()) continue;
-        InexactCounter one{*inexact, {}};
+        InexactCounter one{*inexact, decisive, {}};
         for (const dataflow::CounterTest& test : counter->tests) one.tests.push_back(test.comparison);
         found.push_back(std::move(one));
     }

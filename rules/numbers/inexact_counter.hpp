@@ -10,7 +10,11 @@ namespace maclint::rules {
 /// A loop whose end depends on a sum of inexact steps.
 struct InexactCounter {
     const dataflow::Store* step;
+    const dataflow::CounterTest* decisive;          ///< the first of its tests that an error can turn
     std::vector<const dataflow::Comparison*> tests; ///< at least one
+
+    /// The loop goes on until the counter is exactly its bound.
+    [[nodiscard]] bool must_meet() const { return decisive->stays == Operation::not_equal; }
 };
 
 /// Each step once. Not: counters that are clamped to their bound, and bounds that lie between two steps.

@@ -1,12 +1,7 @@
 //! MAC117: brackets that do not pair.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule bracket_mismatch{
     .code = "MAC117",
@@ -29,7 +24,6 @@ extern const Rule bracket_mismatch{
                         "N20 G0 X(#l1+2*(3-1) Z2\n"
                         "N30 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9117(DEPTH)\n"
                        "#100=[#101+2]*[#102-1]\n"
                        "M30\n"},
@@ -43,14 +37,7 @@ extern const Rule bracket_mismatch{
                {"FANUC 30i/0i-D", "1132", "MISSING CLOSE BRACKET"},
                {"NCT", "3064", "BAD MACRO STATEMENT"}},
     .sources = {"GH-ALM", "NCT-188"},
-    .check = &check,
+    .check = Irregular::bracket_mismatch,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::bracket_mismatch, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

@@ -1,12 +1,7 @@
 //! MAC116: ( ) where an expression needs [ ].
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule parenthesis_as_bracket{
     .code = "MAC116",
@@ -27,21 +22,13 @@ extern const Rule parenthesis_as_bracket{
     .bad = {{"fanuc", "O9116(ANGLE)\n"
                       "#100=SIN(30)\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9116(ANGLE)\n"
                        "#100=SIN[30]\n"
                        "M30\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 16i/18i/21i", "005", "NO DATA AFTER ADDRESS"}},
     .sources = {"SEED-001:284", "MAN-16C287", "SINHA-EXP"},
-    .check = &check,
+    .check = Irregular::parenthesis_as_bracket,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::parenthesis_as_bracket, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

@@ -1,12 +1,7 @@
 //! MAC119: a comparison written with signs.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule symbolic_comparison{
     .code = "MAC119",
@@ -26,21 +21,13 @@ extern const Rule symbolic_comparison{
                       "IF[#100=2]GOTO5\n"
                       "#100=2\n"
                       "N5 M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9119(CHOICE)\n"
                        "IF[#100EQ2]GOTO5\n"
                        "#100=2\n"
                        "N5 M30\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"}},
     .sources = {"IMD-MAXZ"},
-    .check = &check,
+    .check = Irregular::symbolic_comparison,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::symbolic_comparison, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

@@ -36,7 +36,6 @@ extern const Rule unknown_keyword{
                         "N14 ENDIF\n"
                         "N15 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9118(DEPTH)\n"
                        "IF[#100LE5]GOTO10\n"
                        "#100=5\n"

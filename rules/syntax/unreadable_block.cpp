@@ -1,12 +1,7 @@
 //! MAC121: a block that makes no sense to the control.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule unreadable_block{
     .code = "MAC121",
@@ -25,21 +20,13 @@ extern const Rule unreadable_block{
     .bad = {{"fanuc", "O9121(POINT)\n"
                       "G1 X5. Y? F100\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9121(POINT)\n"
                        "G1 X5. Y10. F100\n"
                        "M30\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 16i/18i/21i", "004", "ADDRESS NOT FOUND"}},
     .sources = {"CSDN-PS", "GH-ALM"},
-    .check = &check,
+    .check = Irregular::unreadable,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::unreadable, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

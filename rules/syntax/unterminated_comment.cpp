@@ -1,12 +1,7 @@
 //! MAC102: a comment that nobody closes.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule unterminated_comment{
     .code = "MAC102",
@@ -32,7 +27,6 @@ extern const Rule unterminated_comment{
                         "N20 G14 Q0\n"
                         "N30 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O9102(PART)\n"
                        "#100=5.(DIAMETER)\n"
                        "M30\n"},
@@ -43,14 +37,7 @@ extern const Rule unterminated_comment{
                          "END\n"}},
     .alarms = {},
     .sources = {"T: the reaction of the control is not documented"},
-    .check = &check,
+    .check = Irregular::unterminated_comment,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::unterminated_comment, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

@@ -1,12 +1,7 @@
 //! MAC201: #0 on the left of =.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
-namespace {
-void check(const ProgramFile& file, Reporter& reporter);
-}
 
 extern const Rule assignment_to_null_variable{
     .code = "MAC201",
@@ -24,20 +19,12 @@ extern const Rule assignment_to_null_variable{
     .bad = {{"fanuc", "O9201(CLEAR)\n"
                       "#0=5\n"
                       "M30\n"}},
-    .also = {},
     .good = {{"fanuc", "O9201(CLEAR)\n"
                        "#100=#0\n"
                        "M30\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "116", "WRITE PROTECTED VARIABLE"}},
     .sources = {"SEED-001:160", "SEED-001:198"},
-    .check = &check,
+    .check = Irregular::assignment_to_null,
 };
 
-namespace {
-
-void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::assignment_to_null, reporter);
-}
-
-} // namespace
 } // namespace maclint::rules

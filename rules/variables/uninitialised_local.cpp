@@ -32,7 +32,7 @@ extern const Rule uninitialised_local{
         {{"main", "'{0}' is vacant here: this program has not set it, and a program that nobody calls gets "
                   "no arguments. Set it first, or correct the number."},
          {"called", "'{0}' is vacant here: this program has not set it, and no letter of a call stands for "
-                    "it. Set it first, or correct the number."},
+                    "it, unless I, J and K are repeated. Set it first, or correct the number."},
          {"not-passed", "'{0}' is vacant here: this program has not set it, and no caller passes it. Set it "
                         "first, or pass the argument."},
          {"some-ways", "'{0}' is vacant here when the way that sets it is not taken. Set it on every way, "
@@ -54,7 +54,6 @@ extern const Rule uninitialised_local{
                         "N20 G0 X46 Z#l4\n"
                         "N30 M30\n"
                         "END\n"}},
-    .also = {},
     .good = {{"fanuc", "O0209(FACE)\n"
                        "#100=10.\n"
                        "#10=-2.\n"
@@ -69,20 +68,42 @@ extern const Rule uninitialised_local{
                          "N30 M30\n"
                          "END\n"}},
     .alarms = {},
-    .sources = {"SEED-001:187"},
+    .sources = {"SEED-001:187", "ZAPP-ARG"},
     .check = &check,
 };
 
 namespace {
 
-/// Why the value is vacant is that the variable is as it was when the program began.
-bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+/// Why the value may be vacant is that the variable is as it was when the program began.
+bool is_as_at_entry(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     if (read.value.vacancy != dataflow::Vacancy::vacant && read.value.vacancy != dataflow::Vacancy::maybe)
         return false;
     const dataflow::Origin& doubt = analysis.data().origin(read.value.doubt);
     return doubt.kind == dataflow::Origin::Kind::entry &&
-           static_cast<std::int32_t>(doubt.id) == read.place.number && doubt.node == read.place.space &&
-           analysis.data().is_vacant_at_entry(read.place);
+           static_cast<std::int32_t>(doubt.id) == read.place.number && doubt.node == read.place.space;
+}
+
+bool is_vacant_since_entry(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    return is_as_at_entry(analysis, read) && analysis.data().is_vacant_at_entry(read.place);
+}
+
+/// The variables of a program with unknown callers that can be arguments by series of I, J and K. Nobody
+/// tells them from others but by the program reading all of a set, and all sets before.
+std::vector<Place> series_taken(const ProgramAnalysis& analysis) {
+    std::vector<Place> taken;
+    if (analysis.is_main() || !analysis.callers().empty()) return taken;
+    std::vector<Place> read_as_given;
+    for (const dataflow::Read& read : analysis.facts().reads)
+        if (is_as_at_entry(analysis, read) &&
+            std::ranges::find(read_as_given, read.place) == read_as_given.end())
+            read_as_given.push_back(read.place);
+    for (const auto& set : analysis.control().series) {
+        const bool whole = std::ranges::all_of(
+            set, [&](Place place) { return std::ranges::find(read_as_given, place) != read_as_given.end(); });
+        if (!whole) break;
+        taken.insert(taken.end(), set.begin(), set.end());
+    }
+    return taken;
 }
 
 /// How the program can get here without setting the variable; nothing when it cannot. A comparison may be the
@@ -116,14 +137,26 @@ std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Re
     return formal ? "not-passed" : "called";
 }
 
+/// An alias, not the variable behind it; without the brackets around it.
+std::string as_written(const Program& program, Span span) {
+    std::string name = quoted(program, span);
+    while (name.size() > 2 && (name.front() == '[' || name.front() == '('))
+        name = name.substr(1, name.size() - 2);
+    return name;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     // Without arguments a called program may be one that shares its caller's locals.
     if (!analysis.is_main() && !analysis.is_macro()) return;
     constexpr int most_attempts = 64; // reads of one variable to which a way is looked for
     const Program& program = analysis.program();
+    const std::vector<Place> series = series_taken(analysis);
     std::vector<std::pair<Place, int>> attempts;
     for (const dataflow::Read& read : analysis.facts().reads) {
         if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
+        // Nobody knows whether a control still looks at what decides nothing any more, as behind NDEF(…) OR.
+        if (dataflow::asks_for_vacancy(program, analysis.facts(), read.node, read.node, read.place)) continue;
+        if (std::ranges::find(series, read.place) != series.end()) continue;
         auto tried = std::ranges::find(attempts, read.place, &std::pair<Place, int>::first);
         if (tried == attempts.end()) tried = attempts.insert(tried, {read.place, 0});
         if (tried->second >= most_attempts || counts(analysis, read)) continue;
@@ -132,7 +165,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!way && read.value.vacancy != dataflow::Vacancy::vacant) continue;
         tried->second = most_attempts; // once a variable
         const Span span = program.expressions[read.expression].span;
-        const std::string name = program.spell(read.place);
+        const std::string name = as_written(program, span);
         Finding& finding = reporter.report(analysis.file(), span, message_for(analysis, read), {name});
         finding.path.push_back(
             remark_at(analysis, read.value.doubt, name + " has no value when the program begins"));

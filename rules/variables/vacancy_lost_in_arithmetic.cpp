@@ -34,7 +34,6 @@ extern const Rule vacancy_lost_in_arithmetic{
                       "G90 G1 Z-#6\n"
                       "M99\n"
                       "N9 #3000=1(K MISSING)\n"}},
-    .also = {},
     .good = {{"fanuc", "O9222(FACE, K DEPTH)\n"
                        "IF[#6EQ#0]GOTO9\n"
                        "G90 G1 Z-#6\n"

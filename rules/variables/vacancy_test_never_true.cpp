@@ -36,7 +36,6 @@ extern const Rule vacancy_test_never_true{
                       "G90 G1 Z#33\n"
                       "M99\n"
                       "N9 #3000=1(R IS Z)\n"}},
-    .also = {},
     .good = {{"fanuc", "O9228(CLEARANCE FROM R AND Z)\n"
                        "#33=#18-#26\n"
                        "IF[#33EQ0]GOTO9\n"

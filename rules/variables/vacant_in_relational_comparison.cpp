@@ -33,7 +33,6 @@ extern const Rule vacant_in_relational_comparison{
                       "G90 G1 Z[10.-#6]\n"
                       "M99\n"
                       "N9 #3000=1(K NEGATIVE)\n"}},
-    .also = {},
     .good = {{"fanuc", "O9221(PECK, K CLEARANCE)\n"
                        "IF[#6EQ#0]GOTO9\n"
                        "IF[#6LT0]GOTO9\n"

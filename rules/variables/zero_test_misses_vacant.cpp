@@ -34,7 +34,6 @@ extern const Rule zero_test_misses_vacant{
                       "G90 G1 Z#33\n"
                       "M99\n"
                       "N9 #3000=1(K MISSING)\n"}},
-    .also = {},
     .good = {{"fanuc", "O9220(PECK, K DEPTH OF ONE PECK)\n"
                        "IF[#6EQ#0]GOTO9\n"
                        "IF[#6EQ0]GOTO9\n"
@@ -57,14 +56,9 @@ bool is_zero(const dataflow::Value& value) {
 /// in the IF right before or behind.
 bool tests_both(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison, Place place) {
     constexpr flow::NodeId near = 3; // nodes between two IF blocks: the condition and what it guards
-    const auto& all = analysis.facts().comparisons;
     const flow::NodeId first = comparison.node - std::min(comparison.node, near);
-    for (auto other = std::ranges::lower_bound(all, first, {}, &dataflow::Comparison::node);
-         other != all.end() && other->node <= comparison.node + near; ++other) {
-        const bool test = other->operation == Operation::is_vacant || other->operation == Operation::is_set;
-        if (test && dataflow::plain_place(analysis.program(), other->left_expression) == place) return true;
-    }
-    return false;
+    return dataflow::asks_for_vacancy(analysis.program(), analysis.facts(), first, comparison.node + near,
+                                      place);
 }
 
 /// Variables of IF[#3EQ0]GOTO1, IF[#3EQ1]GOTO2 …: a choice among numbers, whose default a missing argument

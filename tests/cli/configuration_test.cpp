@@ -59,13 +59,14 @@ TEST(Configuration, SaysWhichControlAndDialectFilesAreFor) {
         "files": [{"glob": "lathe/**", "control": "L1", "dialect": "fanuc"}]})");
     Settings settings({});
     const auto lathe = settings.for_file((folder.path() / "lathe/O1.nc").string());
-    ASSERT_TRUE(lathe && lathe->control != nullptr);
-    EXPECT_EQ(lathe->control->limits.macro_calls, 5);
-    EXPECT_FALSE(lathe->control->assumed);
+    ASSERT_TRUE(lathe);
+    ASSERT_EQ(lathe->controls.size(), 1U);
+    EXPECT_EQ(lathe->controls.front().control->limits.macro_calls, 5);
+    EXPECT_FALSE(lathe->controls.front().control->assumed);
     EXPECT_EQ(lathe->dialect, find_dialect("fanuc"));
     const auto mill = settings.for_file((folder.path() / "mill/O1.nc").string());
     ASSERT_TRUE(mill);
-    EXPECT_EQ(mill->control, nullptr);
+    EXPECT_THAT(mill->controls, IsEmpty());
 }
 
 TEST(Configuration, TellsUnknownKeysWithTheirPlaceAndTheLikelyOne) {
@@ -107,8 +108,22 @@ TEST(Configuration, ExtendsAnotherAndReplacesItsLists) {
     ASSERT_EQ(configuration->ignore.size(), 1U);
     EXPECT_EQ(configuration->ignore[0].word, "MAC303");
     EXPECT_TRUE(configuration->complete);
-    ASSERT_EQ(configuration->severity.size(), 2U);
-    EXPECT_EQ(configuration->severity[0].severity, Severity::note);
+}
+
+TEST(Configuration, GivesTheNearerFileAndTheNarrowerWordTheLastWordOnSeverities) {
+    const TemporaryFolder folder;
+    folder.write("shop.json", R"({"severity": {"MAC3": "note", "MAC7": "note", "MAC502": "error"}})");
+    folder.write(".maclint.json", R"({"extends": "shop.json",
+        "severity": {"MAC301": "error", "MAC501": "error", "MAC5": "note", "MAC711": "error"}})");
+    Settings settings({});
+    const auto own = settings.for_file((folder.path() / "O1.nc").string());
+    ASSERT_TRUE(own);
+    EXPECT_EQ(state(*own, "MAC301").severity, Severity::error);
+    EXPECT_EQ(state(*own, "MAC303").severity, Severity::note);
+    EXPECT_EQ(state(*own, "MAC501").severity, Severity::error);
+    EXPECT_EQ(state(*own, "MAC502").severity, Severity::note);
+    EXPECT_EQ(state(*own, "MAC711").severity, Severity::error);
+    EXPECT_EQ(state(*own, "MAC220").severity, std::nullopt);
 }
 
 TEST(Configuration, ThatExtendsItselfIsRefused) {

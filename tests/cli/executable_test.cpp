@@ -205,7 +205,7 @@ TEST_F(Executable, ShowsNoMoreFindingsThanAskedButFailsForAll) {
     folder.write("O1001.nc", "%\nO1001\nIF[#500EQ1]GOTO98\nIF[#500EQ2]GOTO99\nM30\n%\n");
     const Finished finished = run({"--max-findings", "1", "--select", "MAC301"});
     EXPECT_EQ(finished.status, 1);
-    EXPECT_THAT(finished.out, HasSubstr("1 error in 1 file (1 checked, 1 more not shown)"));
+    EXPECT_THAT(finished.out, HasSubstr("2 errors in 1 file (1 checked, 1 not shown)"));
     EXPECT_EQ(run({"--max-findings", "0"}).status, 1);
 }
 
@@ -255,15 +255,104 @@ TEST_F(Executable, ExplainsRulesAndGuessesMistypedOnes) {
     EXPECT_THAT(mistyped.err, HasSubstr("Did you mean 'jump-into-loop'?"));
 }
 
+TEST_F(Executable, ExplainsHowFarToTrustASourceAndHowEachLanguageAllowsARule) {
+    EXPECT_THAT(run({"explain", "MAC506"}).out, HasSubstr("T (experience, not confirmed)"));
+    EXPECT_THAT(
+        run({"explain", "MAC462"}).out,
+        AllOf(HasSubstr("T (experience, not confirmed): search order"),
+              HasSubstr("(MACLINT ALLOW MAC462 - REASON) or [MACLINT ALLOW MAC462 - REASON] (dinplus)")));
+    EXPECT_THAT(run({"explain", "DIN330"}).out, Not(HasSubstr("(MACLINT")));
+}
+
 TEST_F(Executable, ListsRulesAndWritesTheirPages) {
     EXPECT_THAT(run({"rules"}).out, HasSubstr("MAC303 jump-into-loop"));
     EXPECT_GT(nlohmann::json::parse(run({"rules", "--format", "json"}).out).size(), 10U);
-    folder.write("docs/MAC000.md", "gone");
     EXPECT_EQ(run({"rules", "--write-docs", "docs"}).status, 0);
+    folder.write("docs/MAC000.md", "gone");
+    folder.write("docs/MACHINES.md", "the user's");
+    folder.write("docs/DINNER.md", "the user's");
+    EXPECT_EQ(run({"rules", "--write-docs", "docs"}).status, 0);
+    EXPECT_TRUE(fs::exists(folder.path() / "docs/MACHINES.md"));
+    EXPECT_TRUE(fs::exists(folder.path() / "docs/DINNER.md"));
     const std::string page = read_file(folder.path() / "docs/MAC303.md");
     EXPECT_THAT(page, StartsWith("# MAC303 jump-into-loop\n"));
     EXPECT_FALSE(fs::exists(folder.path() / "docs/MAC000.md"));
     EXPECT_THAT(read_file(folder.path() / "docs/README.md"), HasSubstr("[MAC303](MAC303.md)"));
+}
+
+TEST_F(Executable, WritesNoPagesIntoAFolderOfSomebodyElse) {
+    folder.write("notes/README.md", "# Notes of the shop\n");
+    folder.write("notes/MAC000.md", "the user's");
+    const Finished finished = run({"rules", "--write-docs", "notes"});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_THAT(finished.err, HasSubstr("Name an empty folder."));
+    EXPECT_EQ(read_file(folder.path() / "notes/README.md"), "# Notes of the shop\n");
+    EXPECT_TRUE(fs::exists(folder.path() / "notes/MAC000.md"));
+    EXPECT_FALSE(fs::exists(folder.path() / "notes/MAC303.md"));
+    EXPECT_THAT(run({"rules", "--write-docs", "notes/MAC000.md"}).err, HasSubstr("cannot be written"));
+}
+
+TEST_F(Executable, TakesAControlForTheFilesOfItsLanguageOnly) {
+    folder.write("O1000.nc", good);
+    folder.write("PART.ncs", "MACHINING\nN10 G14 Q0\nN20 M30\nEND\n");
+    const Finished both = run({"--control", "fanuc-30i", "--show-config"});
+    EXPECT_EQ(both.status, 0) << both.err;
+    EXPECT_THAT(both.out, AllOf(HasSubstr("fanuc-30i, "), HasSubstr("(--control)"), HasSubstr("dinplus, "),
+                                HasSubstr("(assumed for the dialect)")));
+    EXPECT_EQ(run({"--control", "fanuc-30i"}).status, 0);
+    EXPECT_EQ(run({"--control", "dinplus"}).status, 0);
+    EXPECT_EQ(run({"--control", "dinplus", "O1000.nc"}).status, 0);
+}
+
+TEST_F(Executable, TakesAConfiguredControlForTheFilesOfItsLanguageOnly) {
+    folder.write("O1000.nc", good);
+    folder.write("PART.ncs", "MACHINING\nN10 G14 Q0\nN20 M30\nEND\n");
+    folder.write(".maclint.json", R"({"controls": {"L": {"model": "dinplus"}, "M": {"model": "fanuc-30i"}},
+        "files": [{"glob": "*", "control": "L"}, {"glob": "*", "control": "M"}]})");
+    const Finished finished = run({"--show-config"});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_THAT(finished.out, AllOf(HasSubstr("fanuc-30i, M"), HasSubstr("dinplus, L")));
+    EXPECT_EQ(run({}).status, 0);
+}
+
+TEST_F(Executable, RefusesAControlOfAnotherLanguageThanTheDialectAskedFor) {
+    folder.write("O1000.nc", good);
+    const Finished finished = run({"--dialect", "fanuc", "--control", "dinplus"});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_THAT(finished.err, AllOf(HasSubstr("--control dinplus"), HasSubstr("--dialect fanuc")));
+    EXPECT_EQ(run({"--dialect", "nct", "--control", "fanuc-30i"}).status, 0);
+    folder.write(".maclint.json", R"({"files": [{"glob": "*", "control": "dinplus", "dialect": "fanuc"}]})");
+    const Finished configured = run({});
+    EXPECT_EQ(configured.status, 2);
+    EXPECT_THAT(configured.err, AllOf(HasSubstr("'dinplus'"), HasSubstr("'fanuc'")));
+}
+
+TEST_F(Executable, CountsWhatItDoesNotShow) {
+    folder.write("O1001.nc", "%\nO1001\nGOTO 97\nGOTO 98\nGOTO 99\nM30\n%\n");
+    EXPECT_EQ(run({"--max-findings", "0"}).out, "3 errors in 1 file (1 checked, 3 not shown)\n");
+    EXPECT_THAT(run({"--max-findings", "2"}).out, HasSubstr("3 errors in 1 file (1 checked, 1 not shown)\n"));
+    const auto report = nlohmann::json::parse(run({"--max-findings", "1", "--format", "json"}).out);
+    EXPECT_EQ(report.at("findings").size(), 1U);
+    EXPECT_EQ(report.at("summary").at("errors"), 3);
+    EXPECT_EQ(report.at("summary").at("not_shown"), 2);
+}
+
+TEST_F(Executable, SetsTheSeverityThatTheRuleItselfHas) {
+    folder.write("PART.ncs",
+                 "MACHINING\nN10 INPUT(\"Radius\",#l2)\n"
+                 "N20 #l4=(((((((#l2*2)+1)*3)+2)*2)-1)*4)\nN30 PRINT(\"Feed\",#l4)\nN40 M30\nEND\n");
+    EXPECT_THAT(concise({"--select", "MAC701"}), HasSubstr("note[MAC701]"));
+    EXPECT_THAT(concise({"--select", "MAC701", "--severity", "MAC701=error"}), HasSubstr("error[MAC701]"));
+    folder.write(".maclint.json", R"({"severity": {"MAC701": "error"}})");
+    EXPECT_THAT(concise({"--select", "MAC701"}), HasSubstr("error[MAC701]"));
+}
+
+TEST_F(Executable, PassesOverWhatAnExtendedConfigurationExcludesInItsOwnFolder) {
+    folder.write("shop.json", R"({"exclude": ["lathe/old"]})");
+    folder.write("lathe/.maclint.json", R"({"extends": "../shop.json"})");
+    folder.write("lathe/O1001.nc", bad);
+    folder.write("lathe/old/O1002.nc", bad);
+    EXPECT_THAT(concise({}), AllOf(HasSubstr("lathe/O1001.nc:4"), Not(HasSubstr("old"))));
 }
 
 } // namespace

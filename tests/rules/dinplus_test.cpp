@@ -13,6 +13,7 @@ namespace maclint {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 std::vector<Finding> findings(const Workspace& workspace, std::string_view code) {
@@ -29,6 +30,13 @@ std::vector<std::uint32_t> lines_in(const Workspace& workspace, std::string_view
 /// 1-based lines on which the rule speaks of a main program.
 std::vector<std::uint32_t> lines(std::string_view code, std::string text) {
     return lines_in(*test::analyse_text("dinplus", std::move(text)), code);
+}
+
+std::vector<std::string> messages(std::string_view code, std::string text) {
+    const auto workspace = test::analyse_text("dinplus", std::move(text));
+    std::vector<std::string> all;
+    for (const Finding& finding : findings(*workspace, code)) all.push_back(finding.message());
+    return all;
 }
 
 // ---- pairs
@@ -138,6 +146,18 @@ TEST(RestartTarget, MustStandInTheMachiningPart) {
     EXPECT_THAT(lines("DIN415", "MACHINING\nN2 T1\nN3 M99 NS#l1\nEND\n"), IsEmpty());
 }
 
+// ---- what stays on
+
+TEST(RadiusCompensation, IsFollowedToWhereItIsSwitchedOn) {
+    const auto workspace = test::analyse_text(
+        "dinplus", "MACHINING\nIF #g1==1\nTHEN\nG0 X18 Z3\nENDIF\nG42\nG1 Z-30\nT2\nG40\nM30\nEND\n");
+    const auto found = findings(*workspace, "DIN619");
+    ASSERT_EQ(found.size(), 1U);
+    const auto& path = found.front().path;
+    ASSERT_FALSE(path.empty());
+    for (std::size_t i = 1; i < path.size(); ++i) EXPECT_LT(path[i - 1].span.begin, path[i].span.begin);
+}
+
 // ---- variables
 
 std::string called(const std::string& calls, const std::string& body) {
@@ -157,6 +177,22 @@ TEST(TransferValue, IsAskedForByNdefOnTheWay) {
     EXPECT_THAT(
         lines("DIN330", called("L\"S\"\nL\"S\" LA1\n", "IF NDEF(__la)\nTHEN\nG14 Q0\nENDIF\nG0 X#__la\n")),
         ElementsAre(10));
+}
+
+TEST(TransferValue, IsAskedForBesideItsTestInTheSameCondition) {
+    const auto under = [](const std::string& condition) {
+        return lines("DIN330", called("L\"S\"\nL\"S\" LA1\n", "IF " + condition + "\nTHEN\nG14 Q0\nENDIF\n"));
+    };
+    EXPECT_THAT(under("#__la==0"), ElementsAre(6));
+    EXPECT_THAT(under("NDEF(__la) OR (#__la==0)"), IsEmpty());
+    EXPECT_THAT(under("DEF(__la) AND (#__la>5)"), IsEmpty());
+}
+
+TEST(UninitialisedLocal, IsNamedAsItIsWrittenAndMayBeAskedForInTheSameCondition) {
+    const std::string head = "VAR\n#_a=#l1\nMACHINING\n";
+    const std::string tail = "\nTHEN\nG0 X1\nENDIF\nM30\nEND\n";
+    EXPECT_THAT(messages("MAC209", head + "IF #_a>3" + tail), ElementsAre(HasSubstr("'#_a'")));
+    EXPECT_THAT(lines("MAC209", head + "IF DEF(_a) AND (#_a>3)" + tail), IsEmpty());
 }
 
 TEST(TransferValue, IsNotJudgedWhereNobodyKnowsWhatAnIfGuards) {

@@ -1,6 +1,7 @@
 //! Rules about jumps and calls in corner cases: MAC301, MAC303, MAC312, MAC313, MAC319, MAC336, MAC410,
 //! MAC413, MAC462.
 #include "tests/rules/raised.hpp"
+#include "tests/support/analysed.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,11 +9,34 @@ namespace maclint {
 namespace {
 
 using test::lines_raised;
+using test::messages_raised;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 TEST(JumpTarget, ThatIsMissingIsReportedWhereNothingLeadsToTheJumpYet) {
     EXPECT_THAT(lines_raised("MAC301", "O1\nM30\nGOTO70\n"), ElementsAre(3));
+}
+
+TEST(JumpTarget, N0IsNotOneToAdd) {
+    EXPECT_THAT(messages_raised("MAC301", "O1\nGOTO0\nM30\n"),
+                ElementsAre(AllOf(HasSubstr("from 1 to 99999999"), Not(HasSubstr("Add")))));
+}
+
+TEST(ReturnTarget, IsTheProgramsOwnWhenNobodyCallsIt) {
+    const auto raised = [](const std::string& text, bool complete) {
+        const auto workspace = test::analyse_files({{"O1.nc", text}}, {complete, 1});
+        std::vector<std::string> messages;
+        for (const Finding& finding : run_rules(*workspace, {{find_rule("MAC333")}}, 1))
+            messages.push_back(finding.message());
+        return messages;
+    };
+    EXPECT_THAT(raised("O1\nG0 X1.\nM99 P50\n", true), ElementsAre(HasSubstr("goes on at its own N50")));
+    EXPECT_THAT(raised("O1\nG0 X1.\nM99 P50\n", false), IsEmpty());
+    EXPECT_THAT(raised("O1\nN50 G0 X1.\nM99 P50\n", true), IsEmpty());
+    EXPECT_THAT(raised("O1\nM98 P2\nN50 M30\nO2\nM99 P50\n", true), IsEmpty());
 }
 
 TEST(JumpIntoLoop, IsCertainWhenEveryTargetOfAComputedJumpIsInside) {
@@ -51,6 +75,19 @@ TEST(ModalCall, ThatAnUnknownProgramMayHaveEndedIsLeftAlone) {
 TEST(SequenceNumber, ThatOnlyAComputedJumpCanFindIsReportedWhenItStandsTwice) {
     EXPECT_THAT(lines_raised("MAC462", "O1\nGOTO#500\nN10 G0 X1.\nN10 G0 X2.\nM30\n"), ElementsAre(4));
     EXPECT_THAT(lines_raised("MAC462", "O1\nN10 G0 X1.\nN10 G0 X2.\nM30\n"), IsEmpty());
+}
+
+TEST(SequenceNumber, IsSearchedForBehindTheJumpFirstAndThenFromTheTop) {
+    EXPECT_THAT(messages_raised("MAC462", "O1\nN10 G0 X1.\nIF[#1EQ1]GOTO10\nN10 G0 X2.\nM30\n"),
+                ElementsAre(HasSubstr("in line 4, the next behind it")));
+    EXPECT_THAT(messages_raised("MAC462", "O1\nN10 G0 X1.\nN10 G0 X2.\nIF[#1EQ1]GOTO10\nM30\n"),
+                ElementsAre(AllOf(HasSubstr("in line 2, the first of the program"), Not(HasSubstr("next")))));
+}
+
+TEST(SequenceNumber, ThatStandsThreeTimesIsOneFinding) {
+    const std::string text = "O1\nIF[#1EQ1]GOTO10\nN10 G0 X1.\nN10 G0 X2.\nN10 G0 X3.\nM30\n";
+    EXPECT_THAT(lines_raised("MAC462", text), ElementsAre(4));
+    EXPECT_THAT(messages_raised("MAC462", text), ElementsAre(HasSubstr("N10 stands 3 times")));
 }
 
 } // namespace

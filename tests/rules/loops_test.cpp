@@ -8,9 +8,11 @@ namespace {
 
 using test::lines_raised;
 using test::messages_raised;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 TEST(UnchangedLoop, NeverEnds) {
     EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG91 G0 X1\nEND1\nM99\n"), ElementsAre(2));
@@ -96,6 +98,37 @@ TEST(InexactCounter, IsHarmlessWhenExactClampedOrWithRoomAtItsEnd) {
     EXPECT_THAT(lines_raised("MAC711",
                              "O9001\n#33=0\nWHILE[#33LT1]DO1\n#33=#33+0.1\nIF[#33GT1]THEN#33=1\nEND1\nM99\n"),
                 IsEmpty());
+}
+
+TEST(InexactCounter, ThatMustMeetItsBoundIsNotCuredByAnotherBound) {
+    const auto until = [](const std::string& bound) {
+        return messages_raised("MAC711",
+                               "O9001\n#31=0\nWHILE[#31NE" + bound + "]DO1\n#31=#31+0.1\nEND1\nM99\n");
+    };
+    const auto says = AllOf(HasSubstr("whether the bound is passed"), Not(HasSubstr("half a step")));
+    EXPECT_THAT(until("1"), ElementsAre(says));
+    EXPECT_THAT(until("1.05"), ElementsAre(says));
+    EXPECT_THAT(messages_raised("MAC711", "O9001\n#31=0\nN1 #31=#31+0.1\nIF[#31EQ1]GOTO2\nGOTO1\nN2 M99\n"),
+                ElementsAre(HasSubstr("whether the bound is passed")));
+}
+
+TEST(InexactCounter, StartsWhereTheLastAssignmentBeforeTheLoopPutsIt) {
+    const std::string loop = "WHILE[#33LE1]DO1\n#33=#33+0.1\nEND1\n";
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0.05\nG0 X#33\n#33=0\n" + loop + "M99\n"), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nG0 X#33\n#33=0.05\n" + loop + "M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0.05\n" + loop + "#33=0\nG0 X#33\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0.05\nIF[#1EQ1]THEN #33=0\n" + loop + "M99\n"),
+                ElementsAre(5));
+}
+
+TEST(InexactCounter, HasNoToleranceInWhatIsAStepOrMore) {
+    const auto with = [](const std::string& bound) {
+        return lines_raised("MAC711",
+                            "O9001\n#33=0\nWHILE[#33LT[" + bound + "]]DO1\n#33=#33+0.1\nEND1\nM99\n");
+    };
+    EXPECT_THAT(with("#1-0.05"), IsEmpty());
+    EXPECT_THAT(with("#1-0.5"), ElementsAre(4));
+    EXPECT_THAT(with("#1+0.1"), ElementsAre(4));
 }
 
 TEST(LoopStep, NamedByABlockThatCannotBeReadMayHaveBeenTestedThere) {

@@ -172,6 +172,19 @@ TEST(SavedValue, OverwrittenBeforeItIsPutBackIsLost) {
     EXPECT_THAT(lines_raised("MAC506", "O9001\n#1=#4109\nG1 X1 F50\n#1=7\nF#1\nM99\n"), ElementsAre(4));
 }
 
+TEST(SavedValue, IsFollowedFromWhereItWasSaved) {
+    EXPECT_THAT(path_raised("MAC506", "O9001\nIF[#9EQ1]GOTO10\nG0 X5\nN10 #1=#4003\nG91 X1\n"
+                                      "#1=#1+#2\nG#1\nM99\n"),
+                ElementsAre(4, 6));
+}
+
+TEST(PlainBlock, IsNotQuotedWhereOneOfItsWordsIsMeant) {
+    EXPECT_THAT(messages_raised("MAC503", "O9001\nG0 X#24\nG1 X5. Y6. F200.5\nM99\n"),
+                ElementsAre(HasSubstr("'F200.5'")));
+    EXPECT_THAT(messages_raised("MAC517", "O9001\nG0 X#24\nG91 G1 X5.\n#1=#4003\nG0 X1.\nG#1\nM99\n"),
+                ElementsAre(HasSubstr("after 'G91' has")));
+}
+
 TEST(SavedValue, MayServeForAFeedComputedFromIt) {
     EXPECT_THAT(lines_raised("MAC506", "O9001\n#1=#4109\n#1=#1*0.5\nG1 X1 F#1\nM99\n"), IsEmpty());
 }

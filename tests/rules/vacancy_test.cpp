@@ -23,6 +23,15 @@ TEST(UninitialisedLocal, IsNotAnArgumentLetterOfAProgramThatIsCalled) {
     EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 X#24 Y#10\nM99\n"), ElementsAre(2));
 }
 
+TEST(UninitialisedLocal, IsNoneWhenAProgramTakesASeriesOfIJAndK) {
+    const std::string series = "G0 X#4 Y#5 Z#6\nX#7 Y#8 Z#9\nX#10 Y#11 Z#12\nX#13 Y#14 Z#15\n";
+    EXPECT_THAT(lines_raised("MAC209", "O9001\n" + series + "M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O9001\n" + series + "X#33\nM99\n"), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 X#10 Y#11 Z#12\nM99\n"), ElementsAre(2, 2));
+    EXPECT_THAT(messages_raised("MAC209", "O9001\nG0 X#24 Y#10\nM99\n"),
+                ElementsAre(HasSubstr("unless I, J and K are repeated")));
+}
+
 TEST(UninitialisedLocal, MayBeSetByTheCallerOfASubprogram) {
     EXPECT_THAT(lines_raised("MAC209", "O1\n#10=5\nM98 P2\nM30\nO2\nG0 X#10 Y#24\nM99\n"), IsEmpty());
 }

@@ -50,7 +50,6 @@ ControlModel make() {
     // printed; "max. 6 characters" in l.18887 can only mean levels of brackets.
     control.limits = {.macro_calls = 0,
                       .subprogram_calls = 6,
-                      .calls_together = std::nullopt,
                       .loop_levels = 0,
                       .first_loop_number = 0,
                       .last_loop_number = 0,

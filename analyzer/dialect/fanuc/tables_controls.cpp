@@ -19,19 +19,18 @@ struct ControlRow {
     bool offset_is_group_12; ///< #4012 reads G54-G59
 };
 
-constexpr auto unknown = std::nullopt;
 constexpr std::string_view lathe_suffix = "-lathe";
 
 // clang-format off
 const std::array<ControlRow, 7> rows{{
-    // name          description                              assumed  macro sub together DO  first last [ ] source                                              P rep  lathe  #4012
-    {"fanuc",        "FANUC, series not named",               true,  {4,     4,  unknown, 3,  1,    3,   5,  "as 16i/18i/21i"},                                 true,  true,  false},
-    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4,  unknown, 3,  1,    3,   5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},        true,  true,  false},
-    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4,  unknown, 3,  1,    3,   5,  "TENC-G65; T"},                                    true,  true,  false},
-    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10,  15,      3,  1,    3,   5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                 true,  true,  false},
-    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10,  15,      3,  1,    3,   5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                 true,  true,  false},
-    {"nct",          "NCT 104-M",                             false, {4,     4,  unknown, 3,  1,    3,   5,  "NCT-171; NCT-188; M98 and DO levels unknown"},    true,  false, false},
-    {"haas",         "Haas",                                  false, {9,     9,  unknown, 3,  1,    3,   5,  "T"},                                              false, true,  true},
+    // name          description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012
+    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false},
+    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false},
+    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false},
+    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false},
+    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false},
+    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  false, false},
+    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, true,  true},
 }};
 // clang-format on
 
@@ -51,6 +50,9 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     control.calls = call_kinds();
     for (const std::int32_t local : local_of_letter)
         if (local != 0) control.formals.push_back({spaces::local, local});
+    for (std::int32_t first = 4; first <= 31; first += 3) // ZAPP-ARG: I1 is #4, K10 is #33
+        control.series.push_back(
+            {{{spaces::local, first}, {spaces::local, first + 1}, {spaces::local, first + 2}}});
     control.vacant_equals_zero = false;
     control.idle = idle_values(control.groups);
     return control;

@@ -1,4 +1,4 @@
-//! What the conditions of a program are held against before one that never changes is called a defect.
+//! Why somebody may have meant a condition that never changes.
 #pragma once
 
 #include "analyzer/dataflow/conditions.hpp"
@@ -11,9 +11,9 @@
 namespace maclint::rules {
 
 /// Gathered in one pass over the facts of a program.
-class Surroundings {
+class DeliberateConditions {
   public:
-    explicit Surroundings(const ProgramAnalysis& analysis);
+    explicit DeliberateConditions(const ProgramAnalysis& analysis);
 
     /// Everything that is read is set at most once, or a number that users edit decides.
     [[nodiscard]] bool depends_on_settings(const dataflow::ReadSet& reads) const;

@@ -1,5 +1,5 @@
 //! One look at all stores and conditions.
-#include "rules/numbers/surroundings.hpp"
+#include "rules/numbers/deliberate_conditions.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -16,7 +16,7 @@ std::optional<std::int64_t> jump_target(const Program& program, EffectId effect)
 
 } // namespace
 
-Surroundings::Surroundings(const ProgramAnalysis& analysis)
+DeliberateConditions::DeliberateConditions(const ProgramAnalysis& analysis)
     : program_(analysis.program()) {
     for (const dataflow::Store& store : analysis.facts().stores) {
         Assigned& assigned = assigned_[dataflow::key_of(store.place)];
@@ -28,22 +28,22 @@ Surroundings::Surroundings(const ProgramAnalysis& analysis)
             first_tests_.try_emplace(*target, condition.node);
 }
 
-bool Surroundings::depends_on_settings(const dataflow::ReadSet& reads) const {
+bool DeliberateConditions::depends_on_settings(const dataflow::ReadSet& reads) const {
     return reads_setting(reads) ||
            std::ranges::all_of(reads.places, [this](Place place) { return assigned(place).count <= 1; });
 }
 
-bool Surroundings::reads_setting(const dataflow::ReadSet& reads) const {
+bool DeliberateConditions::reads_setting(const dataflow::ReadSet& reads) const {
     return std::ranges::any_of(
         reads.places, [this](Place place) { return assigned(place).count == 1 && assigned(place).literal; });
 }
 
-bool Surroundings::repeats_another(const dataflow::Condition& condition) const {
+bool DeliberateConditions::repeats_another(const dataflow::Condition& condition) const {
     const auto target = jump_target(program_, condition.effect);
     return target && first_tests_.at(*target) < condition.node;
 }
 
-Surroundings::Assigned Surroundings::assigned(Place place) const {
+DeliberateConditions::Assigned DeliberateConditions::assigned(Place place) const {
     const auto found = assigned_.find(dataflow::key_of(place));
     return found == assigned_.end() ? Assigned{} : found->second;
 }

@@ -1,0 +1,41 @@
+//! Every key by which a rule names its source is explained.
+#include "rules/rule.hpp"
+#include "tests/support/folder.hpp"
+
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+/// The keys in the first column of the table: "| NCT-171, NCT-173 | …".
+std::set<std::string> explained_keys() {
+    std::set<std::string> keys;
+    std::istringstream lines(test::read_file(std::string(MACLINT_SOURCE_DIR) + "/docs/sources.md"));
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("| ")) continue;
+        std::istringstream column(line.substr(2, line.find(" |") - 2));
+        for (std::string key; std::getline(column >> std::ws, key, ',');) keys.insert(key);
+    }
+    return keys;
+}
+
+/// "SEED-001" of "SEED-001:206,582", "T" of "T: search order".
+std::string key_of(std::string_view source) {
+    constexpr std::string_view own = "maclint's own";
+    return std::string(source.starts_with(own) ? own : source.substr(0, source.find_first_of(": ")));
+}
+
+TEST(Sources, AreExplainedKeyByKey) {
+    const auto keys = explained_keys();
+    for (const Rule* rule : all_rules())
+        for (const std::string_view source : rule->sources)
+            EXPECT_TRUE(keys.contains(key_of(source))) << rule->code << ": " << source;
+}
+
+} // namespace
+} // namespace maclint
