@@ -205,6 +205,16 @@ TEST(DinBadInput, EveryFileIsReadAndNoSpanLeavesIt) {
     EXPECT_GT(files, 50U);
 }
 
+TEST(DinBlocks, ManyNegativeWordsAreNoNoise) {
+    std::string block = "N1 L\"UP\" V1";
+    for (const char letter : std::string_view("ABCDEFHIJKLOPRSUWXYZ"))
+        block += std::string(" L") + letter + "-1";
+    for (const char* word : {"BS-1", "BE-2", "WS-3", "AC-4", "WC-5", "RC-6", "ICi-7", "KC+8"})
+        block += ' ' + std::string(word);
+    const auto file = read_din("MACHINING\n" + block + "\n");
+    EXPECT_THAT(file.irregularities, IsEmpty());
+}
+
 TEST(DinBadInput, NoiseIsReadInLinearTime) {
     constexpr std::size_t megabyte = 1'000'000;
     constexpr double patience = 10; // seconds, on a busy machine with checks switched on

@@ -21,8 +21,9 @@
 namespace maclint::dinplus {
 namespace {
 
-/// Longer blocks are not parsed: noise in one line costs the parser quadratic time.
-constexpr Offset longest_block = 4096;
+/// Longer blocks are not parsed: noise in one line costs the parser quadratic time, and it dies of some ten
+/// thousand nodes side by side. A comment counts as one byte, however long it is.
+constexpr std::size_t longest_block = 4096;
 constexpr Offset shown = 60;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -84,7 +85,7 @@ class Reader {
         if (text_[head] == '%') return programs_.open_main(raw_.span, head);
         const Span words = words_at(text_, head);
         if (!words.empty() && take_section(words, raw_.span)) return;
-        if (raw_.code > longest_block) {
+        if (raw_.code + raw_.comments.size() > longest_block) {
             report(Irregular::oversized_block, {raw_.span.begin, raw_.span.begin + shown}, "");
             return add_unreadable();
         }
