@@ -347,7 +347,7 @@ enum class Irregular : std::uint8_t {
     then_missing,             ///< IF that no THEN follows; subject: the IF
     assignment_in_condition,  ///< `=` in a condition; cure: the condition with `==`
     comparison_as_assignment, ///< `==` where a value is to be stored; cure: the assignment with `=`
-    hash_in_vacancy_test,     ///< DEF(#__la); cure: the test without `#`
+    hash_in_vacancy_test,     ///< DEF(#__la): a name with its `#`; cure: the test without
     unknown_transfer_value,   ///< subject: "#__lg"
     unreadable,               ///< nothing more exact is known; cure: what was expected
 };

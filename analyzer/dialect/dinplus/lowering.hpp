@@ -44,6 +44,7 @@ class BlockLowering : private TreeLowering {
     bool declare_alias(const Node& name, const Node& value);
     void initialise(const Node& variable, Span span);
     void store(const Node& target, ExpressionId value, Span span);
+    void store_elsewhere(const Node& target, ExpressionId value, Span span);
     void lower_structure(const Node& node, Construct construct, Structure::Part part,
                          std::optional<ExpressionId> condition);
     void lower_case(const Node& node);
@@ -77,13 +78,14 @@ class BlockLowering : private TreeLowering {
     ExpressionId lower_below(const Node& node);
     ExpressionId lower_variable(const Node& variable, const Node& whole);
     ExpressionId lower_indirect(const Node& node);
+    [[nodiscard]] std::vector<ExpressionId> lower_selectors(const Node& list);
+    ExpressionId load_selected(FamilyId family, std::int32_t number, std::span<const ExpressionId> computed,
+                               Span span);
     ExpressionId lower_transfer(const Node& node);
     ExpressionId lower_internal(std::string_view name, Span span);
     ExpressionId lower_constant(const Node& node);
-    ExpressionId lower_text(const Node& node);
     ExpressionId lower_unary(const Node& node);
     ExpressionId lower_binary(const Node& node);
-    ExpressionId lower_comparison(const Node& node);
     ExpressionId lower_function(const Node& node);
     ExpressionId lower_vacancy_test(const Node& node);
 
