@@ -77,7 +77,9 @@ class Clues {
             if (!std::ranges::all_of(text(token), [](char c) { return is_capital(c) || c == '_'; })) continue;
             const std::string capitals = capitals_of(text(token));
             if (capitals.front() == '_' || capitals == "HID" || is_keyword(capitals)) continue;
-            return make(Irregular::unknown_keyword, token, meant_by(capitals));
+            std::string meant = meant_by(capitals);
+            if (meant == capitals) continue; // a section word
+            return make(Irregular::unknown_keyword, token, std::move(meant));
         }
         return std::nullopt;
     }

@@ -195,7 +195,10 @@ void BlockLowering::lower_unknown(const Node& node) {
     if (keyword == nullptr) return;
     const std::string capitals = capitals_of(text(*keyword));
     const std::string meant = meant_by(capitals);
-    report(Irregular::unknown_keyword, span(*keyword), meant);
+    if (meant == capitals) // a section word in the wrong place
+        report(Irregular::not_alone, span(*keyword), "");
+    else
+        report(Irregular::unknown_keyword, span(*keyword), meant);
     UnreadableBlock block{{}, {}, true, meant == "RETURN"};
     effect({std::move(block), span(node)});
 }

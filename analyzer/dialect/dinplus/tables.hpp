@@ -56,7 +56,7 @@ inline constexpr auto transfer_letters = std::to_array<std::string_view>({
 
 /// Section words; `kind` is the row of ControlModel::sections that they begin.
 struct SectionWord {
-    std::string_view word; ///< capitals, one blank between words
+    std::string_view word; ///< capitals, as the control spells it: FACE_C, PROGRAM HEAD
     std::string_view kind; ///< English word of today: name of a row of ControlModel::sections
     enum class Use : std::uint8_t {
         english,
