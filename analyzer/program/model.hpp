@@ -338,8 +338,9 @@ enum class Irregular : std::uint8_t {
     parenthesis_as_bracket, ///< subject: the word before the '('
     bracket_mismatch,       ///< cure: which bracket is missing and where
     unknown_keyword,        ///< cure: the keyword that was meant, may be empty
-    symbolic_comparison,    ///< cure: the operator word
-    bracket_depth,          ///< subject: the bracket that opens one level too many
+    missing_construct, ///< subject: a word of what the language lacks; cure: a sentence without its full stop
+    symbolic_comparison, ///< cure: the operator word
+    bracket_depth,       ///< subject: the bracket that opens one level too many
     assignment_to_null,
     loop_without_do,          ///< WHILE condition without DO
     call_without_program,     ///< G65/G66/M98 without P

@@ -61,8 +61,10 @@ class Reader {
         tape_open_ = !start.at_mark;
         for (Offset at = start.begin; at < text_.size();) at = read_from(at);
         close_program();
-        for (Irregularity& irregularity : file_.irregularities)
+        for (Irregularity& irregularity : file_.irregularities) {
             irregularity.subject = file_.source->to_utf8(irregularity.subject);
+            irregularity.cure = file_.source->to_utf8(irregularity.cure);
+        }
         return std::move(file_);
     }
 
