@@ -104,11 +104,8 @@ Detection judge(Content content, std::string_view text, const std::string& exten
     const bool shared_marks = language == Language::fanuc || language == Language::hobby;
     if (shared_marks && !found.is_nc_text())
         return {nullptr, "text of another kind (few lines look like blocks)", true, true};
-    if (language == Language::din_plus) {
-        const Dialect* din_plus = find_dialect("dinplus");
-        if (din_plus == nullptr) return foreign(found.evidence, language);
-        return {din_plus, found.evidence.reason(language), false, certain};
-    }
+    if (language == Language::din_plus)
+        return {find_dialect("dinplus"), found.evidence.reason(language), false, certain};
     if (language != Language::fanuc) return foreign(found.evidence, language);
     if (found.nct_head && found.nct_line != 0)
         return {find_dialect("nct"), "an NCT form in line " + std::to_string(found.nct_line), false, certain};

@@ -1,6 +1,7 @@
 //! The program model: what flow, data flow and rules see of a program in any language.
 #pragma once
 
+#include "analyzer/program/names.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/source/source.hpp"
 #include "analyzer/source/span.hpp"
@@ -11,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -306,9 +308,9 @@ class Program {
     std::vector<Word> words;
     std::vector<Argument> arguments;
     std::vector<ModalSetting> settings;
-    std::vector<std::string> names; ///< of named variables
+    Names names;                    ///< of named variables
     std::vector<Place> handed_down; ///< locals that all programs called from here see, too: #l1(200)
-    std::vector<std::pair<Place, Place>> aliases; ///< names, and the variables that they stand for
+    std::unordered_map<Place, Place, PlaceHash> aliases; ///< names, and the variables that they stand for
 
     [[nodiscard]] std::string_view slice(Span span) const {
         return text.substr(span.begin, span.end - span.begin);
@@ -333,7 +335,7 @@ class Program {
 
 /// What is wrong with a text before any flow is looked at. Rules of the families 0xx and 1xx report these.
 enum class Irregular : std::uint8_t {
-    oversized_block, ///< detail: none
+    oversized_block, ///< too long to be parsed
     unterminated_comment,
     parenthesis_as_bracket, ///< subject: the word before the '('
     bracket_mismatch,       ///< cure: which bracket is missing and where

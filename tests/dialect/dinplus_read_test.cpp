@@ -275,6 +275,14 @@ TEST(DinBadInput, NoiseIsReadInLinearTime) {
     }
 }
 
+TEST(DinNames, ManyOfThemAreReadInLinearTime) {
+    std::string text = "VAR\n";
+    for (int i = 0; i < 50'000; ++i) text += "#_a" + std::to_string(i) + "=#g" + std::to_string(i + 1) + '\n';
+    text += "MACHINING\n";
+    for (int i = 0; i < 50'000; ++i) text += "#_b" + std::to_string(i) + "=#_a" + std::to_string(i) + '\n';
+    EXPECT_LT(seconds_to_read(text), 3);
+}
+
 TEST(DinBadInput, AnUnclosedCommentOfTenMegabytes) {
     constexpr std::size_t size = 10'000'000;
     constexpr double patience = 10;

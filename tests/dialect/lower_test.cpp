@@ -1,6 +1,7 @@
 //! What blocks become in the program model.
 #include "tests/dialect/reading.hpp"
 
+#include <chrono>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -64,6 +65,15 @@ TEST(FanucExpression, KnowsFunctionsByNameAndAbbreviation) {
 }
 
 // ---- control flow
+
+TEST(FanucExpression, ManyNamesAreReadInLinearTime) {
+    std::string text = "O1\n";
+    for (int i = 0; i < 60'000; ++i) text += "[#_A" + std::to_string(i) + "]=1\n";
+    const auto start = std::chrono::steady_clock::now();
+    const ProgramFile file = read(text + "#1=#_A59999\n");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+    EXPECT_EQ(describe(file.programs.at(0), file.programs[0].effects.back()), "#1 := #_A59999");
+}
 
 TEST(FanucCondition, EqualToNullAsksForVacancy) {
     EXPECT_EQ(lower("IF[#1EQ#0]GOTO10"), "if vacant?(#1) {jump 10}");

@@ -164,7 +164,7 @@ ExpressionId BlockLowering::lower_indirect(const Node& node) {
 }
 
 const Place* BlockLowering::alias_of(std::string_view name) const {
-    const auto row = std::ranges::find(before_->aliases, name, &std::pair<std::string, Place>::first);
+    const auto row = before_->aliases.find(name);
     return row == before_->aliases.end() ? nullptr : &row->second;
 }
 
@@ -173,10 +173,7 @@ Place BlockLowering::named_place(const Node& node, SpaceId space) {
     std::string_view written = text(node);
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
     if (const Place* alias = alias_of(written)) return *alias;
-    const auto known = std::ranges::find(program_->names, written);
-    const auto index = static_cast<std::int32_t>(known - program_->names.begin());
-    if (known == program_->names.end()) program_->names.emplace_back(written);
-    return {space, index};
+    return {space, program_->names.number_of(written)};
 }
 
 /// What is written like a constant or a named variable: `_sd`, `#_depth`, `__la`, `#__la`.

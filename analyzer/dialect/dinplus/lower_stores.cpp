@@ -33,8 +33,8 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value) {
             if (const auto found = numbered(*inner)) place = found->place;
         if (place) initialise(value, span(value));
     }
-    if (place) program_->aliases.emplace_back(own, *place);
-    if (alias_of(written) == nullptr) before_->aliases.emplace_back(written, place.value_or(own));
+    if (place) program_->aliases.emplace(own, *place);
+    before_->aliases.emplace(written, place.value_or(own));
     return place.has_value();
 }
 

@@ -6,6 +6,7 @@
 #include "analyzer/dialect/tree_lowering.hpp"
 #include "analyzer/program/model.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,14 +15,17 @@
 
 namespace maclint::dinplus {
 
+/// What the codes of a section are: commands, or elements of a contour.
+enum class Context : std::uint8_t { machining, contour };
+
 /// What the blocks before tell about a block of the same program.
 struct Preceding {
     Context context = Context::machining;
-    bool effects = true;   ///< the section does something: it is no list for the operator
-    bool declares = false; ///< the section is VAR or CONST
-    std::vector<std::pair<std::string, Place>> aliases; ///< VAR: `#_depth=#l1`
-    std::vector<ExpressionId> selections;               ///< values of the open SWITCHes
-    std::optional<Span> waiting_if;                     ///< an IF whose THEN has not come
+    bool effects = true;                  ///< the section does something: it is no list for the operator
+    bool declares = false;                ///< the section is VAR or CONST
+    PlacesByName aliases;                 ///< VAR: `#_depth=#l1`
+    std::vector<ExpressionId> selections; ///< values of the open SWITCHes
+    std::optional<Span> waiting_if;       ///< an IF whose THEN has not come
 };
 
 /// Lowers blocks of programs.

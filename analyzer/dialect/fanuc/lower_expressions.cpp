@@ -122,10 +122,7 @@ ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
 Place BlockLowering::named_place(const Node& node) {
     std::string name = upper_text(node);
     std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
-    const auto known = std::ranges::find(program_->names, name);
-    const auto index = static_cast<std::int32_t>(known - program_->names.begin());
-    if (known == program_->names.end()) program_->names.push_back(std::move(name));
-    return {spaces::named, index};
+    return {spaces::named, program_->names.number_of(name)};
 }
 
 ExpressionId BlockLowering::lower_named(const Node& node) {

@@ -46,7 +46,6 @@ class BlockLowering : private TreeLowering {
     struct NcWord {
         char letter; ///< upper case; 0 for a program name
         bool comma;
-        Id word; ///< in Program::words, or none for a program name
         const Node* node;
         std::optional<ExpressionId> value;
         std::optional<double> literal;
