@@ -63,7 +63,8 @@ TEST(Irregularities, WordsThatTheControlRefusesAreToldThoughTheyCanBeParsed) {
         {"#4=#1>2", "! unreadable '>' -> a calculation, because only IF and WHILE compare"},
         {"IF[#1>2]GOTO5", "! symbolic-comparison '>' -> GT"},
         {"NEXT", "! unknown-keyword 'NEXT' -> END"},
-        {"ENDIF", "! missing-construct 'ENDIF' -> There is no block IF: let GOTO jump over the blocks"},
+        {"ENDIF", "! missing-construct 'ENDIF' -> There is no block IF: delete the word, or let GOTO jump "
+                  "over the blocks"},
         {"#1=[5 ELSE", "! bracket-mismatch '[' -> its ']' is missing"},
         {"#1=5 ELSE IF", "! missing-construct 'ELSE' -> There is no block IF: let GOTO jump over the blocks"},
     };

@@ -30,6 +30,8 @@ struct Foreign {
 
 /// [4: there is no ELSE]
 constexpr std::string_view no_block_if = "There is no block IF: let GOTO jump over the blocks";
+constexpr std::string_view no_end_of_if =
+    "There is no block IF: delete the word, or let GOTO jump over the blocks";
 
 // Words that other languages have, or that people expect, and what Custom Macro B has for them.
 constexpr Foreign foreign_words[] = {
@@ -68,7 +70,7 @@ constexpr Foreign foreign_words[] = {
     {"ELSEIF", "", no_block_if},
     {"ELSIF", "", no_block_if},
     {"ELIF", "", no_block_if},
-    {"ENDIF", "", no_block_if},
+    {"ENDIF", "", no_end_of_if},
 };
 
 bool holds(std::span<const std::string_view> words, std::string_view word) {
