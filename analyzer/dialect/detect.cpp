@@ -6,6 +6,7 @@
 #include "analyzer/dialect/detect/other_text.hpp"
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/content.hpp"
+#include "analyzer/source/line_index.hpp"
 
 #include <algorithm>
 
@@ -63,24 +64,12 @@ struct Survey {
     [[nodiscard]] bool is_nc_text() const { return blocks * 3 >= filled; }
 };
 
-std::size_t line_end(std::string_view text, std::size_t at) {
-    while (at < text.size() && text[at] != '\n' && text[at] != '\r') ++at;
-    return at;
-}
-
-/// LF, CR, CR LF and the LF CR CR of a tape are one line end each.
-std::size_t behind_line_end(std::string_view text, std::size_t at) {
-    const auto is = [&](std::size_t place, char c) { return place < text.size() && text[place] == c; };
-    if (is(at, '\r')) return at + (is(at + 1, '\n') ? 2 : 1);
-    return at + (is(at + 1, '\r') && is(at + 2, '\r') ? 3 : 1);
-}
-
 Survey survey(std::string_view text, std::string_view extension) {
     Survey result{Evidence(extension)};
     Line line;
     std::size_t number = 1;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = line_end(text, at);
+        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
         line.read(text.substr(at, end - at));
         if (!line.whole().empty()) {
             if (++result.filled == 1) result.nct_head = has_nct_head(line.whole());
@@ -88,7 +77,7 @@ Survey survey(std::string_view text, std::string_view extension) {
             result.evidence.add(line, number);
             if (result.nct_line == 0 && has_nct_form(line.code())) result.nct_line = number;
         }
-        at = behind_line_end(text, end);
+        at = end == text.size() ? end : after_line_end(text, static_cast<Offset>(end));
         ++number;
     }
     return result;
@@ -115,11 +104,8 @@ Detection judge(Content content, std::string_view text, const std::string& exten
     const bool shared_marks = language == Language::fanuc || language == Language::hobby;
     if (shared_marks && !found.is_nc_text())
         return {nullptr, "text of another kind (few lines look like blocks)", true, true};
-    if (language == Language::din_plus) {
-        const Dialect* din_plus = find_dialect("dinplus");
-        if (din_plus == nullptr) return foreign(found.evidence, language);
-        return {din_plus, found.evidence.reason(language), false, certain};
-    }
+    if (language == Language::din_plus)
+        return {find_dialect("dinplus"), found.evidence.reason(language), false, certain};
     if (language != Language::fanuc) return foreign(found.evidence, language);
     if (found.nct_head && found.nct_line != 0)
         return {find_dialect("nct"), "an NCT form in line " + std::to_string(found.nct_line), false, certain};

@@ -1,18 +1,13 @@
 //! The printer.
 #include "analyzer/program/dump.hpp"
 
+#include "analyzer/program/overloaded.hpp"
+
 #include <array>
 #include <charconv>
 
 namespace maclint {
 namespace {
-
-template<class... Cases>
-struct Overloaded : Cases... {
-    using Cases::operator()...;
-};
-template<class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 std::string text_of(double value) {
     std::array<char, 40> digits{};
@@ -37,7 +32,7 @@ std::string describe(const Program& program, const Call& call) {
     std::string out = "call ";
     out += program.control->calls[call.kind].name;
     out += ' ';
-    out += std::visit(Overloaded{[](std::monostate) -> std::string { return "?"; },
+    out += std::visit(overloaded{[](std::monostate) -> std::string { return "?"; },
                                  [&](ExpressionId id) { return maclint::describe(program, id); },
                                  [&](Text name) { return std::string(program.slice(name.characters)); }},
                       call.program);
@@ -72,7 +67,7 @@ std::string describe(const Program& program, const UnreadableBlock& block) {
 
 std::string describe(const Program& program, const Assign& assign) {
     const std::string target = std::visit(
-        Overloaded{[&](Place place) { return program.spell(place); },
+        overloaded{[&](Place place) { return program.spell(place); },
                    [&](const StoreAt& at) { return "#[" + maclint::describe(program, at.index) + "]"; },
                    [&](const StoreMachine& at) {
                        return "machine " + describe_machine(program, at.family, at.number);
@@ -117,23 +112,13 @@ std::string_view name_of(Operation operation) {
 }
 
 std::string_view name_of(Irregular irregular) {
-    static constexpr std::string_view names[] = {"oversized-block",
-                                                 "unterminated-comment",
-                                                 "parenthesis-as-bracket",
-                                                 "bracket-mismatch",
-                                                 "unknown-keyword",
-                                                 "symbolic-comparison",
-                                                 "bracket-depth",
-                                                 "assignment-to-null",
-                                                 "loop-without-do",
-                                                 "call-without-program",
-                                                 "not-alone",
-                                                 "then-missing",
-                                                 "assignment-in-condition",
-                                                 "comparison-as-assignment",
-                                                 "hash-in-vacancy-test",
-                                                 "unknown-transfer-value",
-                                                 "unreadable"};
+    static constexpr std::string_view names[] = {
+        "oversized-block",      "unterminated-comment",    "parenthesis-as-bracket",
+        "bracket-mismatch",     "unknown-keyword",         "missing-construct",
+        "symbolic-comparison",  "bracket-depth",           "assignment-to-null",
+        "loop-without-do",      "call-without-program",    "not-alone",
+        "then-missing",         "assignment-in-condition", "comparison-as-assignment",
+        "hash-in-vacancy-test", "unknown-transfer-value",  "unreadable"};
     static_assert(std::size(names) == static_cast<std::size_t>(Irregular::unreadable) + 1);
     return names[static_cast<std::size_t>(irregular)];
 }
@@ -151,7 +136,7 @@ std::string describe(const Program& program, ExpressionId expression) {
         return out + ')';
     };
     return std::visit(
-        Overloaded{[](const Literal& node) { return text_of(node.value) + (node.decimal_point ? "." : ""); },
+        overloaded{[](const Literal& node) { return text_of(node.value) + (node.decimal_point ? "." : ""); },
                    [&](const Text& node) { return '"' + std::string(program.slice(node.characters)) + '"'; },
                    [](Vacant) { return std::string("vacant"); },
                    [&](const Load& node) { return program.spell(node.place); },
@@ -171,7 +156,7 @@ std::string describe(const Program& program, const Effect& effect) {
         return id ? std::string(before) + describe(program, *id) : std::string();
     };
     return std::visit(
-        Overloaded{
+        overloaded{
             [&](const Assign& what) { return describe(program, what); },
             [&](const SetModal& what) {
                 const std::string group(what.group ? program.control->groups[*what.group].name : "modal");

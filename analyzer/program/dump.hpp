@@ -9,9 +9,9 @@ namespace maclint {
 
 /// "add(#1, 2)", "vacant?(#3)", "modal(distance mode)".
 [[nodiscard]] std::string describe(const Program& program, ExpressionId expression);
-/// "#1 := 5", "if less(#1, 5) {jump 10}", "call G65 macro call 9010 (A#1=1)".
+/// "#1 := 5", "if less(#1, 5) {jump 10}", "call G65 macro call 9010 A>#1=1".
 [[nodiscard]] std::string describe(const Program& program, const Effect& effect);
-/// "O9100: N10 /1 | effect | effect", runs as "run of 3, moves, distance mode=91".
+/// A block a line: "N10 /1 effect; effect", runs as "run of 3 numbered moving, distance mode=91".
 [[nodiscard]] std::string describe(const Program& program);
 /// All programs, then the irregularities.
 [[nodiscard]] std::string describe(const ProgramFile& file);

@@ -17,6 +17,11 @@ const VariableRange* VariableFamily::find(std::int64_t number) const {
     return number <= range.last ? &range : nullptr;
 }
 
+std::optional<GroupId> find_group(std::span<const ModalGroup> groups, std::string_view name) {
+    const auto row = std::ranges::find(groups, name, &ModalGroup::name);
+    return row == groups.end() ? std::nullopt : std::optional(static_cast<GroupId>(row - groups.begin()));
+}
+
 std::optional<GroupId> ControlModel::group_of(char letter, double code) const {
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const ModalGroup& group = groups[i];
@@ -67,7 +72,7 @@ Span Program::span_of(ItemId item) const {
 }
 
 Place Program::meant_by(Place place) const {
-    const auto alias = std::ranges::find(aliases, place, &std::pair<Place, Place>::first);
+    const auto alias = aliases.find(place);
     return alias == aliases.end() ? place : alias->second;
 }
 
@@ -76,7 +81,7 @@ std::string Program::spell(Place place) const {
     const auto index = static_cast<std::size_t>(place.number);
     if (index < space.fixed_names.size())
         return std::string(space.prefix) + std::string(space.fixed_names[index]);
-    if (space.named) return std::string(space.prefix) + (index < names.size() ? names[index] : "");
+    if (space.named) return std::string(space.prefix).append(names[place.number]);
     return std::string(space.prefix) + std::to_string(place.number);
 }
 

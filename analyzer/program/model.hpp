@@ -1,6 +1,7 @@
 //! The program model: what flow, data flow and rules see of a program in any language.
 #pragma once
 
+#include "analyzer/program/names.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/source/source.hpp"
 #include "analyzer/source/span.hpp"
@@ -11,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -306,9 +308,9 @@ class Program {
     std::vector<Word> words;
     std::vector<Argument> arguments;
     std::vector<ModalSetting> settings;
-    std::vector<std::string> names; ///< of named variables
+    Names names;                    ///< of named variables
     std::vector<Place> handed_down; ///< locals that all programs called from here see, too: #l1(200)
-    std::vector<std::pair<Place, Place>> aliases; ///< names, and the variables that they stand for
+    std::unordered_map<Place, Place, PlaceHash> aliases; ///< names, and the variables that they stand for
 
     [[nodiscard]] std::string_view slice(Span span) const {
         return text.substr(span.begin, span.end - span.begin);
@@ -333,13 +335,14 @@ class Program {
 
 /// What is wrong with a text before any flow is looked at. Rules of the families 0xx and 1xx report these.
 enum class Irregular : std::uint8_t {
-    oversized_block, ///< detail: none
+    oversized_block, ///< too long to be parsed
     unterminated_comment,
     parenthesis_as_bracket, ///< subject: the word before the '('
     bracket_mismatch,       ///< cure: which bracket is missing and where
     unknown_keyword,        ///< cure: the keyword that was meant, may be empty
-    symbolic_comparison,    ///< cure: the operator word
-    bracket_depth,          ///< subject: the bracket that opens one level too many
+    missing_construct, ///< subject: a word of what the language lacks; cure: a sentence without its full stop
+    symbolic_comparison, ///< cure: the operator word
+    bracket_depth,       ///< subject: the bracket that opens one level too many
     assignment_to_null,
     loop_without_do,          ///< WHILE condition without DO
     call_without_program,     ///< G65/G66/M98 without P
@@ -347,7 +350,7 @@ enum class Irregular : std::uint8_t {
     then_missing,             ///< IF that no THEN follows; subject: the IF
     assignment_in_condition,  ///< `=` in a condition; cure: the condition with `==`
     comparison_as_assignment, ///< `==` where a value is to be stored; cure: the assignment with `=`
-    hash_in_vacancy_test,     ///< DEF(#__la); cure: the test without `#`
+    hash_in_vacancy_test,     ///< DEF(#__la): a name with its `#`; cure: the test without
     unknown_transfer_value,   ///< subject: "#__lg"
     unreadable,               ///< nothing more exact is known; cure: what was expected
 };

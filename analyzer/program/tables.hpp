@@ -80,6 +80,9 @@ struct ModalGroup {
     bool for_callers = false;           ///< a subprogram may switch it on for its caller, who is to cancel it
 };
 
+/// The row of that name, or nothing.
+[[nodiscard]] std::optional<GroupId> find_group(std::span<const ModalGroup> groups, std::string_view name);
+
 /// A code of a group.
 struct GroupCode {
     GroupId group;

@@ -165,10 +165,8 @@ class WorkspaceBuilder {
                 places.push_back(place);
                 continue;
             }
-            const auto name =
-                std::ranges::find(taker.names, giver.names[static_cast<std::size_t>(place.number)]);
-            if (name != taker.names.end())
-                places.push_back({place.space, static_cast<std::int32_t>(name - taker.names.begin())});
+            if (const auto number = taker.names.find(giver.names[place.number]))
+                places.push_back({place.space, *number});
         }
     }
 

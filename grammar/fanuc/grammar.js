@@ -82,7 +82,7 @@ module.exports = grammar({
     malformed_word: $ => token(choice(
       new RegExp(`${letter}${blank}[+-]?${blank}[0-9]*\\.[0-9]*\\.[0-9.]*`),
       new RegExp(`${letter}${blank}[+-]${blank}[+-][+\\-]*${blank}${digits}`))),
-    // The letter O for the digit: `GO1`, `MO6`. Not behind C, D and R, where it is COS, DO and ROUND.
+    // The letter O for the digit: `GO1`, `MO6`. Only behind F-K, M, P, S, T and X-Z: CO, DO and RO begin words.
     letter_o_word: $ => token(new RegExp(`[F-KMPSTX-Zf-kmpstx-z]${blank}[+-]?[0-9]*\\.?[0-9]*[oO][0-9oO.]*`)),
 
     word: $ => choice(

@@ -12,7 +12,7 @@ extern const Rule block_must_be_alone{
     .code = "DIN008",
     .name = "block-must-be-alone",
     .aliases = "",
-    .summary = "IF, THEN, ELSE or ENDIF shares its block with other commands",
+    .summary = "IF, THEN, ELSE, ENDIF or a section word shares its block with other commands",
     .why = "A block with one of these words may hold nothing else: the control rejects the program, or "
            "leaves out the rest of the block.",
     .severity = Severity::error,
@@ -38,7 +38,7 @@ extern const Rule block_must_be_alone{
                          "N15 M30\n"
                          "END\n"}},
     .alarms = {},
-    .sources = {"SEED-003:19668"},
+    .sources = {"SEED-003:19668", "SEED-003:2656-2686 (parameters of sections)"},
     .check = &check,
 };
 

@@ -12,9 +12,10 @@ extern const Rule def_with_hash{
     .code = "DIN323",
     .name = "def-with-hash",
     .aliases = "",
-    .summary = "DEF, NDEF and DVDEF take the name without #",
+    .summary = "DEF, NDEF and DVDEF take a name without #",
     .why = "The manual asks for the bare name. With the # the control may ask for the variable whose number "
-           "the value is, and the test answers another question.",
+           "the value is, and the test answers another question. A variable without a name keeps its #: "
+           "NDEF(#l1).",
     .severity = Severity::warning,
     .precision = Precision::very_high,
     .on_by_default = true,
@@ -37,7 +38,7 @@ extern const Rule def_with_hash{
                          "N4 ENDIF\n"
                          "RETURN\n"}},
     .alarms = {},
-    .sources = {"SEED-003:19732", "SEED-003:22299 (the manual breaks its own rule)"},
+    .sources = {"SEED-003:19732", "SEED-003:22299 (NDEF(#l1))"},
     .check = &check,
 };
 

@@ -23,7 +23,8 @@ extern const Rule unknown_keyword{
     .messages = {{"cure", "'{0}' is no word of the control, which stops here. Write '{1}'."},
                  {"plain",
                   "'{0}' is no word of the control, which stops here. Use the words of the language's "
-                  "manual."}},
+                  "manual."},
+                 {"construct", "'{0}' is no word of the control, which stops here. {1}."}},
     .bad = {{"fanuc", "O9118(DEPTH)\n"
                       "IF[#100LTE5]GOTO10\n"
                       "#100=5\n"
@@ -58,6 +59,9 @@ namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
     report_irregular(file, Irregular::unknown_keyword, reporter);
+    for (const Irregularity& irregularity : file.irregularities)
+        if (irregularity.kind == Irregular::missing_construct)
+            reporter.report(file, irregularity.span, "construct", {irregularity.subject, irregularity.cure});
 }
 
 } // namespace

@@ -60,6 +60,14 @@ TEST_F(BadInput, EmptyFile) {
     }
 }
 
+TEST_F(BadBytes, SeventyThousandCommentsInOneBlock) {
+    std::string comments;
+    for (int i = 0; i < 70'000; ++i) comments += "()";
+    EXPECT_THAT(findings_in("%\nO1\n#1=5" + comments + "\nGOTO 99\nM30\n%\n"),
+                ElementsAre("3:1 MAC004", "4:1 MAC301"));
+    EXPECT_THAT(findings_in("%\nO1\nG0 X5." + comments + "\nGOTO 99\nM30\n%\n"), ElementsAre("4:1 MAC301"));
+}
+
 TEST_F(BadInput, FolderWithoutPrograms) {
     folder.write("bare/notes.md", "G0 X1.\n");
     const Finished finished = lint({"bare", "neighbour.nc"});

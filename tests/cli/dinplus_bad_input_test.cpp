@@ -35,6 +35,15 @@ TEST_F(BadDinPlus, UnclosedCommentToTheEndOfTenMegabytes) {
     EXPECT_THAT(findings_in("part.nc", text), Contains("4:1 MAC102"));
 }
 
+TEST_F(BadDinPlus, SeventyThousandCommentsInOneBlock) {
+    std::string comments;
+    for (int i = 0; i < 70'000; ++i) comments += "[]";
+    for (const std::string& block :
+         {"N1 G1 X5 " + comments, comments + "N1 G1 X5", "N1 G1 " + comments + "X5"})
+        EXPECT_THAT(findings_in("part.nc", "%part.nc\nMACHINING\n" + block + "\nN2 #l1==5\nN3 M30\nEND\n"),
+                    ElementsAre("3:1 MAC004", "4:7 DIN326"));
+}
+
 TEST_F(BadDinPlus, StringOverALineEnd) {
     EXPECT_THAT(findings_in_fixture("string-over-line-end.nc"), ElementsAre("20:11 MAC121", "21:6 MAC121"));
 }

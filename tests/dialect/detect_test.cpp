@@ -2,6 +2,7 @@
 //! people are in detect_corpus_test.cpp.
 #include "tests/dialect/detecting.hpp"
 
+#include <chrono>
 #include <string>
 #include <string_view>
 
@@ -129,9 +130,34 @@ TEST(Detection, FragmentsOfDinPlusAreToldByVariablesAddressesAndCalls) {
         EXPECT_EQ(told_of(text), din_plus) << text;
 }
 
+TEST(Detection, ACommentAtTheHeadOfDinPlusIsNoJson) {
+    const std::string program = "\nPROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 G0 X5\nEND\n";
+    for (const char* comment : {"[Part \"A1\"]", "[{ shaft }]", "[\"A1\"]", "[5]", "[]", "[ {\"A\"} ]"})
+        EXPECT_EQ(told_of(comment + program), testing::din_plus) << comment;
+    for (const char* json : {"[{\"a\": [1, -2.5e3]}, {\"b\": null}]", "[\n  \"a\\\"b\",\n  true\n]\n",
+                             "{\"a\": 1}", "[{\"cut\": \"off"})
+        EXPECT_EQ(told_of(json), "JSON") << json;
+}
+
+TEST(Detection, VariablesWithNamesAreBlocks) {
+    EXPECT_EQ(told_of("O1\n[#_DEPTH]=1\n[#_WIDTH]=2\nN3[#FEED]=3\n[ #SPEED]=4\n[#_MAX]=5\n"), "fanuc");
+}
+
+TEST(Detection, ALineOfManyWordsTakesNoTime) {
+    std::string line = "AA";
+    while (line.size() < 64'000) line += " B";
+    const auto start = std::chrono::steady_clock::now();
+    (void)detect("a.nc", line);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(500));
+    EXPECT_EQ(told_of("FINISHED PART X5 Z\nN1 G0 X5\n"), testing::din_plus);
+    EXPECT_NE(told_of("FINISHED PARTS LIST\nN1 G0 X5\n"), testing::din_plus);
+}
+
 TEST(Detection, TheNoteSaysWhatGaveTheLanguageAwayAndWhere) {
     EXPECT_EQ(detect("a.nc", "G0 X5\n\no100 sub\no100 endsub\n").reason, "LinuxCNC (an o-word in line 3)");
     EXPECT_EQ(detect("a.nc", "G0\n\r\rG1\n\r\r0 BEGIN PGM A MM\n").reason,
+              "HEIDENHAIN Klartext (BEGIN PGM in line 3)");
+    EXPECT_EQ(detect("a.nc", "G0\n\rG1\n\r0 BEGIN PGM A MM\n").reason,
               "HEIDENHAIN Klartext (BEGIN PGM in line 3)");
     EXPECT_EQ(detect("a.spf", "G0 X5\n").reason, "SINUMERIK (extension .spf)");
     EXPECT_FALSE(detect("a.nc", "o100 sub\no100 endsub\n").not_nc_text);

@@ -1,6 +1,7 @@
 //! What DIN PLUS blocks become in the program model.
 #include "tests/dialect/reading.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace maclint {
@@ -101,6 +102,8 @@ TEST(DinCalls, WordsBecomeArgumentsOfTheirFormals) {
 
 TEST(DinCalls, InputStoresPrintReads) {
     EXPECT_EQ(din("INPUT(\"D?\",#l1)"), "exchange out \"D?\" in #l1; synchronise");
+    EXPECT_EQ(din("INPUT(\"D?\",#g(#l1))"), "exchange out \"D?\"; #[#l1] := unreadable; synchronise");
+    EXPECT_EQ(din("INPUT(\"D?\",#m4(Z))"), "exchange out \"D?\"; machine #m4 := unreadable; synchronise");
     EXPECT_EQ(din("PRINT(\"D \",#l1)"), "exchange out \"D \" out #l1");
     EXPECT_EQ(din("WINDOW(8)"), "exchange out 8");
 }
@@ -114,6 +117,23 @@ TEST(DinVariables, EveryKindHasItsSpace) {
     EXPECT_EQ(din("#l1=#n40(G)"), "#l1 := modal(radius compensation)");
     EXPECT_EQ(din("#l1=#n95(F)+__n97_s"), "#l1 := add(modal(feed), modal(spindle speed))");
     EXPECT_EQ(din("#l1=#__la"), "#l1 := #__la");
+}
+
+TEST(DinVariables, WhatSelectorsComputeIsRead) {
+    EXPECT_EQ(din("#l1=#w0(#l7)"), "#l1 := #[unknown(#l7)]");
+    EXPECT_EQ(din("#l1=#a1(Z,#l2+1)"), "#l1 := #[unknown(add(#l2, 1))]");
+    EXPECT_EQ(din("#l1=#t(3,\"001\")"), "#l1 := machine #t0");
+    EXPECT_EQ(din("#l1=#t(#l2,\"001\")"), "#l1 := #[unknown(#l2)]");
+    EXPECT_EQ(din("#l1=#m(#l2)(#l3)"), "#l1 := #[unknown(#l3, #l2)]");
+    EXPECT_EQ(din("#m(#l2)(Z)=5"), "#[#l2] := 5");
+    EXPECT_EQ(din("#d1(Z,#l2)=5"), "#[unknown(#l2)] := 5");
+}
+
+TEST(DinVariables, TestsForAValueTakeNamesWithoutTheirSign) {
+    for (const char* test : {"NDEF(#l1)", "DEF(__la)", "DEF(_depth)", "NDEF(#a9(X))", "DEF(#g(#l1))"})
+        EXPECT_EQ(din("IF " + std::string(test) + "\nTHEN\nENDIF").find('!'), std::string::npos) << test;
+    EXPECT_THAT(din("IF NDEF(#__la)\nTHEN\nENDIF"), ::testing::EndsWith("'NDEF(#__la)' -> NDEF(__la)"));
+    EXPECT_THAT(din("IF DEF( # _depth)\nTHEN\nENDIF"), ::testing::EndsWith("-> DEF(_depth)"));
 }
 
 TEST(DinVariables, NamesOfVarStandForWhatTheyName) {

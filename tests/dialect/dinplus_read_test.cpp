@@ -85,8 +85,47 @@ TEST(DinSections, LatinOneAndUtf8AreTheSameWord) {
 }
 
 TEST(DinSections, ANumberBeforeTheWordDoesNotHideIt) {
-    EXPECT_THAT(sections_of(read_din("N1 MACHINING\nN2 M30\nN3 END\n").programs.at(0)),
-                ElementsAre("MACHINING 1", "END 0 never"));
+    const auto file =
+        read_din("N1 FACE_C Z0\nN2 G308\nN3 LATERAL Y [side] X118 C0\nN4 TURRET 1\nN5 MACHINING\n"
+                 "N6 M30\nN7 END\n");
+    EXPECT_THAT(sections_of(file.programs.at(0)),
+                ElementsAre("FACE_C 1 at load", "LATERAL_Y 0 at load", "TURRET 0 never", "MACHINING 1",
+                            "END 0 never"));
+    EXPECT_THAT(file.irregularities, IsEmpty());
+}
+
+TEST(DinSections, CommandsBehindTheWordAreReported) {
+    for (const char* text : {"MACHINING G0 X10 THN\n", "MACHINING N5 X10\n", "N4 MACHINING M3\n",
+                             "BLANK\nN1 G20 X5\nMACHINING ENDIF\n", "N5 G0 X10 MACHINING\n"}) {
+        const auto file = read_din(text);
+        ASSERT_EQ(file.irregularities.size(), 1U) << text;
+        EXPECT_EQ(file.irregularities[0].kind, Irregular::not_alone) << text;
+        EXPECT_EQ(file.irregularities[0].subject, "MACHINING") << text;
+    }
+    for (const char* text :
+         {"CONTOUR Q1 X0 Z600\n", "SUBPROGRAM \"G1 N5\"\n", "MACHINING [G0 X10]\n",
+          "LATERAL_Y X118 C0 B0 I1 K2 H1\n", "TURRET 1\n", "ASSIGNMENT $1 $2\n", "AUXIL_CONTOUR ID\"M1\"\n"})
+        EXPECT_THAT(read_din(text).irregularities, IsEmpty()) << text;
+}
+
+TEST(DinSections, AMisspeltWordIsCuredWithTheSpellingOfTheControl) {
+    EXPECT_EQ(read_din("face_c\n").irregularities.at(0).cure, "FACE_C");
+    EXPECT_EQ(read_din("LATERALC X50\n").irregularities.at(0).cure, "LATERAL_C");
+    EXPECT_EQ(read_din("AUXIL CONTOUR\n").irregularities.size(), 0U);
+    EXPECT_EQ(read_din("program head\n").irregularities.at(0).cure, "PROGRAM HEAD");
+}
+
+TEST(DinIrregularities, WordsThatTheControlRefusesAreToldThoughTheyCanBeParsed) {
+    static constexpr std::pair<const char*, const char*> blocks[] = {
+        {"N1 G95 F0,25", "a decimal point in the number"},
+        {"N1 G1 X1.2.3", "one decimal point in the number"},
+        {"N1 G...", "a number"},
+        {"N#l1 G1 X5", "the digits of a block number"}};
+    for (const auto& [block, cure] : blocks) {
+        const auto file = read_din("MACHINING\n" + std::string(block));
+        ASSERT_EQ(file.irregularities.size(), 1U) << block;
+        EXPECT_EQ(file.irregularities[0].cure, cure);
+    }
 }
 
 TEST(DinSections, SmallLettersAreReported) {
@@ -205,6 +244,16 @@ TEST(DinBadInput, EveryFileIsReadAndNoSpanLeavesIt) {
     EXPECT_GT(files, 50U);
 }
 
+TEST(DinBlocks, ManyNegativeWordsAreNoNoise) {
+    std::string block = "N1 L\"UP\" V1";
+    for (const char letter : std::string_view("ABCDEFHIJKLOPRSUWXYZ"))
+        block += std::string(" L") + letter + "-1";
+    for (const char* word : {"BS-1", "BE-2", "WS-3", "AC-4", "WC-5", "RC-6", "ICi-7", "KC+8"})
+        block += ' ' + std::string(word);
+    const auto file = read_din("MACHINING\n" + block + "\n");
+    EXPECT_THAT(file.irregularities, IsEmpty());
+}
+
 TEST(DinBadInput, NoiseIsReadInLinearTime) {
     constexpr std::size_t megabyte = 1'000'000;
     constexpr double patience = 10; // seconds, on a busy machine with checks switched on
@@ -224,6 +273,14 @@ TEST(DinBadInput, NoiseIsReadInLinearTime) {
         }
         EXPECT_LT(seconds_to_read(lines), patience) << unit;
     }
+}
+
+TEST(DinNames, ManyOfThemAreReadInLinearTime) {
+    std::string text = "VAR\n";
+    for (int i = 0; i < 50'000; ++i) text += "#_a" + std::to_string(i) + "=#g" + std::to_string(i + 1) + '\n';
+    text += "MACHINING\n";
+    for (int i = 0; i < 50'000; ++i) text += "#_b" + std::to_string(i) + "=#_a" + std::to_string(i) + '\n';
+    EXPECT_LT(seconds_to_read(text), 3);
 }
 
 TEST(DinBadInput, AnUnclosedCommentOfTenMegabytes) {

@@ -1,6 +1,7 @@
 //! What blocks become in the program model.
 #include "tests/dialect/reading.hpp"
 
+#include <chrono>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -22,7 +23,7 @@ TEST(FanucAssignment, GoesWhereTheTableSaysThatTheNumberLives) {
     EXPECT_EQ(lower("# 500 = 1.5"), "#500 := 1.5.");
     EXPECT_EQ(lower("#5221=0"), "machine #5221 := 0");
     EXPECT_EQ(lower("#[#1+2]=3"), "#[add(#1, 2)] := 3");
-    EXPECT_EQ(lower("##1=3"), "#[#1] := 3");
+    EXPECT_EQ(lower("##1=3"), "#[#1] := 3\n! unreadable '##1' -> '#[#1]'");
     EXPECT_EQ(lower("[#_ABSKP[1]]=3"), "#_ABSKP[1] := 3");
 }
 
@@ -64,6 +65,15 @@ TEST(FanucExpression, KnowsFunctionsByNameAndAbbreviation) {
 }
 
 // ---- control flow
+
+TEST(FanucExpression, ManyNamesAreReadInLinearTime) {
+    std::string text = "O1\n";
+    for (int i = 0; i < 60'000; ++i) text += "[#_A" + std::to_string(i) + "]=1\n";
+    const auto start = std::chrono::steady_clock::now();
+    const ProgramFile file = read(text + "#1=#_A59999\n");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+    EXPECT_EQ(describe(file.programs.at(0), file.programs[0].effects.back()), "#1 := #_A59999");
+}
 
 TEST(FanucCondition, EqualToNullAsksForVacancy) {
     EXPECT_EQ(lower("IF[#1EQ#0]GOTO10"), "if vacant?(#1) {jump 10}");
@@ -259,6 +269,16 @@ TEST(FanucProgram, LatheTextTakesTheLatheTwinOfTheControl) {
     EXPECT_EQ(read(text).control->name, "fanuc-lathe");
     EXPECT_EQ(read_as("fanuc-30i", "x.nc", text).control->name, "fanuc-30i-lathe");
     EXPECT_EQ(read("O1\nT1M6\nG43H1Z50.\nG96S200\nM30").control->name, "fanuc");
+    EXPECT_EQ(read("O1\nG0X50.Z2.\nG71P10Q20U.4W.1F.25\nN10G1X10.\nN20X20.\nM30").control->name,
+              "fanuc-lathe");
+}
+
+TEST(FanucProgram, PeckDrillingOfAMillIsNoTurningCycle) {
+    for (const char* text :
+         {"O1\nG73X#24Y#25Z#26R#18Q2.P500F#9\nM99", "O1\nG0X#24Y#25\nG73Z-20.Q2000P500\nM99",
+          "O1\nG73Z-20.Q2000P500\nM30", "O1\nG73X10.Q2.P500\nM30", "O1\nG96S200\nG1X5.Y[#1+2]\nM30"})
+        EXPECT_EQ(read(text).control->name, "fanuc") << text;
+    EXPECT_EQ(read("O1\nG96S200\n#1=#_KEY[1]\nM30").control->name, "fanuc-lathe");
 }
 
 TEST(FanucComment, ThatSpeaksToMaclintIsRecordedWithItsSurroundings) {

@@ -71,6 +71,30 @@ TEST(PlainLane, DecodesItsBlocksAgain) {
     EXPECT_EQ(first, 1);
 }
 
+/// The sequence numbers of the program's runs, decoded again.
+std::vector<std::int64_t> numbers_in_runs(const Program& program) {
+    std::vector<std::int64_t> numbers;
+    for (const Item& item : program.items) {
+        const auto* run = std::get_if<Run>(&item);
+        if (run == nullptr) continue;
+        program.for_each_block(run->span, [&](const PlainBlock& block) {
+            if (block.sequence_number) numbers.push_back(*block.sequence_number);
+            return true;
+        });
+    }
+    return numbers;
+}
+
+TEST(PlainLane, BlocksBehindWhatItCannotReadAreDecodedToo) {
+    for (const char* between : {"(MACLINT ALLOW MAC301)", "(NEVER CLOSED", "%\n%"}) {
+        const ProgramFile file =
+            maclint::testing::read("%\nO1\nN1 G1 X1.\n" + std::string(between) + "\nN2 G1 X2.\nN3 X3.\n");
+        ASSERT_EQ(file.programs.size(), 1U) << between;
+        EXPECT_THAT(numbers_in_runs(file.programs[0]), ElementsAre(1, 2, 3)) << between;
+    }
+    EXPECT_EQ(maclint::testing::lower("G1X1.\n(NOTE)\n\nX2.\n%\n"), "run of 2 moving, motion mode=1");
+}
+
 /// What a block does, from whichever lane.
 struct Meaning {
     bool has_block = false, error = false, moves = false, other = false;

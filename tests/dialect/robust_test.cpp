@@ -137,6 +137,13 @@ TEST(FanucReader, RowsThatTheParserIsSlowOnAreNotParsed) {
         EXPECT_LT(seconds_to_read(repeated(block_of(row), 64)), 1.0) << row;
 }
 
+TEST(FanucReader, LongBlocksOfNamesAreRead) {
+    for (const char* block : {"[#DEPTH]=[#MAXDEPTH]+[#STEPLEN]-[#FINEPASS]*[#STEPLEN]",
+                              "IF[[#DEPTH]GT[#MAXDEPTH]]THEN[#DEPTH]=[#MAXDEPTH]",
+                              "IF[[#_ABSMT]EQ[#_ABSOT]]OR[[#A]EQ[#B]]OR[[#C]EQ[#_VERYLONGNAME]]GOTO#_TARGET"})
+        EXPECT_EQ(testing::read(std::string(block) + "\n").irregularities.size(), 0U) << block;
+}
+
 TEST(FanucReader, UnfinishedOutputStatementAtTheEndOfAFileReturns) {
     EXPECT_FALSE(describe(read("DPRNT[")).empty());
     EXPECT_FALSE(describe(read("DPRNT[A")).empty());

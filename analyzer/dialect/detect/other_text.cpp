@@ -23,14 +23,48 @@ bool is_c_source(std::string_view text) {
     return signs >= 2;
 }
 
+/// Whether texts, numbers and brackets that match are all that stands in the list at the head of the text,
+/// and nothing stands behind it. `[Part "A1"]` is a comment of DIN PLUS.
+bool is_json_list(std::string_view text) {
+    constexpr std::string_view between = " \t\r\n,:";
+    static constexpr std::string_view names[] = {"true", "false", "null"};
+    std::string open;
+    for (std::size_t at = 0; at < text.size();) {
+        const char c = text[at];
+        if (between.find(c) != std::string_view::npos) {
+            ++at;
+        } else if (at != 0 && open.empty()) {
+            return false;
+        } else if (c == '[' || c == '{') {
+            open += c == '[' ? ']' : '}';
+            ++at;
+        } else if (c == ']' || c == '}') {
+            if (c != open.back()) return false;
+            open.pop_back();
+            ++at;
+        } else if (c == '"') {
+            while (++at < text.size() && text[at] != '"')
+                if (text[at] == '\\') ++at;
+            ++at;
+        } else if (is_digit(c) || c == '-') {
+            at = std::min(text.find_first_not_of("0123456789+-.eE", at), text.size());
+        } else {
+            const auto* const name = std::ranges::find_if(
+                names, [&](std::string_view word) { return text.substr(at).starts_with(word); });
+            if (name == std::end(names)) return false;
+            at += name->size();
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 std::optional<std::string_view> find_other_text(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return std::nullopt;
     text.remove_prefix(first);
-    constexpr std::size_t near = 20;
-    if (text.front() == '{' || (text.front() == '[' && text.find_first_of("{\"") < near)) return "JSON";
+    if (text.front() == '{' || (text.front() == '[' && is_json_list(text))) return "JSON";
     static constexpr std::string_view markup[] = {"<?xml", "<!DOCTYPE", "<html"};
     if (starts_with_any(text, markup)) return "XML or HTML";
     if (text.starts_with("#!")) return "a script";

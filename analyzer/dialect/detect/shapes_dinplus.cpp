@@ -1,6 +1,6 @@
 //! The shapes of DIN PLUS: a fragment without a section word must still be told [dinplus.md 1-3].
 #include "analyzer/dialect/detect/shapes.hpp"
-#include "analyzer/dialect/dinplus/tables.hpp"
+#include "analyzer/dialect/dinplus/sections.hpp"
 
 #include <algorithm>
 
@@ -29,17 +29,16 @@ bool heads(const Line& line, bool end) {
     const auto* const behind = std::ranges::find_if(whole, ends_words);
     constexpr std::string_view after_names = ":;=("; // a label, a call, an assignment
     if (behind != whole.end() && after_names.find(*behind) != std::string_view::npos) return false;
-    std::string_view head(whole.begin(), behind);
-    while (!(head = trim(head)).empty()) {
-        const dinplus::SectionWord* section = dinplus::find_section_word(head);
-        if (section != nullptr && (section->kind == "END") == end) return true;
-        const std::size_t blank = head.find_last_of(" \t");
-        if (blank == std::string_view::npos) return false;
-        const std::string_view last = head.substr(blank + 1);
-        if (last.size() > 2 && std::ranges::any_of(last, is_capital)) return false;
-        head = head.substr(0, blank);
+    const std::string_view head(whole.begin(), behind);
+    const auto section = dinplus::find_section(head);
+    if (!section || (section->word->kind == "END") != end) return false;
+    std::string_view rest = trim(head.substr(section->length));
+    while (!rest.empty()) {
+        const std::size_t blank = std::min(rest.find_first_of(" \t"), rest.size());
+        if (blank > 2 && std::ranges::any_of(rest.substr(0, blank), is_capital)) return false;
+        rest = trim(rest.substr(blank));
     }
-    return false;
+    return true;
 }
 
 } // namespace

@@ -129,7 +129,7 @@ void Programs::open_subprogram(const SectionWord& word, Span heading) {
 Preceding Programs::inherited(const Preceding& main) {
     Preceding result;
     for (const auto& alias : main.aliases)
-        if (control().spaces[alias.second.space].scope != Scope::frame) result.aliases.push_back(alias);
+        if (control().spaces[alias.second.space].scope != Scope::frame) result.aliases.insert(alias);
     return result;
 }
 

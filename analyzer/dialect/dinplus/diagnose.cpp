@@ -77,7 +77,9 @@ class Clues {
             if (!std::ranges::all_of(text(token), [](char c) { return is_capital(c) || c == '_'; })) continue;
             const std::string capitals = capitals_of(text(token));
             if (capitals.front() == '_' || capitals == "HID" || is_keyword(capitals)) continue;
-            return make(Irregular::unknown_keyword, token, meant_by(capitals));
+            std::string meant = meant_by(capitals);
+            if (meant == capitals) continue; // a section word
+            return make(Irregular::unknown_keyword, token, std::move(meant));
         }
         return std::nullopt;
     }
@@ -124,7 +126,7 @@ std::optional<Place> place_named(std::string_view written, const Preceding& befo
     const std::string_view name = written.substr(begin);
     if (name.starts_with("__")) return transfer_place(name.substr(2));
     if (name.starts_with('_')) {
-        const auto alias = std::ranges::find(before.aliases, name, &std::pair<std::string, Place>::first);
+        const auto alias = before.aliases.find(name);
         return alias == before.aliases.end() ? std::nullopt : std::optional(alias->second);
     }
     const std::optional<FamilyId> family = begin == 0 ? std::nullopt : family_of(name.front());

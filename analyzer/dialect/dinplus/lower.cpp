@@ -178,15 +178,14 @@ void BlockLowering::lower_output(const Node& node) {
     Nodes arguments;
     for_each_child(*list, [&](const Node& argument) { arguments.push_back(&argument); });
     const bool input = upper_text(*function) == "INPUT";
+    const Node* target = input && arguments.size() > 1 ? arguments.back() : nullptr;
+    if (target != nullptr) arguments.pop_back();
     Exchange exchange;
-    for (const Node* argument : arguments) {
-        if (input && argument == arguments.back() && arguments.size() > 1) {
-            if (const std::optional<Place> place = place_of(*argument)) exchange.in.push_back(*place);
-        } else {
-            exchange.out.push_back(lower_expression(*argument));
-        }
-    }
+    for (const Node* argument : arguments) exchange.out.push_back(lower_expression(*argument));
+    const std::optional<Place> place = target == nullptr ? std::nullopt : place_of(*target);
+    if (place) exchange.in.push_back(*place);
     effect({std::move(exchange), span(node)});
+    if (target != nullptr && !place) store_elsewhere(*target, unreadable(span(*target)), span(node));
     if (input) effect({Synchronise{}, span(node)});
 }
 
@@ -196,7 +195,10 @@ void BlockLowering::lower_unknown(const Node& node) {
     if (keyword == nullptr) return;
     const std::string capitals = capitals_of(text(*keyword));
     const std::string meant = meant_by(capitals);
-    report(Irregular::unknown_keyword, span(*keyword), meant);
+    if (meant == capitals) // a section word in the wrong place
+        report(Irregular::not_alone, span(*keyword), "");
+    else
+        report(Irregular::unknown_keyword, span(*keyword), meant);
     UnreadableBlock block{{}, {}, true, meant == "RETURN"};
     effect({std::move(block), span(node)});
 }

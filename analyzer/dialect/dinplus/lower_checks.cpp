@@ -97,6 +97,17 @@ void BlockLowering::check_tokens() {
         case Kind::typographic_string:
             report(Irregular::unreadable, span(node), "straight quotation marks '\"'");
             break;
+        case Kind::malformed_word: // two signs in a row may be meant for a calculation
+            if (const std::string_view word = text(node); word.find(',') != std::string_view::npos)
+                report(Irregular::unreadable, span(node), "a decimal point in the number");
+            else if (word.find_first_of("0123456789") == std::string_view::npos) // G..., of manuals
+                report(Irregular::unreadable, span(node), "a number");
+            else if (word.find('.') != word.rfind('.'))
+                report(Irregular::unreadable, span(node), "one decimal point in the number");
+            break;
+        case Kind::computed_block_number:
+            report(Irregular::unreadable, span(node), "the digits of a block number");
+            break;
         case Kind::double_sharp: report(Irregular::unreadable, span(node), "a single '#'"); break;
         case Kind::foreign_variable:
             report(Irregular::unreadable, span(node), "a letter behind '#', as in #l1");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace maclint::dinplus {
 namespace {
@@ -119,12 +120,31 @@ ExpressionId BlockLowering::lower_variable(const Node& variable, const Node& who
     const std::optional<Numbered> found = numbered(variable);
     if (!found) return unreadable(span(whole));
     if (found->place) return add({Load{*found->place}, span(whole)});
-    if (const Node* list = child(whole, Field::selectors); list != nullptr && found->family == families::n) {
-        if (const Node* selector = first_child(*list))
-            if (const auto group = group_read(found->number, upper_text(*selector)))
-                return add({LoadModal{*group}, span(whole)});
-    }
-    return add({LoadMachine{found->family, found->number}, span(whole)});
+    const Node* list = child(whole, Field::selectors);
+    if (list == nullptr) return add({LoadMachine{found->family, found->number}, span(whole)});
+    if (const Node* selector = first_child(*list); selector != nullptr && found->family == families::n)
+        if (const auto group = group_read(found->number, upper_text(*selector)))
+            return add({LoadModal{*group}, span(whole)});
+    return load_selected(found->family, found->number, lower_selectors(*list), span(whole));
+}
+
+/// What the selectors of a variable compute: `#l7` of `#w0(#l7)`. Letters, numbers and texts compute nothing.
+std::vector<ExpressionId> BlockLowering::lower_selectors(const Node& list) {
+    std::vector<ExpressionId> computed;
+    for_each_child(list, [&](const Node& selector) {
+        const Kind kind = kind_of(selector);
+        if (kind != Kind::selector && kind != Kind::number && kind != Kind::string)
+            computed.push_back(lower_expression(selector));
+    });
+    return computed;
+}
+
+/// A value of the control whose number is known, or one of many that computed selectors pick.
+ExpressionId BlockLowering::load_selected(FamilyId family, std::int32_t number,
+                                          std::span<const ExpressionId> computed, Span span) {
+    if (computed.empty()) return add({LoadMachine{family, number}, span});
+    const ExpressionId index = apply(Operation::unknown, computed, span);
+    return add({LoadAt{family, index}, span});
 }
 
 /// `#g(#c2)`, `#m(#l1)(Z)`; tool data by name have the same shape: `#t(3,"001")`.
@@ -134,13 +154,17 @@ ExpressionId BlockLowering::lower_indirect(const Node& node) {
     if (kind == nullptr || number == nullptr || text(*kind).empty()) return unreadable(span(node));
     const std::optional<FamilyId> family = family_of(text(*kind).back());
     if (!family || first_child(*number) == nullptr) return unreadable(span(node));
-    const Node* selector = only_child(*number);
-    if (selector == nullptr) return add({LoadMachine{*family, 0}, span(node)});
-    return add({LoadAt{*family, lower_expression(*selector)}, span(node)});
+    std::vector<ExpressionId> computed;
+    if (const Node* list = child(node, Field::selectors)) computed = lower_selectors(*list);
+    const Node* index = only_child(*number);
+    if (index != nullptr && computed.empty())
+        return add({LoadAt{*family, lower_expression(*index)}, span(node)});
+    std::ranges::copy(lower_selectors(*number), std::back_inserter(computed));
+    return load_selected(*family, 0, computed, span(node));
 }
 
 const Place* BlockLowering::alias_of(std::string_view name) const {
-    const auto row = std::ranges::find(before_->aliases, name, &std::pair<std::string, Place>::first);
+    const auto row = before_->aliases.find(name);
     return row == before_->aliases.end() ? nullptr : &row->second;
 }
 
@@ -149,10 +173,7 @@ Place BlockLowering::named_place(const Node& node, SpaceId space) {
     std::string_view written = text(node);
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
     if (const Place* alias = alias_of(written)) return *alias;
-    const auto known = std::ranges::find(program_->names, written);
-    const auto index = static_cast<std::int32_t>(known - program_->names.begin());
-    if (known == program_->names.end()) program_->names.emplace_back(written);
-    return {space, index};
+    return {space, program_->names.number_of(written)};
 }
 
 /// What is written like a constant or a named variable: `_sd`, `#_depth`, `__la`, `#__la`.
@@ -214,15 +235,15 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     return apply(operation, operands, span(node));
 }
 
-/// `DEF(__la)`: the name stands without its `#` [l.19732]; `DEF(_depth)` asks for `#_depth` of VAR or for
-/// `_depth` of CONST.
+/// `DEF(__la)`: a name stands without its `#` [l.19732]; `DEF(_depth)` asks for `#_depth` of VAR or for
+/// `_depth` of CONST. A variable that has no name keeps it: `NDEF(#l1)` [l.22299].
 ExpressionId BlockLowering::lower_vacancy_test(const Node& node) {
     const Node* function = child(node, Field::function);
     const Node* argument = child(node, Field::argument);
     if (function == nullptr || argument == nullptr) return unreadable(span(node));
     const std::string name = upper_text(*function);
     const Kind kind = kind_of(*argument);
-    if (kind != Kind::constant && kind != Kind::internal_constant) {
+    if (kind == Kind::named_variable || kind == Kind::transfer_variable) {
         std::string_view written = text(*argument);
         written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
         report(Irregular::hash_in_vacancy_test, span(node), name + '(' + std::string(written) + ')');

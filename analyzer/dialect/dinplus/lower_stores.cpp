@@ -1,5 +1,6 @@
 //! Lowering of assignments, and of the names that VAR and CONST declare.
 #include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>
 
@@ -32,8 +33,8 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value) {
             if (const auto found = numbered(*inner)) place = found->place;
         if (place) initialise(value, span(value));
     }
-    if (place) program_->aliases.emplace_back(own, *place);
-    if (alias_of(written) == nullptr) before_->aliases.emplace_back(written, place.value_or(own));
+    if (place) program_->aliases.emplace(own, *place);
+    before_->aliases.emplace(written, place.value_or(own));
     return place.has_value();
 }
 
@@ -52,26 +53,32 @@ void BlockLowering::initialise(const Node& variable, Span span) {
 }
 
 void BlockLowering::store(const Node& target, ExpressionId value, Span span) {
-    if (const std::optional<Place> place = place_of(target)) {
+    if (const std::optional<Place> place = place_of(target))
         effect({Assign{*place, value}, span});
-        return;
-    }
+    else
+        store_elsewhere(target, value, span);
+}
+
+/// Stores where no single place of the model is named: in `#g(#c2)`, in a value of the control.
+void BlockLowering::store_elsewhere(const Node& target, ExpressionId value, Span span) {
     switch (kind_of(target)) {
     case Kind::variable:
-    case Kind::selected_variable: {
-        const Node* name = kind_of(target) == Kind::variable ? &target : child(target, Field::variable);
-        if (const auto found = name == nullptr ? std::nullopt : numbered(*name))
-            effect({Assign{StoreMachine{found->family, found->number}, value}, span});
-        else
-            evaluate(value, span);
-        return;
-    }
+    case Kind::selected_variable:
     case Kind::indirect_variable: {
-        const ExpressionId place = lower_indirect(target);
-        if (const auto* at = std::get_if<LoadAt>(&program_->expressions[place].node))
-            effect({Assign{StoreAt{at->family, at->index}, value}, span});
-        else
-            evaluate(value, span);
+        const Expression read = program_->expressions[lower_expression(target)];
+        std::visit(overloaded{
+                       [&](const Load& load) {
+                           effect({Assign{load.place, value}, span});
+                       },
+                       [&](const LoadAt& at) {
+                           effect({Assign{StoreAt{at.family, at.index}, value}, span});
+                       },
+                       [&](const LoadMachine& owned) {
+                           effect({Assign{StoreMachine{owned.family, owned.number}, value}, span});
+                       },
+                       [&](const auto&) { evaluate(value, span); },
+                   },
+                   read.node);
         return;
     }
     case Kind::double_sharp:

@@ -15,11 +15,6 @@ constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
 bool is_axis(std::string_view address) { return std::ranges::find(axes, address) != std::end(axes); }
 
-GroupId group_named(const ControlModel& control, std::string_view name) {
-    const auto group = std::ranges::find(control.groups, name, &ModalGroup::name);
-    return static_cast<GroupId>(group - control.groups.begin());
-}
-
 } // namespace
 
 /// The letters at the head of a word; small ones are no address.
@@ -78,8 +73,7 @@ void BlockLowering::lower_commands(std::span<const NcWord> words, Span span) {
     bool synchronises = false;
     for (const NcWord& word : words) {
         if (word.address != "G" && word.address != "M") continue;
-        const CodeFact* fact =
-            word.literal ? find_code(word.address.front(), *word.literal, Context::machining) : nullptr;
+        const CodeFact* fact = word.literal ? find_code(word.address.front(), *word.literal) : nullptr;
         const std::uint16_t traits = fact == nullptr ? 0 : fact->traits;
         moves |= (traits & Trait::moves) != 0;
         at_rapid &= (traits & Trait::moves) == 0 || (traits & approaches) != 0;
@@ -96,7 +90,7 @@ void BlockLowering::lower_commands(std::span<const NcWord> words, Span span) {
     if (synchronises) effect({Synchronise{}, span});
     for (const NcWord& word : words) {
         if (word.address != "M" || !word.literal) continue;
-        if (const CodeFact* fact = find_code('M', *word.literal, Context::machining))
+        if (const CodeFact* fact = find_code('M', *word.literal))
             lower_machine_function(fact->traits, word, words);
     }
 }
@@ -109,7 +103,7 @@ void BlockLowering::lower_code(const NcWord& code, std::span<const NcWord> words
         if (letter == 'G') effect({SetModal{std::nullopt, *code.value, 'G'}, here});
         return;
     }
-    const CodeFact* fact = find_code(letter, *code.literal, Context::machining);
+    const CodeFact* fact = find_code(letter, *code.literal);
     const std::uint16_t traits = fact == nullptr ? 0 : fact->traits;
     const ControlModel& control = *program_->control;
     if (fact == nullptr || (traits & sets_group) != 0) {
@@ -123,9 +117,9 @@ void BlockLowering::lower_code(const NcWord& code, std::span<const NcWord> words
     for (const NcWord& word : words) {
         if (!word.value) continue;
         if ((traits & feed_word) != 0 && word.address == "F")
-            effect({SetModal{group_named(control, group_names::feed), *word.value}, span(*word.node)});
+            effect({SetModal{find_group(control.groups, group_names::feed), *word.value}, span(*word.node)});
         if ((traits & speed_word) != 0 && word.address == "S")
-            effect({SetModal{group_named(control, group_names::speed), *word.value}, span(*word.node)});
+            effect({SetModal{find_group(control.groups, group_names::speed), *word.value}, span(*word.node)});
         if ((traits & block_words) != 0 && (word.address == "NS" || word.address == "NE"))
             effect({Reference{references::contour, *word.value}, span(*word.node)});
     }

@@ -6,6 +6,7 @@
 #include "analyzer/dialect/tree_lowering.hpp"
 #include "analyzer/program/model.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,14 +15,17 @@
 
 namespace maclint::dinplus {
 
+/// What the codes of a section are: commands, or elements of a contour.
+enum class Context : std::uint8_t { machining, contour };
+
 /// What the blocks before tell about a block of the same program.
 struct Preceding {
     Context context = Context::machining;
-    bool effects = true;   ///< the section does something: it is no list for the operator
-    bool declares = false; ///< the section is VAR or CONST
-    std::vector<std::pair<std::string, Place>> aliases; ///< VAR: `#_depth=#l1`
-    std::vector<ExpressionId> selections;               ///< values of the open SWITCHes
-    std::optional<Span> waiting_if;                     ///< an IF whose THEN has not come
+    bool effects = true;                  ///< the section does something: it is no list for the operator
+    bool declares = false;                ///< the section is VAR or CONST
+    PlacesByName aliases;                 ///< VAR: `#_depth=#l1`
+    std::vector<ExpressionId> selections; ///< values of the open SWITCHes
+    std::optional<Span> waiting_if;       ///< an IF whose THEN has not come
 };
 
 /// Lowers blocks of programs.
@@ -44,6 +48,7 @@ class BlockLowering : private TreeLowering {
     bool declare_alias(const Node& name, const Node& value);
     void initialise(const Node& variable, Span span);
     void store(const Node& target, ExpressionId value, Span span);
+    void store_elsewhere(const Node& target, ExpressionId value, Span span);
     void lower_structure(const Node& node, Construct construct, Structure::Part part,
                          std::optional<ExpressionId> condition);
     void lower_case(const Node& node);
@@ -77,13 +82,14 @@ class BlockLowering : private TreeLowering {
     ExpressionId lower_below(const Node& node);
     ExpressionId lower_variable(const Node& variable, const Node& whole);
     ExpressionId lower_indirect(const Node& node);
+    [[nodiscard]] std::vector<ExpressionId> lower_selectors(const Node& list);
+    ExpressionId load_selected(FamilyId family, std::int32_t number, std::span<const ExpressionId> computed,
+                               Span span);
     ExpressionId lower_transfer(const Node& node);
     ExpressionId lower_internal(std::string_view name, Span span);
     ExpressionId lower_constant(const Node& node);
-    ExpressionId lower_text(const Node& node);
     ExpressionId lower_unary(const Node& node);
     ExpressionId lower_binary(const Node& node);
-    ExpressionId lower_comparison(const Node& node);
     ExpressionId lower_function(const Node& node);
     ExpressionId lower_vacancy_test(const Node& node);
 

@@ -13,22 +13,26 @@ bool is_plausible(std::string_view text, Span block) {
     constexpr std::size_t most_stumbles = 24;
     constexpr std::size_t most_open = 48;
     constexpr std::size_t most_keywords = 64;
+    constexpr Offset longest_address = 3; // HID, XKi
     std::size_t stumbles = 0;
     std::size_t open = 0;
     std::size_t keywords = 0;
     bool operand = false; // what stands before ends a value
     bool closed = false;  // that is a parenthesis
+    bool address = false; // letters that a value follows stand before
     char sign = '\0';     // the operator that stands before
     for (const Token& token : tokens_of(text, block)) {
         const char first = text[token.span.begin];
         const char before = std::exchange(sign, '\0');
         const bool after_close = std::exchange(closed, token.kind == Kind::close);
+        const bool after_address = std::exchange(address, false);
         switch (token.kind) {
         case Kind::sign: {
             const bool may_begin =
                 first == '-' || first == '+' || first == '>' || first == '=' || first == '/';
+            const bool begins_value = after_address && (first == '-' || first == '+');
             if (!operand && !may_begin) ++stumbles;
-            if (first == '=' || (!operand && may_begin)) ++stumbles;
+            if (first == '=' || (!operand && may_begin && !begins_value)) ++stumbles;
             operand = false;
             sign = first;
             break;
@@ -55,6 +59,7 @@ bool is_plausible(std::string_view text, Span block) {
             if (before != '\0' && before != ',' && first != '_' && token.span.length() < 3) ++stumbles;
             if (token.span.length() > 2 || text.substr(token.span.begin, 2) == "IF") ++keywords;
             operand = first == '_';
+            address = before == '\0' && !operand && token.span.length() <= longest_address;
             break;
         default: operand = true; break;
         }

@@ -10,6 +10,7 @@
 #include "analyzer/dialect/dinplus/sections.hpp"
 #include "analyzer/dialect/dinplus/shape.hpp"
 #include "analyzer/dialect/dinplus/split.hpp"
+#include "analyzer/dialect/dinplus/tokens.hpp"
 #include "analyzer/dialect/noise.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/words.hpp"
@@ -21,8 +22,9 @@
 namespace maclint::dinplus {
 namespace {
 
-/// Longer blocks are not parsed: noise in one line costs the parser quadratic time.
-constexpr Offset longest_block = 4096;
+/// Longer blocks are not parsed: noise in one line costs the parser quadratic time, and it dies of some ten
+/// thousand nodes side by side. A comment counts as one byte, however long it is.
+constexpr std::size_t longest_block = 4096;
 constexpr Offset shown = 60;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -84,7 +86,7 @@ class Reader {
         if (text_[head] == '%') return programs_.open_main(raw_.span, head);
         const Span words = words_at(text_, head);
         if (!words.empty() && take_section(words, raw_.span)) return;
-        if (raw_.code > longest_block) {
+        if (raw_.code + raw_.comments.size() > longest_block) {
             report(Irregular::oversized_block, {raw_.span.begin, raw_.span.begin + shown}, "");
             return add_unreadable();
         }
@@ -108,9 +110,25 @@ class Reader {
         // `End` may be the first word of anything; small letters are taken for a section word only alone.
         if (!found->capitals && name.end != words.end) return false;
         const bool wrong = !found->capitals || found->word->use == SectionWord::Use::translated;
-        if (wrong) report(Irregular::unknown_keyword, name, spelling_of(*found->word));
+        if (wrong)
+            report(Irregular::unknown_keyword, name, spelling_of(*found->word));
+        else if (holds_command({name.end, heading.end}))
+            report(Irregular::not_alone, name, "");
         programs_.open_section(*found->word, heading);
         return true;
+    }
+
+    /// Whether words stand there that are no parameters of any section: G and M codes, the number of the next
+    /// block, words of control flow.
+    [[nodiscard]] bool holds_command(Span behind_name) const {
+        const std::vector<Token> tokens = tokens_of(text_, behind_name);
+        for (std::size_t i = 0; i < tokens.size(); ++i) {
+            if (tokens[i].kind != Token::Kind::letters) continue;
+            const std::string_view word = text_.substr(tokens[i].span.begin, tokens[i].span.length());
+            const bool number = i + 1 < tokens.size() && tokens[i + 1].kind == Token::Kind::number;
+            if ((number && (word == "G" || word == "M" || word == "N")) || is_structural(word)) return true;
+        }
+        return false;
     }
 
     void parse() {
@@ -136,19 +154,20 @@ class Reader {
         lowering_.lower(tree, block, part.program, part.before);
     }
 
-    /// `N5 MACHINING`: the word counts although a number stands before it.
+    /// `N5 MACHINING`, `N3 FACE_C Z0`: the word counts although a number stands before it.
     bool take_numbered_section(const syntax::Tree& tree, const syntax::Node& block) {
         const syntax::Node* statement = nullptr;
         for (syntax::NodeIndex i = block.first_child; i != syntax::no_node; i = tree.nodes[i].next_sibling) {
             const Kind kind = kind_of(tree.nodes[i]);
-            if (kind == Kind::unknown_statement && statement == nullptr)
-                statement = &tree.nodes[i];
-            else if (kind != Kind::block_number && kind != Kind::slide && kind != Kind::skip)
+            if (is_remark(tree.nodes[i])) continue;
+            if (kind == Kind::unknown_statement) {
+                if (statement == nullptr) statement = &tree.nodes[i];
+            } else if (statement == nullptr ? !is_head(kind) : !is_word(kind) && kind != Kind::bare_value) {
                 return false;
+            }
         }
         if (statement == nullptr) return false;
-        return take_section({raw_.span.begin + statement->span.begin, raw_.span.begin + statement->span.end},
-                            raw_.span);
+        return take_section(words_at(text_, raw_.span.begin + statement->span.begin), raw_.span);
     }
 
     /// The shape of a section, but no such word.

@@ -2,13 +2,12 @@
 #include "analyzer/dialect/dinplus/split.hpp"
 
 #include "analyzer/dialect/dinplus/sections.hpp"
+#include "analyzer/source/encoding.hpp"
 
 #include <algorithm>
 
 namespace maclint::dinplus {
 namespace {
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
@@ -62,8 +61,8 @@ Offset skip_blanks(std::string_view text, Offset at) {
     while (at < text.size()) {
         if (is_blank(text[at]))
             ++at;
-        else if (text.substr(at).starts_with(byte_order_mark))
-            at += size_of(byte_order_mark);
+        else if (const std::size_t mark = byte_order_mark_length(text.substr(at)); mark != 0)
+            at += static_cast<Offset>(mark);
         else
             break;
     }

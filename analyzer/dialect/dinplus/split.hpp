@@ -31,7 +31,8 @@ void cut_block(std::string_view text, Offset begin, RawBlock& block);
 /// behind it, or a section word.
 [[nodiscard]] bool begins_block(std::string_view text, Offset at);
 
-/// The capital words of three or more letters at `at`, blanks between them, as far as they reach.
+/// The words at `at`, in any case and with blanks between them, as far as they reach; the first has three
+/// letters or more.
 [[nodiscard]] Span words_at(std::string_view text, Offset at);
 
 } // namespace maclint::dinplus

@@ -56,7 +56,7 @@ inline constexpr auto transfer_letters = std::to_array<std::string_view>({
 
 /// Section words; `kind` is the row of ControlModel::sections that they begin.
 struct SectionWord {
-    std::string_view word; ///< capitals, one blank between words
+    std::string_view word; ///< capitals, as the control spells it: FACE_C, PROGRAM HEAD
     std::string_view kind; ///< English word of today: name of a row of ControlModel::sections
     enum class Use : std::uint8_t {
         english,
@@ -70,15 +70,12 @@ struct SectionWord {
 /// The row of a word as it stands in the text: any blanks or underscores between its parts, capitals.
 [[nodiscard]] const SectionWord* find_section_word(std::string_view word);
 
-/// Where a code means what its row says: many numbers exist as a contour element and as a command.
-enum class Context : std::uint8_t { machining, contour };
-
 /// What a code does to the model, as bits that add up. A code that no row holds sets its modal group, if it
 /// has one, and does nothing else that the model knows of.
 enum Trait : std::uint16_t {
     moves = 1 << 0,        ///< axes move, with or without words: motion codes, cycles, approaches
     sets_group = 1 << 1,   ///< the code is a member of a modal group (ControlModel::group_of)
-    off_by_word = 1 << 2,  ///< sets the group's `cancel` when the word `letter` is there with `value`
+    off_by_word = 1 << 2,  ///< sets the group's `cancel` when the word `off_letter` is there with `off_value`
     feed_word = 1 << 4,    ///< F is the feed
     speed_word = 1 << 5,   ///< S is the speed
     approaches = 1 << 6,   ///< goes to the tool change position: lower as ToolChange::Kind::approach
@@ -89,28 +86,18 @@ enum Trait : std::uint16_t {
     block_words = 1 << 11, ///< NS and NE name blocks of a contour: lower as Reference
 };
 
-/// One row of the code table.
+/// One row of the code table. It tells of the command; many numbers exist as a contour element too.
 struct CodeFact {
     char letter;              ///< 'G' or 'M'
     std::int32_t first, last; ///< codes that the row holds
-    Context context;
     std::uint16_t traits;
     std::string_view source;
     std::string_view off_letter = {}; ///< of off_by_word: "Q"
     double off_value = 0;
 };
-[[nodiscard]] std::span<const CodeFact> code_facts();
 /// The row of a code, or nullptr.
-[[nodiscard]] const CodeFact* find_code(char letter, double code, Context context);
+[[nodiscard]] const CodeFact* find_code(char letter, double code);
 
-/// `#n40(G)`, `__n40_g`: what a variable of the current state reads, where it is a modal group.
-struct StateVariable {
-    std::int32_t number;
-    std::string_view selector; ///< capitals
-    std::string_view group;    ///< name of a modal group
-    std::string_view source;
-};
-[[nodiscard]] std::span<const StateVariable> state_variables();
 /// The group that `#n<number>(<selector>)` reads, or nothing.
 [[nodiscard]] std::optional<GroupId> group_read(std::int32_t number, std::string_view selector);
 

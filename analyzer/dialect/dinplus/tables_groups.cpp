@@ -9,6 +9,14 @@ namespace {
 
 constexpr auto unknown = std::nullopt;
 
+/// `#n40(G)`, `__n40_g`: what a variable of the current state reads, where it is a modal group.
+struct StateVariable {
+    std::int32_t number;
+    std::string_view selector; ///< capitals
+    std::string_view group;    ///< name of a modal group
+    std::string_view source;
+};
+
 // #n920(G) reads 0, 1 or 2 and not a code [l.19318], so it is no row here.
 constexpr StateVariable variables[] = {
     {18, "G", "plane", "l.19245"},         {40, "G", "radius compensation", "l.19246"},
@@ -42,16 +50,12 @@ std::vector<ModalGroup> modal_groups() {
     // clang-format on
 }
 
-std::span<const StateVariable> state_variables() { return variables; }
-
 std::optional<GroupId> group_read(std::int32_t number, std::string_view selector) {
     const auto* row = std::ranges::find_if(variables, [&](const StateVariable& variable) {
         return variable.number == number && variable.selector == selector;
     });
     if (row == std::end(variables)) return std::nullopt;
-    const auto& groups = control().groups;
-    const auto group = std::ranges::find(groups, row->group, &ModalGroup::name);
-    return static_cast<GroupId>(group - groups.begin());
+    return find_group(control().groups, row->group);
 }
 
 } // namespace maclint::dinplus

@@ -43,36 +43,36 @@ constexpr SectionWord words[] = {
     {"FINISHED PART",      "FINISHED",           Use::older,      "CNC PILOT 640, 12/2017"},
     {"FERTIGTEIL",         "FINISHED",           Use::german,     "l.2842"},
     {"VALMISOSA",          "FINISHED",           Use::translated, "l.2665"},
-    {"AUXIL BLANK",        "AUXIL_BLANK",        Use::english,    "l.2846"},
+    {"AUXIL_BLANK",        "AUXIL_BLANK",        Use::english,    "l.2846"},
     {"HILFSROHTEIL",       "AUXIL_BLANK",        Use::german,     "l.2846"},
     {"APUAIHIO",           "AUXIL_BLANK",        Use::translated, "l.2667"},
-    {"AUXIL CONTOUR",      "AUXIL_CONTOUR",      Use::english,    "l.2850"},
+    {"AUXIL_CONTOUR",      "AUXIL_CONTOUR",      Use::english,    "l.2850"},
     {"AUXILIARY CONTOUR",  "AUXIL_CONTOUR",      Use::older,      "CNC PILOT 4290"},
     {"HILFSKONTUR",        "AUXIL_CONTOUR",      Use::german,     "l.2850"},
     {"APUMUOTO",           "AUXIL_CONTOUR",      Use::translated, "l.2666"},
-    {"FACE C",             "FACE_C",             Use::english,    "l.2854"},
+    {"FACE_C",             "FACE_C",             Use::english,    "l.2854"},
     {"FRONT",              "FACE_C",             Use::older,      "CNC PILOT 4290"},
     {"STIRN",              "FACE_C",             Use::german,     "l.2643"},
     {"OTSAPINTA",          "FACE_C",             Use::translated, "l.2669"},
-    {"REAR C",             "REAR_C",             Use::english,    "l.2854"},
+    {"REAR_C",             "REAR_C",             Use::english,    "l.2854"},
     {"REAR SIDE",          "REAR_C",             Use::older,      "CNC PILOT 4290"},
     {"RUECKSEITE",         "REAR_C",             Use::german,     "l.2854"},
     {"TAKAPINTA",          "REAR_C",             Use::translated, "l.2670"},
-    {"LATERAL C",          "LATERAL_C",          Use::english,    "l.2862"},
+    {"LATERAL_C",          "LATERAL_C",          Use::english,    "l.2862"},
     {"SURFACE",            "LATERAL_C",          Use::older,      "CNC PILOT 4290"},
     {"MANTEL",             "LATERAL_C",          Use::german,     "l.2862"},
     {"VAIPPA",             "LATERAL_C",          Use::translated, "l.2671"},
     {"VAIPPAPINTA",        "LATERAL_C",          Use::translated, "l.2690"},
-    {"FACE Y",             "FACE_Y",             Use::english,    "l.2870"},
-    {"FRONT Y",            "FACE_Y",             Use::older,      "l.2870"},
-    {"STIRN Y",            "FACE_Y",             Use::german,     "l.2870"},
+    {"FACE_Y",             "FACE_Y",             Use::english,    "l.2870"},
+    {"FRONT_Y",            "FACE_Y",             Use::older,      "l.2870"},
+    {"STIRN_Y",            "FACE_Y",             Use::german,     "l.2870"},
     {"OTSAPINTA Y",        "FACE_Y",             Use::translated, "l.2673"},
-    {"REAR Y",             "REAR_Y",             Use::english,    "l.2870"},
-    {"RUECKSEITE Y",       "REAR_Y",             Use::german,     "l.2870"},
+    {"REAR_Y",             "REAR_Y",             Use::english,    "l.2870"},
+    {"RUECKSEITE_Y",       "REAR_Y",             Use::german,     "l.2870"},
     {"TAKAPINTA Y",        "REAR_Y",             Use::translated, "l.2674"},
-    {"LATERAL Y",          "LATERAL_Y",          Use::english,    "l.2880"},
+    {"LATERAL_Y",          "LATERAL_Y",          Use::english,    "l.2880"},
     {"SURFACE Y",          "LATERAL_Y",          Use::older,      "l.2880"},
-    {"MANTEL Y",           "LATERAL_Y",          Use::german,     "l.2880"},
+    {"MANTEL_Y",           "LATERAL_Y",          Use::german,     "l.2880"},
     {"VAIPPA Y",           "LATERAL_Y",          Use::translated, "l.2675"},
     {"MACHINING",          "MACHINING",          Use::english,    "l.2935"},
     {"BEARBEITUNG",        "MACHINING",          Use::german,     "l.2935"},
@@ -136,7 +136,9 @@ const SectionWord* find_section_word(std::string_view word) {
             plain += ' ';
     }
     while (!plain.empty() && plain.back() == ' ') plain.pop_back();
-    const auto* found = std::ranges::find(words, plain, &SectionWord::word);
+    const auto same = [](char a, char b) { return a == b || (a == '_' && b == ' '); };
+    const auto* found = std::ranges::find_if(
+        words, [&](const SectionWord& row) { return std::ranges::equal(row.word, plain, same); });
     return found == std::end(words) ? nullptr : found;
 }
 

@@ -94,11 +94,6 @@ std::array<Letter, 256> letter_classes(Machine machine) {
     return table;
 }
 
-GroupId group_named(const ControlModel& control, std::string_view name) {
-    const auto row = std::ranges::find(control.groups, name, &ModalGroup::name);
-    return row == control.groups.end() ? no_group : static_cast<GroupId>(row - control.groups.begin());
-}
-
 CodeTable build(const ControlModel& control, Machine machine) {
     CodeTable table{};
     table.g.fill({.group = no_group, .traits = 0});
@@ -117,16 +112,14 @@ CodeTable build(const ControlModel& control, Machine machine) {
             table.m[static_cast<std::size_t>(fact.code)] = fact.traits;
     }
     table.letters = letter_classes(machine);
-    table.feed = group_named(control, group_names::feed);
-    table.speed = group_named(control, group_names::speed);
-    table.local_offset = group_named(control, group_names::local_offset);
+    table.feed = find_group(control.groups, group_names::feed).value_or(no_group);
+    table.speed = find_group(control.groups, group_names::speed).value_or(no_group);
+    table.local_offset = find_group(control.groups, group_names::local_offset).value_or(no_group);
     table.g[tenths(52)].group = no_group; // set or cancelled by its words, see lowering
     return table;
 }
 
 } // namespace
-
-std::span<const CodeFact> code_facts() { return facts; }
 
 Code CodeTable::g_code(double code) const {
     const double index = std::round(code * 10);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 
 namespace maclint::fanuc {
@@ -31,8 +30,6 @@ struct CodeFact {
     std::uint8_t traits;
     std::string_view source;
 };
-
-[[nodiscard]] std::span<const CodeFact> code_facts();
 
 /// A code as the scanner meets it.
 struct Code {

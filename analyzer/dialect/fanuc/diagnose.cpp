@@ -221,7 +221,7 @@ std::optional<Irregularity> Clues::unknown_keyword() const {
             return make(Irregular::unknown_keyword, join(token.span, next->span),
                         text_.substr(token.span.begin, next->span.end - token.span.begin), capitals(*next));
         if (is_known(token, next, depth)) continue;
-        return make(Irregular::unknown_keyword, token.span, text(token), explain(word).meant);
+        return unknown_word(text_, token.span);
     }
     return std::nullopt;
 }
@@ -240,15 +240,7 @@ std::optional<Irregularity> Clues::symbolic_comparison() const {
     for (const Token& token : tokens_) {
         if (token.kind != TokenKind::comparison) continue;
         const std::string_view sign = text(token);
-        const bool equal = sign.find('=') != std::string_view::npos;
-        std::string_view word = "EQ";
-        if (sign == "<>" || sign == "!=")
-            word = "NE";
-        else if (sign.find('<') != std::string_view::npos)
-            word = equal ? "LE" : "LT";
-        else if (sign.find('>') != std::string_view::npos)
-            word = equal ? "GE" : "GT";
-        return make(Irregular::symbolic_comparison, token.span, sign, std::string(word));
+        return make(Irregular::symbolic_comparison, token.span, sign, std::string(comparison_word(sign)));
     }
     return std::nullopt;
 }
@@ -328,6 +320,14 @@ void sort_unique(std::vector<std::int64_t>& numbers) {
 }
 
 } // namespace
+
+Irregularity unknown_word(std::string_view text, Span word) {
+    const std::string_view written = text.substr(word.begin, word.length());
+    Misspelling misspelling = explain(in_capitals(written));
+    if (misspelling.advice.empty())
+        return {Irregular::unknown_keyword, word, shown(written), std::move(misspelling.meant)};
+    return {Irregular::missing_construct, word, shown(written), std::string(misspelling.advice)};
+}
 
 std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, Span block) {
     return Clues(text, block).parenthesis_as_bracket();

@@ -5,6 +5,7 @@
 #include "analyzer/syntax/tree.hpp"
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace maclint::fanuc {
@@ -18,6 +19,9 @@ namespace maclint::fanuc {
 
 /// Where the parser stumbled, for a block without a cause of its own.
 [[nodiscard]] Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree);
+
+/// What to say of a word that the language does not have.
+[[nodiscard]] Irregularity unknown_word(std::string_view text, Span word);
 
 /// A comment that stands where only a bracket makes sense: `X(#1+2)`, `SIN(30)`.
 [[nodiscard]] std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, Span block);

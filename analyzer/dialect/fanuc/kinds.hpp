@@ -13,7 +13,7 @@ namespace maclint::fanuc {
 /// The generated grammar.
 [[nodiscard]] const TSLanguage* grammar();
 
-/// Named nodes of grammar/fanuc; anonymous ones are `token` but for the keywords that lowering asks for.
+/// Named nodes of grammar/fanuc; anonymous ones are `token`.
 enum class Kind : std::uint8_t {
     token,
     error,

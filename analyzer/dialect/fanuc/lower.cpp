@@ -2,6 +2,7 @@
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/fanuc/tokens.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
@@ -54,7 +55,14 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, Program& program
     items_.clear();
     for_each_child(*node, [this](const Node& child) { items_.push_back(&child); });
     Block lowered{};
-    lower_items(take_head(lowered, items_));
+    const std::span<const Node* const> content = take_head(lowered, items_);
+    if (!content.empty() && kind_of(*content.front()) == Kind::bare_value) { // alarm 004
+        if (std::optional<Irregularity> cause = find_cause(program.text, block))
+            irregularities_.push_back(std::move(*cause));
+        else
+            report(Irregular::unreadable, span(*content.front()), "an address before the number");
+    }
+    lower_items(content);
     end_block(lowered);
 }
 
@@ -178,7 +186,7 @@ void BlockLowering::lower_goto(const Node& node) {
 void BlockLowering::lower_if(const Node& node) {
     const Node* condition = child(node, Field::condition);
     if (condition == nullptr) return;
-    const ExpressionId test = lower_condition(*condition);
+    const ExpressionId test = lower_expression(*condition);
     Nodes consequences;
     for_each_child(node, [&](const Node& part) {
         if (field_of(part) == Field::consequence) consequences.push_back(&part);
@@ -192,25 +200,25 @@ void BlockLowering::lower_while(const Node& node) {
     const Node* condition = child(node, Field::condition);
     const Node* loop = child(node, Field::loop);
     Structure structure{Construct::while_loop, Structure::Part::open, std::nullopt, std::nullopt};
-    if (condition != nullptr) structure.condition = lower_condition(*condition);
-    if (loop != nullptr) {
-        if (const Node* number = child(*loop, Field::number);
-            number != nullptr && kind_of(*number) == Kind::number)
-            structure.number = read_integer(text(*number));
-    } else {
+    if (condition != nullptr) structure.condition = lower_expression(*condition);
+    if (loop != nullptr)
+        structure.number = loop_number(*loop);
+    else
         report(Irregular::loop_without_do, span(node), "DO");
-    }
     effect({structure, span(node)});
 }
 
 void BlockLowering::lower_loop_mark(const Node& node, Structure::Part part) {
     const Construct construct =
         part == Structure::Part::open ? Construct::endless_loop : Construct::while_loop;
-    Structure structure{construct, part, std::nullopt, std::nullopt};
-    if (const Node* number = child(node, Field::number);
-        number != nullptr && kind_of(*number) == Kind::number)
-        structure.number = read_integer(text(*number));
-    effect({structure, span(node)});
+    effect({Structure{construct, part, loop_number(node), std::nullopt}, span(node)});
+}
+
+/// m of DOm and ENDm, where it is written out.
+std::optional<std::int64_t> BlockLowering::loop_number(const Node& mark) const {
+    const Node* number = child(mark, Field::number);
+    if (number == nullptr || kind_of(*number) != Kind::number) return std::nullopt;
+    return read_integer(text(*number));
 }
 
 void BlockLowering::lower_output(const Node& node) {
@@ -241,6 +249,19 @@ void BlockLowering::check_tokens() {
         case Kind::symbolic_operator:
         case Kind::foreign_keyword: has_foreign_words = true; break;
         case Kind::empty_word: has_empty_words = true; break;
+        case Kind::malformed_word: // alarms 006 and 007
+            report(Irregular::unreadable, span(node), "a number with at most one sign and one decimal point");
+            break;
+        case Kind::computed_sequence_number: // [1.3]
+            report(Irregular::unreadable, span(node), "the digits of a sequence number");
+            break;
+        case Kind::computed_program_number: // [1.2]
+            report(Irregular::unreadable, span(node), "the digits of a program number");
+            break;
+        case Kind::double_sharp: // [2.3]
+            if (const Node* index = child(node, Field::index))
+                report(Irregular::unreadable, span(node), "'#[" + std::string(text(*index)) + "]'");
+            break;
         case Kind::bracket:
         case Kind::argument_list:
         case Kind::condition: ++brackets; break;
@@ -262,22 +283,12 @@ void BlockLowering::check_words() {
                           kind == Kind::unbracketed_condition;
         for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_->nodes[c].next_sibling)
             in_condition[c] = here;
-        if (kind == Kind::symbolic_operator && here) {
-            static constexpr std::pair<std::string_view, std::string_view> words[] = {
-                {"=", "EQ"},  {"==", "EQ"}, {"<", "LT"},  {">", "GT"},  {"<=", "LE"},
-                {"=<", "LE"}, {">=", "GE"}, {"=>", "GE"}, {"<>", "NE"}, {"!=", "NE"}};
-            const auto* word =
-                std::ranges::find(words, text(node), &std::pair<std::string_view, std::string_view>::first);
-            report(Irregular::symbolic_comparison, span(node),
-                   word == std::end(words) ? "" : std::string(word->second));
-        } else if (kind == Kind::foreign_keyword) {
-            static constexpr std::pair<std::string_view, std::string_view> meant[] = {
-                {"THN", "THEN"}, {"ENDW", "END"}, {"ENDWHILE", "END"}};
-            const auto* word = std::ranges::find(meant, upper_text(node),
-                                                 &std::pair<std::string_view, std::string_view>::first);
-            report(Irregular::unknown_keyword, span(node),
-                   word == std::end(meant) ? "" : std::string(word->second));
-        }
+        if (kind == Kind::symbolic_operator && here)
+            report(Irregular::symbolic_comparison, span(node), std::string(comparison_word(text(node))));
+        else if (kind == Kind::symbolic_operator) // [3: comparisons give no value]
+            report(Irregular::unreadable, span(node), "a calculation, because only IF and WHILE compare");
+        else if (kind == Kind::foreign_keyword)
+            irregularities_.push_back(unknown_word(program_->text, span(node)));
     }
 }
 

@@ -1,6 +1,8 @@
 //! Lowering of expressions and conditions.
+#include "analyzer/dialect/fanuc/functions.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/fanuc/tokens.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
@@ -9,45 +11,15 @@
 namespace maclint::fanuc {
 namespace {
 
-struct FunctionRow {
-    std::string_view name;
-    Operation operation;
-};
-
-// Names and abbreviations: custom macro reference, section 3. POW needs two operands, PRM has no model.
 // clang-format off
-constexpr FunctionRow functions[] = {
-    {"SIN", Operation::sine},          {"SI", Operation::sine},
-    {"COS", Operation::cosine},        {"CO", Operation::cosine},
-    {"TAN", Operation::tangent},       {"TA", Operation::tangent},
-    {"ASIN", Operation::arc_sine},     {"AS", Operation::arc_sine},
-    {"ACOS", Operation::arc_cosine},   {"AC", Operation::arc_cosine},
-    {"ATAN", Operation::arc_tangent},  {"AT", Operation::arc_tangent},   {"ATN", Operation::arc_tangent},
-    {"SQRT", Operation::square_root},  {"SQ", Operation::square_root},   {"SQR", Operation::square_root},
-    {"ABS", Operation::absolute},      {"AB", Operation::absolute},
-    {"ROUND", Operation::round},       {"RO", Operation::round},         {"RND", Operation::round},
-    {"FIX", Operation::truncate},      {"FI", Operation::truncate},
-    {"FUP", Operation::round_up},      {"FU", Operation::round_up},
-    {"LN", Operation::logarithm},
-    {"EXP", Operation::exponential},   {"EX", Operation::exponential},
-    {"BIN", Operation::to_binary},     {"BI", Operation::to_binary},
-    {"BCD", Operation::to_decimal_code}, {"BC", Operation::to_decimal_code},
-    {"ADP", Operation::add_point},     {"AD", Operation::add_point},
-    {"POW", Operation::power},
-};
-
 constexpr FunctionRow operators[] = {
     {"+", Operation::add}, {"-", Operation::subtract}, {"*", Operation::multiply}, {"/", Operation::divide},
     {"MOD", Operation::modulo}, {"AND", Operation::bit_and}, {"OR", Operation::bit_or}, {"XOR", Operation::bit_xor},
 };
 
 constexpr FunctionRow comparisons[] = {
-    {"EQ", Operation::equal},  {"=", Operation::equal},          {"==", Operation::equal},
-    {"NE", Operation::not_equal}, {"<>", Operation::not_equal},  {"!=", Operation::not_equal},
-    {"LT", Operation::less},   {"<", Operation::less},
-    {"LE", Operation::less_equal}, {"<=", Operation::less_equal}, {"=<", Operation::less_equal},
-    {"GT", Operation::greater}, {">", Operation::greater},
-    {"GE", Operation::greater_equal}, {">=", Operation::greater_equal}, {"=>", Operation::greater_equal},
+    {"EQ", Operation::equal}, {"NE", Operation::not_equal},  {"LT", Operation::less},
+    {"LE", Operation::less_equal}, {"GT", Operation::greater}, {"GE", Operation::greater_equal},
 };
 // clang-format on
 
@@ -132,8 +104,6 @@ ExpressionId BlockLowering::lower_expression(const Node& node) {
     return lowered;
 }
 
-ExpressionId BlockLowering::lower_condition(const Node& node) { return lower_expression(node); }
-
 ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
     const VariableRange* range = program_->control->families[numbered].find(number);
     if (range == nullptr) return add({LoadAt{numbered, literal(static_cast<double>(number), span)}, span});
@@ -152,10 +122,7 @@ ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
 Place BlockLowering::named_place(const Node& node) {
     std::string name = upper_text(node);
     std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
-    const auto known = std::ranges::find(program_->names, name);
-    const auto index = static_cast<std::int32_t>(known - program_->names.begin());
-    if (known == program_->names.end()) program_->names.push_back(std::move(name));
-    return {spaces::named, index};
+    return {spaces::named, program_->names.number_of(name)};
 }
 
 ExpressionId BlockLowering::lower_named(const Node& node) {
@@ -199,7 +166,8 @@ ExpressionId BlockLowering::lower_comparison(const Node& node) {
     const Node* sign = child(node, Field::operation);
     if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
     const std::array operands{lower_expression(*left), lower_expression(*right)};
-    const Operation operation = find(comparisons, upper_text(*sign));
+    const std::string_view word = comparison_word(text(*sign));
+    const Operation operation = find(comparisons, word.empty() ? upper_text(*sign) : word);
     if (operation == Operation::equal || operation == Operation::not_equal) {
         const auto is_null = [&](ExpressionId id) {
             return std::holds_alternative<Vacant>(program_->expressions[id].node);
@@ -223,7 +191,7 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
         operands.push_back(lower_expression(*argument));
     }
     if (const Node* divisor = child(node, Field::divisor)) operands.push_back(lower_expression(*divisor));
-    Operation operation = find(functions, upper_text(*name));
+    Operation operation = find(functions(), upper_text(*name));
     if (operation == Operation::arc_tangent && operands.size() == 2)
         operation = Operation::arc_tangent_of_two;
     const std::size_t wanted =

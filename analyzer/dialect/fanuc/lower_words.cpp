@@ -10,8 +10,6 @@
 namespace maclint::fanuc {
 namespace {
 
-constexpr Id no_word = UINT32_MAX;
-
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// "X", or ",X" behind a comma, with static lifetime.
@@ -49,8 +47,8 @@ bool is_macro_call(double code) { return code == 65 || code == 66 || code == 66.
 } // namespace
 
 BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
-    if (kind_of(node) == Kind::program_name) return {0, false, no_word, &node, std::nullopt, std::nullopt};
-    NcWord word{0, false, static_cast<Id>(program_->words.size()), &node, std::nullopt, std::nullopt};
+    if (kind_of(node) == Kind::program_name) return {0, false, &node, std::nullopt, std::nullopt};
+    NcWord word{0, false, &node, std::nullopt, std::nullopt};
     const Node* inner = &node;
     if (kind_of(node) == Kind::comma_word) {
         word.comma = true;

@@ -36,6 +36,7 @@ class BlockLowering : private TreeLowering {
     void lower_if(const Node& node);
     void lower_while(const Node& node);
     void lower_loop_mark(const Node& node, Structure::Part part);
+    [[nodiscard]] std::optional<std::int64_t> loop_number(const Node& mark) const;
     void lower_output(const Node& node);
     void store(const Node& target, ExpressionId value, Span span);
     void store_numbered(std::int64_t number, Span target, ExpressionId value, Span span);
@@ -45,7 +46,6 @@ class BlockLowering : private TreeLowering {
     struct NcWord {
         char letter; ///< upper case; 0 for a program name
         bool comma;
-        Id word; ///< in Program::words, or none for a program name
         const Node* node;
         std::optional<ExpressionId> value;
         std::optional<double> literal;
@@ -63,7 +63,6 @@ class BlockLowering : private TreeLowering {
 
     // ---- expressions (lower_expressions.cpp)
     ExpressionId lower_expression(const Node& node);
-    ExpressionId lower_condition(const Node& node);
     ExpressionId lower_binary(const Node& node);
     ExpressionId lower_comparison(const Node& node);
     ExpressionId lower_unary(const Node& node);

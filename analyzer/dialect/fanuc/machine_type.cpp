@@ -11,25 +11,29 @@ namespace {
 constexpr std::size_t looked_at = 64 * 1024;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
 
 /// The words of one block that tell.
 struct BlockWords {
-    bool g50 = false, g92 = false, cycle = false, s = false, p = false, q = false;
+    bool g50 = false, cycle = false, s = false;
+    bool p = false, q = false; ///< whole numbers, as those of blocks are
+    bool z_or_r = false;       ///< where G73 of a mill drills to
 };
 
 struct Signs {
-    bool mill = false;        ///< Y, G17, G19, G43, G91, M6
-    bool turning = false;     ///< G50 S, G92 S, G96, G70-G73 P Q
+    bool mill = false;        ///< Y, G17, G19, G43, G49, G91, M6
+    bool turning = false;     ///< G50 S, G96, G70-G73 P Q
     bool incremental = false; ///< U or W with X or Z elsewhere
     bool turret = false;      ///< T0101
 
     void take(const BlockWords& block) {
-        turning |= (block.g50 && block.s) || (block.cycle && block.p && block.q);
+        turning |= (block.g50 && block.s) || (block.cycle && block.p && block.q && !block.z_or_r);
     }
 };
 
 void take_word(char letter, std::string_view digits, BlockWords& block, Signs& signs) {
     const double value = read_number(digits).value;
+    const bool whole = digits.find('.') == std::string_view::npos;
     switch (letter) {
     case 'Y': signs.mill = true; break;
     case 'G':
@@ -40,13 +44,21 @@ void take_word(char letter, std::string_view digits, BlockWords& block, Signs& s
         break;
     case 'M': signs.mill |= value == 6; break;
     case 'S': block.s = true; break;
-    case 'P': block.p = true; break;
-    case 'Q': block.q = true; break;
+    case 'P': block.p = whole; break;
+    case 'Q': block.q = whole; break;
+    case 'Z':
+    case 'R': block.z_or_r = true; break;
     case 'U':
     case 'W': signs.incremental = true; break;
     case 'T': signs.turret |= digits.size() == 4; break;
     default: break;
     }
+}
+
+/// `Y#25`, `Z[#1+2]`: of what is computed the address tells.
+void take_computed_word(char letter, BlockWords& block, Signs& signs) {
+    signs.mill |= letter == 'Y';
+    block.z_or_r |= letter == 'Z' || letter == 'R';
 }
 
 } // namespace
@@ -75,7 +87,11 @@ bool is_written_for_lathe(std::string_view text) {
             ++at;
         std::string_view digits = text.substr(value, at - value);
         while (!digits.empty() && digits.back() == ' ') digits.remove_suffix(1);
-        if (!digits.empty()) take_word(letter, digits, block, signs);
+        const bool address = value < 2 || !is_letter(text[value - 2]); // not the end of a name or a function
+        if (!digits.empty())
+            take_word(letter, digits, block, signs);
+        else if (address && at < text.size() && (text[at] == '#' || text[at] == '['))
+            take_computed_word(letter, block, signs);
     }
     signs.take(block);
     return !signs.mill && (signs.turning || (signs.turret && signs.incremental));

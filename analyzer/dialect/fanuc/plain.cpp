@@ -218,7 +218,8 @@ void decode_run(const Program& program, Span part, const std::function<bool(cons
     PlainBlock block{};
     for (Offset at = part.begin; at < part.end; at = scanned.next) {
         const Lane lane = scan_block(text, at, codes, scanned);
-        if (lane == Lane::grammar) return; // `part` is no part of a run
+        assert(lane != Lane::grammar && "the reader ends a run before such a block");
+        if (lane == Lane::grammar) return;
         if (lane == Lane::blank) continue;
         block.span = scanned.span;
         block.sequence_number.reset();

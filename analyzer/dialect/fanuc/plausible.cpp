@@ -9,7 +9,7 @@
 namespace maclint::fanuc {
 namespace {
 
-constexpr std::size_t farthest_digit = 48;
+constexpr std::size_t farthest_value = 48;
 constexpr std::size_t most_stumbles = 32;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -24,8 +24,8 @@ bool holds_free_text(std::string_view block) {
 } // namespace
 
 bool is_plausible(std::string_view block) {
-    std::size_t without_digit = 0;
-    std::size_t stumbles = 0; // commas without a letter behind them, values that follow a value
+    std::size_t without_value = 0; // digits and names, `[#DEPTH]`
+    std::size_t stumbles = 0;      // commas without a letter behind them, values that follow a value
     char before = '\0';
     for (std::size_t at = 0; at < block.size(); ++at) {
         const char c = block[at];
@@ -37,14 +37,16 @@ bool is_plausible(std::string_view block) {
         const bool ends_value = before == ']' || is_digit(before);
         if ((c == '[' || c == '#') && ends_value) ++stumbles;
         if (before == ',' && !is_letter(c)) ++stumbles;
-        if (is_digit(c))
-            without_digit = 0;
-        else if (++without_digit > farthest_digit)
+        const bool names =
+            c == '#' && at + 1 < block.size() && (is_letter(block[at + 1]) || block[at + 1] == '_');
+        if (is_digit(c) || names)
+            without_value = 0;
+        else if (++without_value > farthest_value)
             break;
         before = c;
     }
     if (stumbles > most_stumbles) return false;
-    return without_digit <= farthest_digit || holds_free_text(block);
+    return without_value <= farthest_value || holds_free_text(block);
 }
 
 } // namespace maclint::fanuc

@@ -61,8 +61,10 @@ class Reader {
         tape_open_ = !start.at_mark;
         for (Offset at = start.begin; at < text_.size();) at = read_from(at);
         close_program();
-        for (Irregularity& irregularity : file_.irregularities)
+        for (Irregularity& irregularity : file_.irregularities) {
             irregularity.subject = file_.source->to_utf8(irregularity.subject);
+            irregularity.cure = file_.source->to_utf8(irregularity.cure);
+        }
         return std::move(file_);
     }
 
@@ -91,6 +93,7 @@ class Reader {
     Offset read_with_grammar(Offset at) {
         const Offset first = skip_blanks(text_, at);
         if (first == text_.size()) return first;
+        close_run(); // the decoder of a run reads on to its end: nothing but plain blocks stands in it
         if (text_[first] == '%') return take_tape_mark(first);
         cut_block(text_, first, raw_);
         if (raw_.span.empty()) return raw_.next;
@@ -180,7 +183,6 @@ class Reader {
     }
 
     void lower(Span block) {
-        close_run();
         const bool swallowed = report_open_comment();
         if (block.length() > longest_block) {
             constexpr Offset shown = 60;

@@ -2,13 +2,12 @@
 #include "analyzer/dialect/fanuc/split.hpp"
 
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/source/encoding.hpp"
 
 #include <algorithm>
 
 namespace maclint::fanuc {
 namespace {
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
@@ -174,7 +173,7 @@ std::optional<Offset> find_tape_mark(std::string_view text, Offset from) {
 }
 
 TapeStart find_tape_start(std::string_view text) {
-    const Offset first = text.starts_with(byte_order_mark) ? 3 : 0;
+    const auto first = static_cast<Offset>(byte_order_mark_length(text));
     const std::optional<Offset> mark = find_tape_mark(text, first);
     if (!mark || holds_blocks(text.substr(first, *mark - first))) return {first, false};
     return {*mark, true};

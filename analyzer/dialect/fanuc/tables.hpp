@@ -40,7 +40,6 @@ constexpr std::string_view feed = "feed", speed = "spindle speed", local_offset 
 /// `group_twelve` is the row that #4012 reads, where that is known.
 [[nodiscard]] VariableFamily numbered_variables(std::span<const ModalGroup> groups,
                                                 std::optional<GroupId> group_twelve);
-[[nodiscard]] std::vector<CallKind> call_kinds();
 
 // Argument specification I, fanuc-custom-macro.md 5.2: the local variable of each letter from A to Z, 0 for
 // none.

@@ -34,6 +34,18 @@ const std::array<ControlRow, 7> rows{{
 }};
 // clang-format on
 
+std::vector<CallKind> call_kinds() {
+    // clang-format off
+    return {
+        {"G65 macro call",                       Frame::fresh,  Counted::macro,      When::once,              0,    "SEED-001:423"},
+        {"G66 modal macro call",                 Frame::fresh,  Counted::macro,      When::after_each_motion, 66,   "SEED-001:466"},
+        {"G66.1 modal macro call",               Frame::fresh,  Counted::macro,      When::after_each_block,  66.1, "NCT-171"},
+        {"M98 subprogram call",                  Frame::shared, Counted::subprogram, When::once,              0,    "TENC-G65; CPH-M98"},
+        {"M198 subprogram call",                 Frame::shared, Counted::subprogram, When::once,              0,    "CNCWIKI-SUB"},
+    };
+    // clang-format on
+}
+
 ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     ControlModel control;
     control.name = row.name;
@@ -43,8 +55,7 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
     control.limits = row.limits;
     control.spaces = variable_spaces();
     std::optional<GroupId> group_twelve;
-    const auto work_offset = std::ranges::find(groups, std::string_view("work offset"), &ModalGroup::name);
-    if (row.offset_is_group_12) group_twelve = static_cast<GroupId>(work_offset - groups.begin());
+    if (row.offset_is_group_12) group_twelve = find_group(groups, "work offset");
     control.families = {numbered_variables(groups, group_twelve)};
     control.groups = std::move(groups);
     control.calls = call_kinds();
@@ -71,18 +82,6 @@ std::vector<ControlModel> make_all() {
 }
 
 } // namespace
-
-std::vector<CallKind> call_kinds() {
-    // clang-format off
-    return {
-        {"G65 macro call",                       Frame::fresh,  Counted::macro,      When::once,              0,    "SEED-001:423"},
-        {"G66 modal macro call",                 Frame::fresh,  Counted::macro,      When::after_each_motion, 66,   "SEED-001:466"},
-        {"G66.1 modal macro call",               Frame::fresh,  Counted::macro,      When::after_each_block,  66.1, "NCT-171"},
-        {"M98 subprogram call",                  Frame::shared, Counted::subprogram, When::once,              0,    "TENC-G65; CPH-M98"},
-        {"M198 subprogram call",                 Frame::shared, Counted::subprogram, When::once,              0,    "CNCWIKI-SUB"},
-    };
-    // clang-format on
-}
 
 std::span<const ControlModel> fanuc_controls() {
     static const std::vector<ControlModel> controls = make_all();

@@ -92,9 +92,7 @@ std::vector<ModalGroup> lathe_groups() {
 }
 
 std::vector<Idle> idle_values(std::span<const ModalGroup> groups) {
-    const auto row = [&](std::string_view name) {
-        return static_cast<GroupId>(std::ranges::find(groups, name, &ModalGroup::name) - groups.begin());
-    };
+    const auto row = [&](std::string_view name) { return *find_group(groups, name); };
     const GroupId feed = row(group_names::feed), speed = row(group_names::speed);
     const GroupId motion = row(group_names::motion), spindle = row(group_names::spindle);
     // T: G00 moves at rapid traverse; a tool that does not cut asks for no speed.

@@ -12,11 +12,6 @@ using enum OnWrite;
 
 constexpr GroupId modal_groups = 22; ///< #4001-#4022
 
-GroupId row_of(std::span<const ModalGroup> groups, std::string_view name) {
-    const auto row = std::ranges::find(groups, name, &ModalGroup::name);
-    return static_cast<GroupId>(row - groups.begin());
-}
-
 /// #4001-#4022 and their twins in other hundreds: one row a group. Group 12 is G66 on some controls and
 /// G54-G59 on others (Haas, and programs in the wild); where it is not the work offset, nothing is known of
 /// its value.
@@ -48,14 +43,14 @@ std::vector<VariableSpace> variable_spaces() {
 
 VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optional<GroupId> group_twelve) {
     constexpr SpaceId here = spaces::machine;
-    const GroupId feed = row_of(groups, group_names::feed);
-    const GroupId speed = row_of(groups, group_names::speed);
-    const GroupId single_block = row_of(groups, "single-block suppression");
-    const GroupId feed_hold = row_of(groups, "feed-hold suppression");
+    const GroupId feed = *find_group(groups, group_names::feed);
+    const GroupId speed = *find_group(groups, group_names::speed);
+    const GroupId single_block = *find_group(groups, "single-block suppression");
+    const GroupId feed_hold = *find_group(groups, "feed-hold suppression");
     std::vector<VariableRange> ranges;
     const auto add = [&](const VariableRange& range) { ranges.push_back(range); };
-    // Ranges that exist only as an option, or on one series, are taken to exist. What has no row here and
-    // lies from #1000 upward is a machine value of unknown meaning.
+    // Ranges that exist only as an option, or on one series, are taken to exist. Numbers from #1000 upward of
+    // which no source tells are machine values.
     // clang-format off
     //   first    last   meaning  space             group         on write   by itself what                                    source
     add({    0,      0,  null,    here,             0,            forbidden, false, "null variable",                           "SEED-001:160,198"});

@@ -1,11 +1,13 @@
 //! The tokenizer, the word lists, and the search for the word that was meant.
 #include "analyzer/dialect/fanuc/tokens.hpp"
 
+#include "analyzer/dialect/fanuc/functions.hpp"
 #include "analyzer/dialect/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace maclint::fanuc {
 namespace {
@@ -19,24 +21,56 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
 constexpr std::string_view control_words[] = {"IF", "THEN", "GOTO", "WHILE", "DO", "END"};
 constexpr std::string_view operator_words[] = {"EQ",  "NE", "GT",  "GE",  "LT", "LE",
                                                "AND", "OR", "XOR", "MOD", "NOT"};
-constexpr std::string_view function_words[] = {"SIN",  "COS", "TAN", "ASIN",  "ACOS", "ATAN", "ATN",
-                                               "SQRT", "SQR", "ABS", "ROUND", "RND",  "FIX",  "FUP",
-                                               "LN",   "EXP", "BIN", "BCD",   "ADP",  "POW",  "PRM"};
 constexpr std::string_view output_words[] = {"POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"};
 
 struct Foreign {
     std::string_view word, meant;
+    std::string_view advice = {};
 };
+
+/// [4: there is no ELSE]
+constexpr std::string_view no_block_if = "There is no block IF: let GOTO jump over the blocks";
+constexpr std::string_view no_end_of_if =
+    "There is no block IF: delete the word, or let GOTO jump over the blocks";
 
 // Words that other languages have, or that people expect, and what Custom Macro B has for them.
 constexpr Foreign foreign_words[] = {
-    {"LTE", "LE"},       {"GTE", "GE"},      {"LEQ", "LE"},      {"GEQ", "GE"},     {"NEQ", "NE"},
-    {"EQU", "EQ"},       {"EQUAL", "EQ"},    {"EQL", "EQ"},      {"ELSE", ""},      {"ELSEIF", ""},
-    {"ELSIF", ""},       {"ELIF", ""},       {"ENDIF", ""},      {"THN", "THEN"},   {"ENDW", "END"},
-    {"ENDWHILE", "END"}, {"WEND", "END"},    {"GO", "GOTO"},     {"GOTOF", "GOTO"}, {"GOTOB", "GOTO"},
-    {"JUMP", "GOTO"},    {"RETURN", "M99"},  {"RET", "M99"},     {"CALL", "G65 P"}, {"REPEAT", "WHILE"},
-    {"UNTIL", "WHILE"},  {"FOR", "WHILE"},   {"NEXT", "END"},    {"INT", "FIX"},    {"TRUNC", "FIX"},
-    {"ARCTAN", "ATAN"},  {"ARCSIN", "ASIN"}, {"ARCCOS", "ACOS"}, {"MODULO", "MOD"}, {"DIV", "/"},
+    {"LTE", "LE"},
+    {"GTE", "GE"},
+    {"LEQ", "LE"},
+    {"GEQ", "GE"},
+    {"NEQ", "NE"},
+    {"EQU", "EQ"},
+    {"EQUAL", "EQ"},
+    {"EQL", "EQ"},
+    {"THN", "THEN"},
+    {"ENDW", "END"},
+    {"ENDWHILE", "END"},
+    {"WEND", "END"},
+    {"GO", "GOTO"},
+    {"GOTOF", "GOTO"},
+    {"GOTOB", "GOTO"},
+    {"JUMP", "GOTO"},
+    {"RETURN", "M99"},
+    {"RET", "M99"},
+    {"CALL", "G65 P"},
+    {"REPEAT", "WHILE"},
+    {"UNTIL", "WHILE"},
+    {"FOR", "WHILE"},
+    {"NEXT", "END"},
+    {"INT", "FIX"},
+    {"TRUNC", "FIX"},
+    {"ARCTAN", "ATAN"},
+    {"ARCSIN", "ASIN"},
+    {"ARCCOS", "ACOS"},
+    {"MODULO", "MOD"},
+    {"DIV", "/"},
+    {"ENDFOR", "END"},
+    {"ELSE", "", no_block_if},
+    {"ELSEIF", "", no_block_if},
+    {"ELSIF", "", no_block_if},
+    {"ELIF", "", no_block_if},
+    {"ENDIF", "", no_end_of_if},
 };
 
 bool holds(std::span<const std::string_view> words, std::string_view word) {
@@ -47,8 +81,13 @@ template<class Visit>
 void for_each_keyword(const Visit& visit) {
     for (const std::string_view word : control_words) visit(word);
     for (const std::string_view word : operator_words) visit(word);
-    for (const std::string_view word : function_words) visit(word);
+    for (const FunctionRow& function : functions()) visit(function.name);
     for (const std::string_view word : output_words) visit(word);
+}
+
+/// `RO` for ROUND: two letters, which other words hold by chance.
+bool is_abbreviation(std::string_view capitals) {
+    return capitals.size() == 2 && capitals != "LN" && is_function(capitals);
 }
 
 /// The comparison that begins at `at`: one or two signs.
@@ -141,13 +180,23 @@ class Cutter {
 
 std::vector<Token> tokens_of(std::string_view file, Span block) { return Cutter(file, block).run(); }
 
-bool is_function(std::string_view capitals) { return holds(function_words, capitals); }
+bool is_function(std::string_view capitals) {
+    return std::ranges::find(functions(), capitals, &FunctionRow::name) != functions().end();
+}
 
 bool is_operator_word(std::string_view capitals) { return holds(operator_words, capitals); }
 
 bool is_keyword(std::string_view capitals) {
     return holds(control_words, capitals) || is_operator_word(capitals) || is_function(capitals) ||
            holds(output_words, capitals);
+}
+
+std::string_view comparison_word(std::string_view sign) {
+    static constexpr std::pair<std::string_view, std::string_view> words[] = {
+        {"=", "EQ"},  {"==", "EQ"}, {"<", "LT"},  {">", "GT"},  {"<=", "LE"},
+        {"=<", "LE"}, {">=", "GE"}, {"=>", "GE"}, {"<>", "NE"}, {"!=", "NE"}};
+    const auto* row = std::ranges::find(words, sign, &std::pair<std::string_view, std::string_view>::first);
+    return row == std::end(words) ? std::string_view() : row->second;
 }
 
 std::vector<std::string_view> split_keywords(std::string_view capitals) {
@@ -157,7 +206,9 @@ std::vector<std::string_view> split_keywords(std::string_view capitals) {
         constexpr std::size_t longest = 5;
         for (std::size_t length = std::min(longest, end); length >= 2; --length) {
             const std::size_t begin = end - length;
-            if ((begin == 0 || reach[begin] != 0) && is_keyword(capitals.substr(begin, length))) {
+            const std::string_view word = capitals.substr(begin, length);
+            if (begin != 0 && reach[begin] == 0) continue;
+            if (is_keyword(word) && (end == capitals.size() || !is_abbreviation(word))) { // SINE is no SI NE
                 reach[end] = static_cast<std::uint8_t>(length);
                 break;
             }
@@ -174,8 +225,8 @@ std::vector<std::string_view> split_keywords(std::string_view capitals) {
 
 Misspelling explain(std::string_view capitals) {
     const auto* row = std::ranges::find(foreign_words, capitals, &Foreign::word);
-    if (row != std::end(foreign_words)) return {true, std::string(row->meant)};
-    if (capitals.size() < 3) return {false, {}};
+    if (row != std::end(foreign_words)) return {true, std::string(row->meant), row->advice};
+    if (capitals.size() < 3) return {false, {}, {}};
     std::string_view nearest;
     std::size_t least = capitals.size() >= 6 ? 2 : 1;
     for_each_keyword([&](std::string_view word) {
@@ -187,7 +238,7 @@ Misspelling explain(std::string_view capitals) {
             nearest = word;
         }
     });
-    return {!nearest.empty(), std::string(nearest)};
+    return {!nearest.empty(), std::string(nearest), {}};
 }
 
 } // namespace maclint::fanuc

@@ -39,6 +39,9 @@ struct Token {
 /// EQ, AND, MOD ...
 [[nodiscard]] bool is_operator_word(std::string_view capitals);
 
+/// EQ for `=`, GE for `>=`; empty for what is no sign of a comparison in any language.
+[[nodiscard]] std::string_view comparison_word(std::string_view sign);
+
 /// The keywords that a row of capitals consists of; empty when it does not consist of keywords alone.
 [[nodiscard]] std::vector<std::string_view> split_keywords(std::string_view capitals);
 
@@ -46,6 +49,8 @@ struct Token {
 struct Misspelling {
     bool known;        ///< a word of other languages, or close to a keyword
     std::string meant; ///< may be empty
+    std::string_view
+        advice; ///< a sentence without its full stop where the language has no such word; may be empty
 };
 [[nodiscard]] Misspelling explain(std::string_view capitals);
 

@@ -1,0 +1,46 @@
+//! Names and what they stand for, found without looking through all of them.
+#pragma once
+
+#include "analyzer/program/tables.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace maclint {
+
+struct TextHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
+};
+
+/// The names of variables, each with a number of its own: the first one is 0.
+class Names {
+  public:
+    /// The number of a name, which gets one when it is new.
+    std::int32_t number_of(std::string_view name);
+    [[nodiscard]] std::optional<std::int32_t> find(std::string_view name) const;
+    /// Empty for a number that no name has.
+    [[nodiscard]] std::string_view operator[](std::int32_t number) const;
+
+  private:
+    std::vector<std::string> names_;
+    std::unordered_map<std::string, std::int32_t, TextHash, std::equal_to<>> numbers_;
+};
+
+/// Variables by their names.
+using PlacesByName = std::unordered_map<std::string, Place, TextHash, std::equal_to<>>;
+
+struct PlaceHash {
+    std::size_t operator()(Place place) const {
+        constexpr unsigned bits_of_number = 32;
+        return std::size_t{place.space} << bits_of_number | static_cast<std::uint32_t>(place.number);
+    }
+};
+
+} // namespace maclint
