@@ -41,12 +41,6 @@ class Building {
         : program_(program)
         , structures_(structures)
         , resumes_at_(resumes_at) {
-        for (StructureId id = 0; id < structures.all.size(); ++id) {
-            const Paired& paired = structures.all[id];
-            by_effect_.emplace(paired.open, id);
-            for (const EffectId middle : paired.parts) by_effect_.emplace(middle, id);
-            if (paired.close) by_effect_.emplace(*paired.close, id);
-        }
         collect_wanted();
     }
 
@@ -68,6 +62,7 @@ class Building {
         resolve_resumes();
         graph_.nodes.shrink_to_fit();
         graph_.edges.shrink_to_fit();
+        index_effects();
         index_edges();
         number_nodes();
         return std::move(graph_);
@@ -221,9 +216,9 @@ class Building {
     };
 
     void leave_structure(NodeId node, EffectId id, const Structure& structure) {
-        const auto found = by_effect_.find(id);
-        if (found == by_effect_.end()) return; // a stray END: the control goes on
-        const Paired& paired = structures_.all[found->second];
+        const auto found = structures_.with(id);
+        if (!found) return; // a stray END: the control goes on
+        const Paired& paired = structures_.all[*found];
         switch (structure.part) {
         case Structure::Part::open: {
             // Without its END, or crossing another, the loop is read as plain text.
@@ -238,13 +233,13 @@ class Building {
             } else {
                 loose_.push_back({node, EdgeKind::next, {}, true});
             }
-            open_.emplace(found->second, std::move(open));
+            open_.emplace(*found, std::move(open));
             break;
         }
         case Structure::Part::begin: break;
-        case Structure::Part::middle: middle(found->second, node, structure); break;
-        case Structure::Part::leave: leave_selection(found->second); break;
-        case Structure::Part::close: close(found->second, node); break;
+        case Structure::Part::middle: middle(*found, node, structure); break;
+        case Structure::Part::leave: leave_selection(*found); break;
+        case Structure::Part::close: close(*found, node); break;
         }
     }
 
@@ -269,11 +264,10 @@ class Building {
     /// the test.
     std::vector<Loose> divert_before_case(EffectId id) {
         const auto& structure = std::get<Structure>(program_.effects[id].what);
-        const auto found = by_effect_.find(id);
-        if (found == by_effect_.end() || structure.part != Structure::Part::middle) return {};
-        const auto open = open_.find(found->second);
-        if (open == open_.end() || structures_.all[found->second].construct != Construct::selection)
-            return {};
+        const auto found = structures_.with(id);
+        if (!found || structure.part != Structure::Part::middle) return {};
+        const auto open = open_.find(*found);
+        if (open == open_.end() || structures_.all[*found].construct != Construct::selection) return {};
         std::vector<Loose> falling = std::exchange(loose_, {});
         if (open->second.otherwise) loose_.push_back(*std::exchange(open->second.otherwise, std::nullopt));
         return falling;
@@ -366,6 +360,14 @@ class Building {
 
     // ---- after all edges are there ----
 
+    void index_effects() {
+        for (NodeId node = 0; node < graph_.nodes.size(); ++node)
+            if (graph_.nodes[node].effects.count != 0) graph_.with_effects.push_back(node);
+        std::ranges::sort(graph_.with_effects, {},
+                          [this](NodeId node) { return graph_.nodes[node].effects.first; });
+        graph_.with_effects.shrink_to_fit();
+    }
+
     void index_edges() {
         graph_.out = EdgesByNode(graph_.nodes.size(), graph_.edges, &Edge::from);
         graph_.in = EdgesByNode(graph_.nodes.size(), graph_.edges, &Edge::to);
@@ -403,7 +405,6 @@ class Building {
     const ResumeLabels& resumes_at_;
     Graph graph_;
     Wanted wanted_;
-    std::unordered_map<EffectId, StructureId> by_effect_;
     std::unordered_map<StructureId, Open> open_;
     std::vector<Loose> loose_;
     ItemId item_ = 0;
@@ -461,6 +462,14 @@ const Label* Graph::find_label(std::int64_t number, Offset from) const {
     if (found == labels.end() || found->number != number)
         found = std::ranges::lower_bound(labels, std::pair(number, Offset{0}), {}, key);
     return found != labels.end() && found->number == number ? &*found : nullptr;
+}
+
+std::optional<NodeId> Graph::node_of(EffectId effect) const {
+    const auto after = std::ranges::upper_bound(with_effects, effect, {},
+                                                [this](NodeId node) { return nodes[node].effects.first; });
+    if (after == with_effects.begin()) return std::nullopt;
+    const Slice& effects = nodes[*(after - 1)].effects;
+    return effect < effects.first + effects.count ? std::optional(*(after - 1)) : std::nullopt;
 }
 
 std::optional<std::vector<EdgeId>>

@@ -97,9 +97,12 @@ struct Graph {
     std::vector<std::uint32_t>
         order; ///< place of a node in reverse postorder from the entry; unreached: no_order
     static constexpr std::uint32_t no_order = 0xFFFFFFFF;
+    std::vector<NodeId> with_effects; ///< nodes that have effects, in the order of these
 
     /// The first label `number` from `from` on, else from the top: where the control's search stops.
     [[nodiscard]] const Label* find_label(std::int64_t number, Offset from) const;
+    /// The node in which the effect runs; nothing in parts that are never executed.
+    [[nodiscard]] std::optional<NodeId> node_of(EffectId effect) const;
     /// Edges on a shortest way from `from` to `to`, or nothing when there is none or the search has met
     /// `most_nodes` nodes. An edge that `usable` refuses is not taken.
     [[nodiscard]] std::optional<std::vector<EdgeId>>

@@ -54,8 +54,8 @@ class Search {
 
     void push(const Point& point) {
         // Two calls that lead to one node are two questions: the way from each may be open or closed.
-        const Place key{point.program, point.node, point.call, point.idle, point.inside};
-        if (point.first != 0 || visited_.insert(key).second) stack_.push_back(point);
+        const Place key{point.program, point.node, point.first, point.call, point.idle, point.inside};
+        if (visited_.insert(key).second) stack_.push_back(point);
     }
 
     void return_to_callers(const ProgramAnalysis& program) {
@@ -66,16 +66,12 @@ class Search {
             return;
         }
         for (const Caller& caller : callers) {
-            const flow::Graph& graph = at(caller.program).graph();
-            const auto found = std::ranges::find_if(graph.nodes, [&](const flow::Node& n) {
-                return n.effects.first <= caller.effect && caller.effect < n.effects.first + n.effects.count;
-            });
-            if (found == graph.nodes.end()) {
-                result_.matters = true; // called under a condition of its own
+            const auto node = at(caller.program).graph().node_of(caller.effect);
+            if (!node) {
+                result_.matters = true; // in a part that nothing executes
                 return;
             }
-            const auto node = static_cast<flow::NodeId>(found - graph.nodes.begin());
-            push({caller.program, node, caller.effect + 1, node, idle_behind(program, 0), false});
+            push({caller.program, *node, caller.effect + 1, *node, idle_behind(program, 0), false});
         }
     }
 
@@ -186,7 +182,7 @@ class Search {
     GroupId group_;
     std::vector<GroupCode> idle_; ///< codes under which no move asks for the value
     std::vector<Point> stack_;
-    using Place = std::tuple<ProgramIndex, flow::NodeId, flow::NodeId, std::uint32_t, bool>;
+    using Place = std::tuple<ProgramIndex, flow::NodeId, EffectId, flow::NodeId, std::uint32_t, bool>;
     std::set<Place> visited_;
     Aftermath result_{false, nullptr, {}};
 };
