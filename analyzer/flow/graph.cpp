@@ -16,6 +16,9 @@ namespace {
 /// Beyond so many edges the computed jumps of a program share one node from which all labels are reached.
 constexpr std::size_t most_computed_edges = 20'000;
 
+/// Beyond so many loose ends a block that may be skipped, which passes them all on, gets them as one.
+constexpr std::size_t most_passed_on = 4;
+
 /// What something in the program may jump to.
 struct Wanted {
     std::vector<std::int64_t> numbers; ///< sorted
@@ -102,10 +105,13 @@ class Building {
     NodeId new_node(ItemId item, Span part, Slice effects, bool is_run) {
         const auto id = static_cast<NodeId>(graph_.nodes.size());
         graph_.nodes.push_back({item, part, effects, is_run});
-        for (const Loose& loose : loose_)
-            add_edge({loose.from, id, loose.kind, loose.condition, loose.holds, {}, {}});
+        for (const Loose& loose : loose_) tie(loose, id);
         loose_ = {{id, EdgeKind::next, {}, true}};
         return id;
+    }
+
+    void tie(const Loose& loose, NodeId to) {
+        add_edge({loose.from, to, loose.kind, loose.condition, loose.holds, {}, {}});
     }
 
     void add_edge(const Edge& edge) { graph_.edges.push_back(edge); }
@@ -134,6 +140,10 @@ class Building {
     }
 
     void take_block(ItemId item, const Block& block) {
+        // A program does not begin with a choice: somewhere the way past the block must begin, too.
+        const bool nowhere_yet = graph_.nodes.empty();
+        if (block.skip_levels != 0 && (nowhere_yet || loose_.size() > most_passed_on))
+            new_node(item, {block.span.begin, block.span.begin}, {}, false);
         const std::vector<Loose> before = block.skip_levels != 0 ? loose_ : std::vector<Loose>{};
         const auto first = static_cast<NodeId>(graph_.nodes.size());
         if (block.sequence_number && wanted_(*block.sequence_number))
@@ -213,6 +223,7 @@ class Building {
         std::vector<Loose> to_close; ///< ends of the branches of a choice
         std::optional<Loose>
             otherwise; ///< the way when the condition does not hold, until a middle or the close takes it
+        std::optional<NodeId> fallback; ///< DEFAULT, wherever it stands: all tests come first
     };
 
     void leave_structure(NodeId node, EffectId id, const Structure& structure) {
@@ -223,7 +234,7 @@ class Building {
         case Structure::Part::open: {
             // Without its END, or crossing another, the loop is read as plain text.
             if (!paired.close || paired.crossed) return;
-            Open open{node, paired.condition, {}, {}};
+            Open open{node, paired.condition, {}, {}, {}};
             loose_.clear();
             if (paired.condition) {
                 loose_.push_back({node, EdgeKind::branch, paired.condition, true});
@@ -249,10 +260,13 @@ class Building {
         Open& open = found->second;
         if (structures_.all[id].construct == Construct::selection) {
             // The test stands in this node; the next CASE takes over when it fails.
-            loose_ = {
-                {node, structure.condition ? EdgeKind::branch : EdgeKind::next, structure.condition, true}};
-            if (structure.condition)
+            if (structure.condition) {
+                loose_ = {{node, EdgeKind::branch, structure.condition, true}};
                 open.otherwise = Loose{node, EdgeKind::branch, structure.condition, false};
+            } else {
+                loose_ = {{node, EdgeKind::next, {}, true}};
+                open.fallback = node;
+            }
             return;
         }
         open.to_close.insert(open.to_close.end(), loose_.begin(), loose_.end());
@@ -260,8 +274,8 @@ class Building {
         if (open.otherwise) loose_.push_back(*std::exchange(open.otherwise, std::nullopt));
     }
 
-    /// A CASE is reached by the tests before it, not by the branch above; that one falls into what follows
-    /// the test.
+    /// A CASE is reached by the tests before it, DEFAULT when the last of them has failed, none by the branch
+    /// above; that one falls into what follows the test.
     std::vector<Loose> divert_before_case(EffectId id) {
         const auto& structure = std::get<Structure>(program_.effects[id].what);
         const auto found = structures_.with(id);
@@ -269,7 +283,8 @@ class Building {
         const auto open = open_.find(*found);
         if (open == open_.end() || structures_.all[*found].construct != Construct::selection) return {};
         std::vector<Loose> falling = std::exchange(loose_, {});
-        if (open->second.otherwise) loose_.push_back(*std::exchange(open->second.otherwise, std::nullopt));
+        if (structure.condition && open->second.otherwise)
+            loose_.push_back(*std::exchange(open->second.otherwise, std::nullopt));
         return falling;
     }
 
@@ -290,7 +305,10 @@ class Building {
             loose_.clear();
         }
         loose_.insert(loose_.end(), open.to_close.begin(), open.to_close.end());
-        if (open.otherwise) loose_.push_back(*open.otherwise);
+        if (open.otherwise && open.fallback)
+            tie(*open.otherwise, *open.fallback);
+        else if (open.otherwise)
+            loose_.push_back(*open.otherwise);
         open_.erase(found);
     }
 

@@ -57,6 +57,55 @@ TEST(Graph, ABlockThatMayBeSkippedIsPassedBothWays) {
     EXPECT_THAT(unreached_in("O1\n/GOTO10\n#1=5\nN10 M30\n"), IsEmpty());
 }
 
+TEST(Graph, TheFirstBlockOfATextMayBeSkippedToo) {
+    EXPECT_THAT(unreached_in("/M30\nG0X#5\nM30\n"), IsEmpty());
+}
+
+TEST(Graph, BlocksThatMayBeSkippedOneBehindAnotherKeepTheGraphSmall) {
+    std::string text = "O1\n";
+    constexpr int blocks = 500;
+    for (int i = 0; i < blocks; ++i) text += "/X1.\n";
+    const auto workspace = test::analyse_fanuc(text + "M30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    EXPECT_LT(program.graph().edges.size(), 5U * blocks);
+    // From the first block on every one of them may be skipped.
+    const auto past_blocks = [&](flow::EdgeId id) {
+        const flow::Node& to = program.graph().nodes[program.graph().edges[id].to];
+        return program.program().slice(to.part) != "/X1.";
+    };
+    const auto last = static_cast<flow::NodeId>(program.graph().nodes.size() - 1);
+    EXPECT_TRUE(program.graph().way(0, last, past_blocks, last + 1));
+}
+
+TEST(Graph, TheNodeOfAnEffectIsKnown) {
+    const auto workspace = test::analyse_fanuc("O1\nIF[#1EQ#0]THEN #2=1\n/#3=1 M98P2\nGOTO10\nN10 M30\n");
+    const flow::Graph& graph = workspace->programs().front().graph();
+    flow::for_each_effect(workspace->programs().front().program(), [&](EffectId id) {
+        const auto node = graph.node_of(id);
+        ASSERT_TRUE(node);
+        EXPECT_LE(graph.nodes[*node].effects.first, id);
+        EXPECT_LT(id, graph.nodes[*node].effects.first + graph.nodes[*node].effects.count);
+    });
+    EXPECT_FALSE(graph.node_of(1000));
+}
+
+TEST(Graph, TestsBehindADefaultComeBeforeIt) {
+    const auto cases = [](const std::string& first, const std::string& second) {
+        const auto workspace = test::analyse_text("dinplus", "MACHINING\nINPUT(\"Size\",#l1)\nSWITCH #l1\n" +
+                                                                 first + second + "ENDSWITCH\nM30\nEND\n");
+        const ProgramAnalysis& program = workspace->programs().front();
+        std::vector<std::string> lines; // where the way splits, and what it reaches
+        for (flow::NodeId node = 0; node < program.graph().nodes.size(); ++node)
+            if (!program.data().reached(node))
+                lines.emplace_back(program.program().slice(program.graph().nodes[node].part));
+        return lines;
+    };
+    const std::string fallback = "DEFAULT\nG0 X5\nBREAK\n";
+    const std::string choice = "CASE 1\nG0 X10\nBREAK\n";
+    EXPECT_THAT(cases(choice, fallback), IsEmpty());
+    EXPECT_THAT(cases(fallback, choice), IsEmpty());
+}
+
 TEST(Graph, BothWaysOfAConditionAreOpen) {
     EXPECT_THAT(unreached_in("O1\nIF[#100EQ1]GOTO10\n#1=5\nN10 M30\n"), IsEmpty());
 }
