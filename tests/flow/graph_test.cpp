@@ -90,11 +90,11 @@ TEST(Graph, TheNodeOfAnEffectIsKnown) {
 }
 
 TEST(Graph, TestsBehindADefaultComeBeforeIt) {
-    const auto cases = [](const std::string& first, const std::string& second) {
+    const auto unreached = [](const std::string& first, const std::string& second) {
         const auto workspace = test::analyse_text("dinplus", "MACHINING\nINPUT(\"Size\",#l1)\nSWITCH #l1\n" +
                                                                  first + second + "ENDSWITCH\nM30\nEND\n");
         const ProgramAnalysis& program = workspace->programs().front();
-        std::vector<std::string> lines; // where the way splits, and what it reaches
+        std::vector<std::string> lines;
         for (flow::NodeId node = 0; node < program.graph().nodes.size(); ++node)
             if (!program.data().reached(node))
                 lines.emplace_back(program.program().slice(program.graph().nodes[node].part));
@@ -102,8 +102,9 @@ TEST(Graph, TestsBehindADefaultComeBeforeIt) {
     };
     const std::string fallback = "DEFAULT\nG0 X5\nBREAK\n";
     const std::string choice = "CASE 1\nG0 X10\nBREAK\n";
-    EXPECT_THAT(cases(choice, fallback), IsEmpty());
-    EXPECT_THAT(cases(fallback, choice), IsEmpty());
+    // Every BREAK goes past ENDSWITCH.
+    EXPECT_THAT(unreached(choice, fallback), ElementsAre("ENDSWITCH"));
+    EXPECT_THAT(unreached(fallback, choice), ElementsAre("ENDSWITCH"));
 }
 
 TEST(Graph, BothWaysOfAConditionAreOpen) {
