@@ -17,9 +17,9 @@ struct Paired {
     EffectId open; ///< the effect that opens it
     std::vector<EffectId>
         parts; ///< what begins (THEN), divides (ELSE, CASE) and leaves it (BREAK), in text order
-    std::optional<EffectId> close;     ///< absent: never closed
-    bool crossed;                      ///< it overlaps another: nobody knows what the control repeats
-    std::optional<StructureId> parent; ///< the structure that was open around it
+    std::optional<EffectId> close;            ///< absent: never closed
+    bool crossed;                             ///< it overlaps another: nobody knows what the control repeats
+    std::optional<StructureId> parent;        ///< the structure that was open around it
     std::optional<StructureId> closed_around; ///< the innermost loop open around it that is closed at all
     std::optional<std::int64_t> number;
     std::optional<ExpressionId> condition;
