@@ -40,10 +40,10 @@ struct Loose {
 
 class Building {
   public:
-    Building(const Program& program, const Structures& structures, const ResumeLabels& resumes_at)
+    Building(const Program& program, const Structures& structures, const Returns& returns)
         : program_(program)
         , structures_(structures)
-        , resumes_at_(resumes_at) {
+        , returns_(returns) {
         collect_wanted();
     }
 
@@ -62,7 +62,7 @@ class Building {
         if (branches) new_node(graph_.nodes.back().item, {program_.span.end, program_.span.end}, {}, false);
         for (const Loose& loose : loose_) graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
         resolve_jumps();
-        resolve_resumes();
+        resolve_returns();
         graph_.nodes.shrink_to_fit();
         graph_.edges.shrink_to_fit();
         index_effects();
@@ -82,15 +82,28 @@ class Building {
                                wanted_.numbers.insert(wanted_.numbers.end(), block.may_jump.begin(),
                                                       block.may_jump.end());
                            },
-                           [this, id](const Call&) {
-                               for (const std::int64_t label : resumes_at_(id))
-                                   wanted_.numbers.push_back(label);
-                           },
+                           [this, id](const Call& call) { collect_ways_back(id, call); },
                            [](const auto&) {},
                        },
                        program_.effects[id].what);
         });
         std::ranges::sort(wanted_.numbers);
+    }
+
+    void collect_ways_back(EffectId id, const Call& call) {
+        if (program_.control->calls[call.kind].when != When::once) return;
+        WaysBack ways = returns_(id);
+        if (ways.to_next_block && ways.labels.empty()) return;
+        ways.to_next_block |= !surely_runs(call);
+        wanted_.numbers.insert(wanted_.numbers.end(), ways.labels.begin(), ways.labels.end());
+        ways_back_.emplace(id, std::move(ways));
+    }
+
+    /// A count that may be 0, or vacant, may call nothing.
+    [[nodiscard]] bool surely_runs(const Call& call) const {
+        if (!call.repeat) return true;
+        const auto times = constant_target(program_, *call.repeat);
+        return times && *times > 0;
     }
 
     void want(std::optional<std::int64_t> number) {
@@ -164,7 +177,7 @@ class Building {
         const Id end = slice.first + slice.count;
         for (Id i = slice.first; i < end; ++i) {
             const auto& what = program_.effects[i].what;
-            if (!leaves_line(what)) continue;
+            if (!leaves_line(what) && !ways_back_.contains(i)) continue;
             // The effect itself ends its node, so that rules find the state in front of it.
             const bool header = std::holds_alternative<Structure>(what);
             if (header && i > begin) flush(begin, i);
@@ -199,6 +212,7 @@ class Building {
                            loose_.push_back({node, EdgeKind::branch, guarded.condition, false});
                        },
                        [&](const Structure& structure) { leave_structure(node, id, structure); },
+                       [&](const Call&) { calls_.emplace_back(node, id); },
                        [](const auto&) {},
                    },
                    program_.effects[id].what);
@@ -358,17 +372,22 @@ class Building {
         }
     }
 
-    void resolve_resumes() {
-        const std::size_t count = graph_.nodes.size();
-        for (NodeId node = 0; node < count; ++node) {
-            const Slice effects = graph_.nodes[node].effects;
-            for (Id i = effects.first; i < effects.first + effects.count; ++i) {
-                if (!std::holds_alternative<Call>(program_.effects[i].what)) continue;
-                for (const std::int64_t number : resumes_at_(i))
-                    if (const Label* label = graph_.find_label(number, 0))
-                        add_edge({node, label->node, EdgeKind::resume, {}, true, i, {}});
+    void resolve_returns() {
+        std::vector<bool> goes_elsewhere(graph_.nodes.size(), false);
+        for (const auto& [node, call] : calls_) {
+            const WaysBack& ways = ways_back_.at(call);
+            bool all_there = true; // otherwise the control stops: what follows is not judged by that
+            for (const std::int64_t number : ways.labels) {
+                const Label* label = graph_.find_label(number, 0);
+                all_there &= label != nullptr;
+                if (label != nullptr) add_edge({node, label->node, EdgeKind::resume, {}, true, call, {}});
             }
+            goes_elsewhere[node] = !ways.to_next_block && all_there;
         }
+        std::erase_if(graph_.edges, [&](const Edge& edge) {
+            return goes_elsewhere[edge.from] && edge.kind != EdgeKind::resume;
+        });
+        std::erase_if(graph_.exits, [&](const Exit& exit) { return goes_elsewhere[exit.node]; });
     }
 
     void index_labels() {
@@ -420,9 +439,11 @@ class Building {
 
     const Program& program_;
     const Structures& structures_;
-    const ResumeLabels& resumes_at_;
+    const Returns& returns_;
     Graph graph_;
     Wanted wanted_;
+    std::unordered_map<EffectId, WaysBack> ways_back_; ///< of calls that may go on elsewhere than behind them
+    std::vector<std::pair<NodeId, EffectId>> calls_;   ///< these, and the nodes that end with them
     std::unordered_map<StructureId, Open> open_;
     std::vector<Loose> loose_;
     ItemId item_ = 0;
@@ -519,8 +540,15 @@ std::optional<std::int64_t> constant_target(const Program& program, ExpressionId
     return std::llround(literal->value);
 }
 
-Graph build_graph(const Program& program, const Structures& structures, const ResumeLabels& resumes_at) {
-    return Building(program, structures, resumes_at).run();
+bool returns_behind_call(const Program& program, const Exit& exit) {
+    if (exit.kind == ExitKind::runs_off) return true;
+    if (exit.kind != ExitKind::returns) return false;
+    const auto& label = std::get<Return>(program.effects[*exit.effect].what).resume_label;
+    return !label || !constant_target(program, *label);
+}
+
+Graph build_graph(const Program& program, const Structures& structures, const Returns& returns) {
+    return Building(program, structures, returns).run();
 }
 
 } // namespace maclint::flow

@@ -109,11 +109,17 @@ struct Graph {
     way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const;
 };
 
-/// Sequence numbers to which a call may return in its caller instead of the next block.
-using ResumeLabels = std::function<std::vector<std::int64_t>(EffectId call)>;
+/// How a called program may come back.
+struct WaysBack {
+    bool to_next_block = true;
+    std::vector<std::int64_t> labels; ///< sequence numbers of the caller
+};
+using Returns = std::function<WaysBack(EffectId call)>;
 
-[[nodiscard]] Graph build_graph(const Program& program, const Structures& structures,
-                                const ResumeLabels& resumes_at);
+/// Whether who leaves the program there goes on behind the call, not at a sequence number.
+[[nodiscard]] bool returns_behind_call(const Program& program, const Exit& exit);
+
+[[nodiscard]] Graph build_graph(const Program& program, const Structures& structures, const Returns& returns);
 
 /// The number that a jump's target expression names when it is a plain constant.
 [[nodiscard]] std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target);

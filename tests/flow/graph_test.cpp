@@ -125,10 +125,31 @@ TEST(Graph, AStopForTheOperatorIsAWayOn) {
 }
 
 TEST(Graph, ACalledProgramMayReturnToAnotherBlock) {
-    const auto workspace = test::analyse_fanuc("O1\nM98P2\nGOTO40\nN30 #1=5\nN40 M30\nO2\nM99P30\n");
+    const auto workspace =
+        test::analyse_fanuc("O1\nM98P2\nGOTO40\nN30 #1=5\nN40 M30\nO2\nIF[#100EQ1]GOTO9\nM99P30\nN9 M99\n");
     const ProgramAnalysis& main = workspace->programs().front();
     for (flow::NodeId node = 0; node < main.graph().nodes.size(); ++node)
         EXPECT_TRUE(main.data().reached(node));
+}
+
+TEST(Graph, BehindACallThatDoesNotReturnThereNothingIsReached) {
+    const std::string alarm = "O2\n#3000=1(STOP)\n";
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\n" + alarm), ElementsAre(3, 4));
+    EXPECT_THAT(unreached_in("O1\nIF[#100EQ1]THEN M98P2\n#1=5\nM30\n" + alarm), IsEmpty());
+    EXPECT_THAT(unreached_in("O1\nM98P3\n#1=5\nM30\n" + alarm + "O3\nM98P2\nM99\n"), ElementsAre(3, 4));
+    // It returns on some way, or may be left out, or what leads back cannot be read.
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\nO2\nIF[#100EQ1]GOTO9\n#3000=1\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(unreached_in("O1\nM98P2L#100\n#1=5\nM30\n" + alarm), IsEmpty());
+    EXPECT_THAT(unreached_in("O1\n/M98P2\n#1=5\nM30\n" + alarm), IsEmpty());
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\nO2\nIF[#1EQ1 M99\nM30\n"), IsEmpty());
+}
+
+TEST(Graph, AProgramThatReturnsToABlockDoesNotReturnBehindTheCall) {
+    const std::string back = "O2\nM99P30\n";
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nN30 M30\n" + back), ElementsAre(3));
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\n" + back), IsEmpty()); // an alarm of its own
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nN30 M30\nO2\nM99P#100\n"), IsEmpty());
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nN30 M30\nO2\nIF[#100EQ1]GOTO9\nM99P30\nN9 M99\n"), IsEmpty());
 }
 
 TEST(Graph, AHugeTargetIsATargetThatIsNotThere) {
