@@ -306,7 +306,9 @@ class Solver {
             if (exit.exit.effect)
                 add_resume_label(std::get<Return>(program_.effects[*exit.exit.effect].what));
         }
-        summary.returns = left.reached;
+        summary.returns = std::ranges::any_of(facts_.exits, [this](const ExitState& left_with) {
+            return flow::returns_behind_call(program_, left_with.exit);
+        });
         summary.written_for_callers = written_for_callers();
         if (!left.reached) return;
         for (std::size_t space = 0; space < most_spaces; ++space)

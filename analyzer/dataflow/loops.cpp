@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <unordered_map>
 
 namespace maclint::dataflow {
 namespace {
@@ -17,14 +16,13 @@ class LoopSearch {
     LoopSearch(const Program& program, const flow::Structures& structures, const flow::Graph& graph,
                const Analysis& analysis, const Cycles& cycles)
         : program_(program)
+        , structures_(structures)
         , graph_(graph)
         , analysis_(analysis)
         , component_(cycles.components.of)
         , budget_(std::max(work_at_least, work_per_node * graph.nodes.size()))
         , traits_(graph.nodes.size(), 0)
         , mark_(graph.nodes.size(), 0) {
-        for (flow::StructureId id = 0; id < structures.all.size(); ++id)
-            by_open_.emplace(structures.all[id].open, id);
         for (const flow::Exit& exit : graph.exits) mark(exit.node, true, false);
         for (const CallMade& call : analysis.facts().calls) mark(call.node, call.may_stop, !call.known);
         target_.reserve(graph.edges.size());
@@ -95,8 +93,8 @@ class LoopSearch {
         if (edge.kind == flow::EdgeKind::back) {
             const Slice effects = graph_.nodes[loop.head].effects;
             for (Id i = effects.first; i < effects.first + effects.count; ++i)
-                if (const auto found = by_open_.find(i); found != by_open_.end())
-                    loop.structure = found->second;
+                if (const auto id = structures_.with(i); id && structures_.all[*id].open == i)
+                    loop.structure = id;
         }
         return loop;
     }
@@ -139,6 +137,7 @@ class LoopSearch {
     }
 
     const Program& program_;
+    const flow::Structures& structures_;
     const flow::Graph& graph_;
     const Analysis& analysis_;
     const std::vector<std::uint32_t>& component_; ///< of every node
@@ -150,7 +149,6 @@ class LoopSearch {
     std::vector<std::uint32_t> mark_;
     std::vector<flow::NodeId> stack_;
     std::uint32_t round_ = 0;
-    std::unordered_map<EffectId, flow::StructureId> by_open_;
 };
 
 } // namespace

@@ -27,7 +27,7 @@ struct GroupChange {
 
 struct Summary {
     bool known = false;   ///< false: the program is not there, everything may change
-    bool returns = true;  ///< at least one way leads back to the caller
+    bool returns = true;  ///< at least one way leads back to the block behind the call
     bool may_stop = true; ///< it or what it calls may stop: an alarm, a pause, the program's end
     std::vector<PlaceChange>
         places; ///< all that it may write and the caller can see (locals for calls that share them)

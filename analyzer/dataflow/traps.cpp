@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <span>
-#include <unordered_map>
 #include <utility>
 
 namespace maclint::dataflow {
@@ -43,10 +42,6 @@ class TrapSearch {
             const auto& what = program_.effects[id].what;
             if (std::holds_alternative<Stop>(what) || std::holds_alternative<UnreadableBlock>(what))
                 stops_[node] = true;
-            const auto* structure = std::get_if<Structure>(&what);
-            if (structure != nullptr && structure->part == Structure::Part::open &&
-                is_loop(structure->construct))
-                head_of_.emplace(id, node);
         }
     }
 
@@ -99,11 +94,9 @@ class TrapSearch {
             std::ranges::minmax(body, {}, [this](auto node) { return begin_of(node); });
         std::optional<flow::StructureId> around;
         for (auto id = structures_.loop_around(program_, begin_of(last)); id;
-             id = structures_.all[*id].parent) {
-            const auto head = head_of_.find(structures_.all[*id].open);
-            if (head != head_of_.end() && components_.of[head->second] == component &&
-                begin_of(head->second) <= begin_of(first))
-                around = id;
+             id = structures_.all[*id].closed_around) {
+            const auto head = graph_.node_of(structures_.all[*id].open);
+            if (head && components_.of[*head] == component && begin_of(*head) <= begin_of(first)) around = id;
         }
         return around;
     }
@@ -114,7 +107,6 @@ class TrapSearch {
     const Analysis& analysis_;
     const flow::Arrows& arrows_;
     const flow::Components& components_;
-    std::unordered_map<EffectId, flow::NodeId> head_of_; ///< the node of a loop's opening effect
     std::vector<bool> stops_; ///< nodes that end the program, pause, or may do either
 };
 

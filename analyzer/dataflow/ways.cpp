@@ -2,14 +2,16 @@
 #include "analyzer/dataflow/ways.hpp"
 
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/cycles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace maclint::dataflow {
 namespace {
 
-constexpr std::size_t most_attempts = 8;
+constexpr std::size_t most_attempts = 12;
 
 /// Sorted, without `except`.
 std::vector<flow::NodeId> assigning_nodes(const Facts& facts, Place place, flow::NodeId except) {
@@ -28,33 +30,218 @@ void add_disturbing_nodes(const Facts& facts, Place place, flow::NodeId except,
     std::ranges::sort(nodes);
 }
 
-/// The edge whose condition cannot turn out so on this way.
-std::optional<flow::EdgeId> impossible_edge(const Program& program, const flow::Graph& graph,
-                                            const Analysis& analysis, const std::vector<flow::EdgeId>& way) {
-    std::vector<Decision> decisions;
-    std::vector<flow::EdgeId> deciding;
-    for (const flow::EdgeId id : way) {
-        const flow::Edge& edge = graph.edges[id];
-        if (!edge.condition) continue;
-        decisions.push_back({*edge.condition, edge.holds});
-        deciding.push_back(id);
+/// Variables that may hold something else than the way says.
+class Unsure {
+  public:
+    void add(Place place) { places_.push_back(place); }
+    void add(SpaceId space) { spaces_.push_back(space); }
+    void remove(Place place) { std::erase(places_, place); }
+    [[nodiscard]] bool holds(Place place) const {
+        return std::ranges::find(places_, place) != places_.end() ||
+               std::ranges::find(spaces_, place.space) != spaces_.end();
     }
-    const auto at = first_contradiction(program, decisions);
-    return at ? std::optional(deciding[*at]) : analysis.first_impossible(way);
-}
+    [[nodiscard]] bool decides(const Program& program, ExpressionId expression) const {
+        return std::ranges::any_of(variables_of(program, expression).places,
+                                   [this](Place place) { return holds(place); });
+    }
 
-/// The edge leaves a loop, whose rounds meet none of the nodes: that it is not left before the first round
-/// says nothing of the ways behind it.
-bool only_counts_rounds(const flow::Graph& graph, flow::EdgeId edge, std::span<const flow::NodeId> barred) {
-    const flow::NodeId head = graph.edges[edge].from;
-    for (const flow::EdgeId in : graph.in[head]) {
-        const flow::Edge& back = graph.edges[in];
-        if (back.kind != flow::EdgeKind::back || graph.edges[edge].to <= back.from) continue;
-        const auto first = std::ranges::lower_bound(barred, head);
-        return first == barred.end() || *first > back.from;
+  private:
+    std::vector<Place> places_;
+    std::vector<SpaceId> spaces_;
+};
+
+/// Why nobody goes a way: this edge is not taken by who came so. Where an earlier decision says the opposite,
+/// other ways may take the edge.
+struct Obstacle {
+    flow::EdgeId edge;
+    std::optional<flow::EdgeId> opposite;
+};
+
+/// Looks for a way that can be gone: each way that cannot is closed at its obstacle.
+class WaySearch {
+  public:
+    /// `barred` are the nodes, sorted, that the rounds of a loop must not meet to be left out of a way.
+    WaySearch(const Program& program, const flow::Graph& graph, const Analysis& analysis,
+              std::span<const flow::NodeId> barred)
+        : program_(program)
+        , graph_(graph)
+        , analysis_(analysis)
+        , barred_(barred) {}
+
+    using Way = std::vector<flow::EdgeId>;
+    using Closed = std::vector<flow::EdgeId>;
+
+    /// `find(closed)` gives a way that takes none of the closed edges.
+    template<class Find>
+    std::optional<Way> run(const Find& find) {
+        std::vector<Closed> open{{}};
+        for (std::size_t attempt = 0; attempt < most_attempts && !open.empty(); ++attempt) {
+            Closed closed = std::move(open.back());
+            open.pop_back();
+            std::optional<Way> way = find(closed);
+            if (!way) continue;
+            const auto obstacle = obstacle_on(*way);
+            if (!obstacle) return way;
+            if (obstacle->opposite) {
+                open.push_back(closed);
+                open.back().push_back(*obstacle->opposite);
+            }
+            closed.push_back(obstacle->edge);
+            open.push_back(std::move(closed));
+        }
+        return std::nullopt;
     }
-    return false;
-}
+
+  private:
+    [[nodiscard]] std::optional<Obstacle> obstacle_on(const Way& way) {
+        const auto contradiction = contradiction_on(way);
+        return contradiction ? contradiction : impossible_on(way);
+    }
+
+    // ---- decisions ----
+
+    [[nodiscard]] std::ranges::subrange<std::vector<Store>::const_iterator>
+    stores_in(flow::NodeId node) const {
+        return std::ranges::equal_range(analysis_.facts().stores, node, {}, &Store::node);
+    }
+
+    /// A decision at a place of the way, and the place from which on what it was about may be different.
+    struct Decided {
+        Decision decision;
+        std::size_t at;
+        std::size_t until;
+    };
+
+    [[nodiscard]] std::optional<Obstacle> contradiction_on(const Way& way) {
+        const auto in_a_row = [](std::span<const Decided> all) {
+            std::vector<Decision> decisions;
+            for (const Decided& decided : all) decisions.push_back(decided.decision);
+            return decisions;
+        };
+        std::vector<Decided> all = decided_on(way);
+        if (!first_contradiction(program_, in_a_row(all))) return std::nullopt;
+        note_changes(way, all);
+        while (const auto found = first_contradiction(program_, in_a_row(all))) {
+            const Decided last = all[*found];
+            const auto earlier = all.begin() + static_cast<std::ptrdiff_t>(*found);
+            const auto valid =
+                std::remove_if(all.begin(), earlier, [&](const Decided& d) { return d.until <= last.at; });
+            if (valid == earlier) {
+                const auto opposite = std::find_if(all.begin(), earlier, [&](const Decided& d) {
+                    return first_contradiction(program_, std::array{d.decision, last.decision}).has_value();
+                });
+                return Obstacle{way[last.at],
+                                opposite == earlier ? std::nullopt : std::optional(way[opposite->at])};
+            }
+            all.erase(valid, earlier);
+        }
+        return std::nullopt;
+    }
+
+    /// The last decisions on the way.
+    [[nodiscard]] std::vector<Decided> decided_on(const Way& way) const {
+        constexpr std::size_t most_decided = 256;
+        std::vector<Decided> all;
+        for (std::size_t at = way.size(); at-- > 0 && all.size() < most_decided;) {
+            const flow::Edge& edge = graph_.edges[way[at]];
+            if (edge.condition) all.push_back({{*edge.condition, edge.holds}, at, way.size()});
+        }
+        std::ranges::reverse(all);
+        return all;
+    }
+
+    /// Finds out, from the way's end to its start, until when each decision tells something.
+    void note_changes(const Way& way, std::vector<Decided>& all) {
+        std::vector<std::pair<Place, std::size_t>> next_changes; // behind the place looked at
+        const auto note = [&](flow::NodeId node, std::size_t at) {
+            for (const Store& store : stores_in(node)) {
+                const auto known =
+                    std::ranges::find(next_changes, store.place, &std::pair<Place, std::size_t>::first);
+                if (known == next_changes.end())
+                    next_changes.emplace_back(store.place, at);
+                else
+                    known->second = at;
+            }
+        };
+        std::size_t at = way.size();
+        for (auto decided = all.rbegin(); decided != all.rend(); ++decided) {
+            while (--at > decided->at) {
+                note(graph_.edges[way[at]].from, at);
+                if (ends_rounds(way[at]))
+                    for (const flow::NodeId node : rounds_before(way[at])) note(node, at);
+            }
+            for (const Place place : variables_of(program_, decided->decision.condition).places)
+                for (const auto& [changed, where] : next_changes)
+                    if (changed == place) decided->until = std::min(decided->until, where);
+            ++at; // what is stored in front of this decision is noted for those before it
+        }
+    }
+
+    // ---- values ----
+
+    /// That a loop is not left before the first round says nothing of the ways behind it: the way goes on,
+    /// and what the rounds store is not known on it.
+    [[nodiscard]] std::optional<Obstacle> impossible_on(Way way) {
+        while (const auto edge = analysis_.first_impossible(way)) {
+            if (!ends_rounds(*edge)) return Obstacle{*edge, std::nullopt};
+            forget_rounds(way, *edge);
+        }
+        return std::nullopt;
+    }
+
+    /// Takes the edge off the way, and all behind it that what the rounds store decides.
+    void forget_rounds(Way& way, flow::EdgeId edge) {
+        Unsure unsure;
+        for (const flow::NodeId node : rounds_before(edge)) {
+            for (const Store& store : stores_in(node)) unsure.add(store.place);
+            for (const Disturbance& change :
+                 std::ranges::equal_range(analysis_.facts().disturbances, node, {}, &Disturbance::node))
+                if (change.place)
+                    unsure.add(*change.place);
+                else
+                    unsure.add(change.space);
+        }
+        const auto behind = way.erase(std::ranges::find(way, edge));
+        const auto kept = std::remove_if(behind, way.end(), [&](flow::EdgeId id) {
+            const flow::Edge& next = graph_.edges[id];
+            for (const Store& store : stores_in(next.from)) {
+                if (unsure.decides(program_, store.expression))
+                    unsure.add(store.place);
+                else
+                    unsure.remove(store.place);
+            }
+            if (next.condition) return unsure.decides(program_, *next.condition);
+            const auto* jump = next.label ? std::get_if<Jump>(&program_.effects[*next.jump].what) : nullptr;
+            return jump != nullptr && unsure.decides(program_, jump->target);
+        });
+        way.erase(kept, way.end());
+    }
+
+    // ---- rounds ----
+
+    /// The edge leaves a loop, none of whose rounds meets a barred node.
+    [[nodiscard]] bool ends_rounds(flow::EdgeId id) {
+        const flow::Edge& edge = graph_.edges[id];
+        const auto rounds = rounds_before(id);
+        if (rounds.size() < 2 || components_->of[edge.from] == components_->of[edge.to]) return false;
+        return std::ranges::none_of(
+            rounds, [this](flow::NodeId node) { return std::ranges::binary_search(barred_, node); });
+    }
+
+    /// The nodes from which who stands before the edge can come back there.
+    [[nodiscard]] std::span<const flow::NodeId> rounds_before(flow::EdgeId id) {
+        if (!components_) {
+            components_ = flow::find_components(arrows_along(graph_, analysis_));
+        }
+        return components_->members[components_->of[graph_.edges[id].from]];
+    }
+
+    const Program& program_;
+    const flow::Graph& graph_;
+    const Analysis& analysis_;
+    std::span<const flow::NodeId> barred_;
+    std::optional<flow::Components> components_; ///< of the passable edges, once somebody has asked
+};
 
 /// A search of everything: what it does not find is not there.
 std::size_t whole(const flow::Graph& graph) { return graph.nodes.size() + 1; }
@@ -107,42 +294,33 @@ std::optional<std::vector<flow::EdgeId>> way_without_assignment(const Program& p
     add_disturbing_nodes(analysis.facts(), place, node, assigning);
     if (node == 0) return std::vector<flow::EdgeId>{};
     if (std::ranges::binary_search(assigning, flow::NodeId{0})) return std::nullopt;
-    std::vector<flow::EdgeId> impossible;
-    while (impossible.size() < most_attempts) {
+    return WaySearch(program, graph, analysis, assigning).run([&](const WaySearch::Closed& closed) {
         const auto usable = [&](flow::EdgeId edge) {
             return analysis.passable(edge) && !std::ranges::binary_search(assigning, graph.edges[edge].to) &&
-                   std::ranges::find(impossible, edge) == impossible.end();
+                   std::ranges::find(closed, edge) == closed.end();
         };
-        auto way = graph.way(0, node, usable, whole(graph));
-        if (!way) return std::nullopt;
-        const auto bad = impossible_edge(program, graph, analysis, *way);
-        if (!bad) return way;
-        impossible.push_back(*bad);
-    }
-    return std::nullopt;
+        return graph.way(0, node, usable, whole(graph));
+    });
 }
 
 bool can_follow(const Program& program, const flow::Graph& graph, const Analysis& analysis,
                 flow::NodeId first, flow::NodeId then, std::span<const flow::NodeId> barred) {
-    std::vector<flow::EdgeId> impossible;
-    const auto possible = [&](flow::EdgeId edge) {
-        return analysis.passable(edge) && std::ranges::find(impossible, edge) == impossible.end();
-    };
-    const auto past = [&](flow::EdgeId edge) {
-        const flow::NodeId next = graph.edges[edge].to;
-        return possible(edge) && (next == then || !std::ranges::binary_search(barred, next));
-    };
-    while (impossible.size() < most_attempts) {
-        using Way = std::optional<std::vector<flow::EdgeId>>;
+    const auto find = [&](const WaySearch::Closed& closed) -> std::optional<WaySearch::Way> {
+        const auto possible = [&](flow::EdgeId edge) {
+            return analysis.passable(edge) && std::ranges::find(closed, edge) == closed.end();
+        };
+        const auto past = [&](flow::EdgeId edge) {
+            const flow::NodeId next = graph.edges[edge].to;
+            return possible(edge) && (next == then || !std::ranges::binary_search(barred, next));
+        };
+        using Way = std::optional<WaySearch::Way>;
         Way way = first == 0 ? Way(std::in_place) : graph.way(0, first, possible, whole(graph));
         const Way rest = first == then ? Way(std::in_place) : graph.way(first, then, past, whole(graph));
-        if (!way || !rest) return false;
+        if (!way || !rest) return std::nullopt;
         way->insert(way->end(), rest->begin(), rest->end());
-        const auto bad = impossible_edge(program, graph, analysis, *way);
-        if (!bad || only_counts_rounds(graph, *bad, barred)) return true;
-        impossible.push_back(*bad);
-    }
-    return false;
+        return way;
+    };
+    return WaySearch(program, graph, analysis, barred).run(find).has_value();
 }
 
 } // namespace maclint::dataflow

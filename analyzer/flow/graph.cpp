@@ -16,6 +16,9 @@ namespace {
 /// Beyond so many edges the computed jumps of a program share one node from which all labels are reached.
 constexpr std::size_t most_computed_edges = 20'000;
 
+/// Beyond so many loose ends a block that may be skipped, which passes them all on, gets them as one.
+constexpr std::size_t most_passed_on = 4;
+
 /// What something in the program may jump to.
 struct Wanted {
     std::vector<std::int64_t> numbers; ///< sorted
@@ -37,16 +40,10 @@ struct Loose {
 
 class Building {
   public:
-    Building(const Program& program, const Structures& structures, const ResumeLabels& resumes_at)
+    Building(const Program& program, const Structures& structures, const Returns& returns)
         : program_(program)
         , structures_(structures)
-        , resumes_at_(resumes_at) {
-        for (StructureId id = 0; id < structures.all.size(); ++id) {
-            const Paired& paired = structures.all[id];
-            by_effect_.emplace(paired.open, id);
-            for (const EffectId middle : paired.parts) by_effect_.emplace(middle, id);
-            if (paired.close) by_effect_.emplace(*paired.close, id);
-        }
+        , returns_(returns) {
         collect_wanted();
     }
 
@@ -65,9 +62,10 @@ class Building {
         if (branches) new_node(graph_.nodes.back().item, {program_.span.end, program_.span.end}, {}, false);
         for (const Loose& loose : loose_) graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
         resolve_jumps();
-        resolve_resumes();
+        resolve_returns();
         graph_.nodes.shrink_to_fit();
         graph_.edges.shrink_to_fit();
+        index_effects();
         index_edges();
         number_nodes();
         return std::move(graph_);
@@ -90,15 +88,28 @@ class Building {
                                                            : std::nullopt)
                                    want(number);
                            },
-                           [this, id](const Call&) {
-                               for (const std::int64_t label : resumes_at_(id))
-                                   wanted_.numbers.push_back(label);
-                           },
+                           [this, id](const Call& call) { collect_ways_back(id, call); },
                            [](const auto&) {},
                        },
                        program_.effects[id].what);
         });
         std::ranges::sort(wanted_.numbers);
+    }
+
+    void collect_ways_back(EffectId id, const Call& call) {
+        if (program_.control->calls[call.kind].when != When::once) return;
+        WaysBack ways = returns_(id);
+        if (ways.to_next_block && ways.labels.empty()) return;
+        ways.to_next_block |= !surely_runs(call);
+        wanted_.numbers.insert(wanted_.numbers.end(), ways.labels.begin(), ways.labels.end());
+        ways_back_.emplace(id, std::move(ways));
+    }
+
+    /// A count that may be 0, or vacant, may call nothing.
+    [[nodiscard]] bool surely_runs(const Call& call) const {
+        if (!call.repeat) return true;
+        const auto times = constant_target(program_, *call.repeat);
+        return times && *times > 0;
     }
 
     void want(std::optional<std::int64_t> number) {
@@ -113,10 +124,13 @@ class Building {
     NodeId new_node(ItemId item, Span part, Slice effects, bool is_run) {
         const auto id = static_cast<NodeId>(graph_.nodes.size());
         graph_.nodes.push_back({item, part, effects, is_run});
-        for (const Loose& loose : loose_)
-            add_edge({loose.from, id, loose.kind, loose.condition, loose.holds, {}, {}});
+        for (const Loose& loose : loose_) tie(loose, id);
         loose_ = {{id, EdgeKind::next, {}, true}};
         return id;
+    }
+
+    void tie(const Loose& loose, NodeId to) {
+        add_edge({loose.from, to, loose.kind, loose.condition, loose.holds, {}, {}});
     }
 
     void add_edge(const Edge& edge) { graph_.edges.push_back(edge); }
@@ -145,6 +159,10 @@ class Building {
     }
 
     void take_block(ItemId item, const Block& block) {
+        // A program does not begin with a choice: somewhere the way past the block must begin, too.
+        const bool nowhere_yet = graph_.nodes.empty();
+        if (block.skip_levels != 0 && (nowhere_yet || loose_.size() > most_passed_on))
+            new_node(item, {block.span.begin, block.span.begin}, {}, false);
         const std::vector<Loose> before = block.skip_levels != 0 ? loose_ : std::vector<Loose>{};
         const auto first = static_cast<NodeId>(graph_.nodes.size());
         if (block.sequence_number && wanted_(*block.sequence_number))
@@ -165,7 +183,7 @@ class Building {
         const Id end = slice.first + slice.count;
         for (Id i = slice.first; i < end; ++i) {
             const auto& what = program_.effects[i].what;
-            if (!leaves_line(what)) continue;
+            if (!leaves_line(what) && !ways_back_.contains(i)) continue;
             // The effect itself ends its node, so that rules find the state in front of it.
             const bool header = std::holds_alternative<Structure>(what);
             if (header && i > begin) flush(begin, i);
@@ -200,6 +218,7 @@ class Building {
                            loose_.push_back({node, EdgeKind::branch, guarded.condition, false});
                        },
                        [&](const Structure& structure) { leave_structure(node, id, structure); },
+                       [&](const Call&) { calls_.emplace_back(node, id); },
                        [](const auto&) {},
                    },
                    program_.effects[id].what);
@@ -224,17 +243,18 @@ class Building {
         std::vector<Loose> to_close; ///< ends of the branches of a choice
         std::optional<Loose>
             otherwise; ///< the way when the condition does not hold, until a middle or the close takes it
+        std::optional<NodeId> fallback; ///< DEFAULT, wherever it stands: all tests come first
     };
 
     void leave_structure(NodeId node, EffectId id, const Structure& structure) {
-        const auto found = by_effect_.find(id);
-        if (found == by_effect_.end()) return; // a stray END: the control goes on
-        const Paired& paired = structures_.all[found->second];
+        const auto found = structures_.with(id);
+        if (!found) return; // a stray END: the control goes on
+        const Paired& paired = structures_.all[*found];
         switch (structure.part) {
         case Structure::Part::open: {
             // Without its END, or crossing another, the loop is read as plain text.
             if (!paired.close || paired.crossed) return;
-            Open open{node, paired.condition, {}, {}};
+            Open open{node, paired.condition, {}, {}, {}};
             loose_.clear();
             if (paired.condition) {
                 loose_.push_back({node, EdgeKind::branch, paired.condition, true});
@@ -244,13 +264,13 @@ class Building {
             } else {
                 loose_.push_back({node, EdgeKind::next, {}, true});
             }
-            open_.emplace(found->second, std::move(open));
+            open_.emplace(*found, std::move(open));
             break;
         }
         case Structure::Part::begin: break;
-        case Structure::Part::middle: middle(found->second, node, structure); break;
-        case Structure::Part::leave: leave_selection(found->second); break;
-        case Structure::Part::close: close(found->second, node); break;
+        case Structure::Part::middle: middle(*found, node, structure); break;
+        case Structure::Part::leave: leave_selection(*found); break;
+        case Structure::Part::close: close(*found, node); break;
         }
     }
 
@@ -260,10 +280,13 @@ class Building {
         Open& open = found->second;
         if (structures_.all[id].construct == Construct::selection) {
             // The test stands in this node; the next CASE takes over when it fails.
-            loose_ = {
-                {node, structure.condition ? EdgeKind::branch : EdgeKind::next, structure.condition, true}};
-            if (structure.condition)
+            if (structure.condition) {
+                loose_ = {{node, EdgeKind::branch, structure.condition, true}};
                 open.otherwise = Loose{node, EdgeKind::branch, structure.condition, false};
+            } else {
+                loose_ = {{node, EdgeKind::next, {}, true}};
+                open.fallback = node;
+            }
             return;
         }
         open.to_close.insert(open.to_close.end(), loose_.begin(), loose_.end());
@@ -271,17 +294,17 @@ class Building {
         if (open.otherwise) loose_.push_back(*std::exchange(open.otherwise, std::nullopt));
     }
 
-    /// A CASE is reached by the tests before it, not by the branch above; that one falls into what follows
-    /// the test.
+    /// A CASE is reached by the tests before it, DEFAULT when the last of them has failed, none by the branch
+    /// above; that one falls into what follows the test.
     std::vector<Loose> divert_before_case(EffectId id) {
         const auto& structure = std::get<Structure>(program_.effects[id].what);
-        const auto found = by_effect_.find(id);
-        if (found == by_effect_.end() || structure.part != Structure::Part::middle) return {};
-        const auto open = open_.find(found->second);
-        if (open == open_.end() || structures_.all[found->second].construct != Construct::selection)
-            return {};
+        const auto found = structures_.with(id);
+        if (!found || structure.part != Structure::Part::middle) return {};
+        const auto open = open_.find(*found);
+        if (open == open_.end() || structures_.all[*found].construct != Construct::selection) return {};
         std::vector<Loose> falling = std::exchange(loose_, {});
-        if (open->second.otherwise) loose_.push_back(*std::exchange(open->second.otherwise, std::nullopt));
+        if (structure.condition && open->second.otherwise)
+            loose_.push_back(*std::exchange(open->second.otherwise, std::nullopt));
         return falling;
     }
 
@@ -302,7 +325,10 @@ class Building {
             loose_.clear();
         }
         loose_.insert(loose_.end(), open.to_close.begin(), open.to_close.end());
-        if (open.otherwise) loose_.push_back(*open.otherwise);
+        if (open.otherwise && open.fallback)
+            tie(*open.otherwise, *open.fallback);
+        else if (open.otherwise)
+            loose_.push_back(*open.otherwise);
         open_.erase(found);
     }
 
@@ -352,17 +378,22 @@ class Building {
         }
     }
 
-    void resolve_resumes() {
-        const std::size_t count = graph_.nodes.size();
-        for (NodeId node = 0; node < count; ++node) {
-            const Slice effects = graph_.nodes[node].effects;
-            for (Id i = effects.first; i < effects.first + effects.count; ++i) {
-                if (!std::holds_alternative<Call>(program_.effects[i].what)) continue;
-                for (const std::int64_t number : resumes_at_(i))
-                    if (const Label* label = graph_.find_label(number, 0))
-                        add_edge({node, label->node, EdgeKind::resume, {}, true, i, {}});
+    void resolve_returns() {
+        std::vector<bool> goes_elsewhere(graph_.nodes.size(), false);
+        for (const auto& [node, call] : calls_) {
+            const WaysBack& ways = ways_back_.at(call);
+            bool all_there = true; // otherwise the control stops: what follows is not judged by that
+            for (const std::int64_t number : ways.labels) {
+                const Label* label = graph_.find_label(number, 0);
+                all_there &= label != nullptr;
+                if (label != nullptr) add_edge({node, label->node, EdgeKind::resume, {}, true, call, {}});
             }
+            goes_elsewhere[node] = !ways.to_next_block && all_there;
         }
+        std::erase_if(graph_.edges, [&](const Edge& edge) {
+            return goes_elsewhere[edge.from] && edge.kind != EdgeKind::resume;
+        });
+        std::erase_if(graph_.exits, [&](const Exit& exit) { return goes_elsewhere[exit.node]; });
     }
 
     void index_labels() {
@@ -371,6 +402,14 @@ class Building {
     }
 
     // ---- after all edges are there ----
+
+    void index_effects() {
+        for (NodeId node = 0; node < graph_.nodes.size(); ++node)
+            if (graph_.nodes[node].effects.count != 0) graph_.with_effects.push_back(node);
+        std::ranges::sort(graph_.with_effects, {},
+                          [this](NodeId node) { return graph_.nodes[node].effects.first; });
+        graph_.with_effects.shrink_to_fit();
+    }
 
     void index_edges() {
         graph_.out = EdgesByNode(graph_.nodes.size(), graph_.edges, &Edge::from);
@@ -406,10 +445,11 @@ class Building {
 
     const Program& program_;
     const Structures& structures_;
-    const ResumeLabels& resumes_at_;
+    const Returns& returns_;
     Graph graph_;
     Wanted wanted_;
-    std::unordered_map<EffectId, StructureId> by_effect_;
+    std::unordered_map<EffectId, WaysBack> ways_back_; ///< of calls that may go on elsewhere than behind them
+    std::vector<std::pair<NodeId, EffectId>> calls_;   ///< these, and the nodes that end with them
     std::unordered_map<StructureId, Open> open_;
     std::vector<Loose> loose_;
     ItemId item_ = 0;
@@ -469,6 +509,14 @@ const Label* Graph::find_label(std::int64_t number, Offset from) const {
     return found != labels.end() && found->number == number ? &*found : nullptr;
 }
 
+std::optional<NodeId> Graph::node_of(EffectId effect) const {
+    const auto after = std::ranges::upper_bound(with_effects, effect, {},
+                                                [this](NodeId node) { return nodes[node].effects.first; });
+    if (after == with_effects.begin()) return std::nullopt;
+    const Slice& effects = nodes[*(after - 1)].effects;
+    return effect < effects.first + effects.count ? std::optional(*(after - 1)) : std::nullopt;
+}
+
 std::optional<std::vector<EdgeId>>
 Graph::way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const {
     Met met;
@@ -498,8 +546,15 @@ std::optional<std::int64_t> constant_target(const Program& program, ExpressionId
     return std::llround(literal->value);
 }
 
-Graph build_graph(const Program& program, const Structures& structures, const ResumeLabels& resumes_at) {
-    return Building(program, structures, resumes_at).run();
+bool returns_behind_call(const Program& program, const Exit& exit) {
+    if (exit.kind == ExitKind::runs_off) return true;
+    if (exit.kind != ExitKind::returns) return false;
+    const auto& label = std::get<Return>(program.effects[*exit.effect].what).resume_label;
+    return !label || !constant_target(program, *label);
+}
+
+Graph build_graph(const Program& program, const Structures& structures, const Returns& returns) {
+    return Building(program, structures, returns).run();
 }
 
 } // namespace maclint::flow

@@ -97,20 +97,29 @@ struct Graph {
     std::vector<std::uint32_t>
         order; ///< place of a node in reverse postorder from the entry; unreached: no_order
     static constexpr std::uint32_t no_order = 0xFFFFFFFF;
+    std::vector<NodeId> with_effects; ///< nodes that have effects, in the order of these
 
     /// The first label `number` from `from` on, else from the top: where the control's search stops.
     [[nodiscard]] const Label* find_label(std::int64_t number, Offset from) const;
+    /// The node in which the effect runs; nothing in parts that are never executed.
+    [[nodiscard]] std::optional<NodeId> node_of(EffectId effect) const;
     /// Edges on a shortest way from `from` to `to`, or nothing when there is none or the search has met
     /// `most_nodes` nodes. An edge that `usable` refuses is not taken.
     [[nodiscard]] std::optional<std::vector<EdgeId>>
     way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const;
 };
 
-/// Sequence numbers to which a call may return in its caller instead of the next block.
-using ResumeLabels = std::function<std::vector<std::int64_t>(EffectId call)>;
+/// How a called program may come back.
+struct WaysBack {
+    bool to_next_block = true;
+    std::vector<std::int64_t> labels; ///< sequence numbers of the caller
+};
+using Returns = std::function<WaysBack(EffectId call)>;
 
-[[nodiscard]] Graph build_graph(const Program& program, const Structures& structures,
-                                const ResumeLabels& resumes_at);
+/// Whether who leaves the program there goes on behind the call, not at a sequence number.
+[[nodiscard]] bool returns_behind_call(const Program& program, const Exit& exit);
+
+[[nodiscard]] Graph build_graph(const Program& program, const Structures& structures, const Returns& returns);
 
 /// The number that a jump's target expression names when it is a plain constant.
 [[nodiscard]] std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target);

@@ -33,9 +33,16 @@ class Pairing {
         judge_numbers();
         judge_units();
         judge_unpaired();
-        for (Paired& paired : result_.all)
+        for (Paired& paired : result_.all) {
             paired.crossed |= paired.close && crossing_closes_.contains(*paired.close);
+            if (paired.parent) {
+                const Paired& outer = result_.all[*paired.parent];
+                paired.closed_around =
+                    is_loop(outer.construct) && outer.close ? paired.parent : outer.closed_around;
+            }
+        }
         std::ranges::stable_sort(result_.faults, {}, &StructureFault::effect);
+        index_effects();
         return std::move(result_);
     }
 
@@ -58,12 +65,8 @@ class Pairing {
     // ---- pairing ----
 
     void open(EffectId id, const Structure& structure) {
-        Paired paired{structure.construct, id, {}, {}, false, {}, 0, structure.number, structure.condition};
-        if (!open_.empty()) {
-            paired.parent = open_.back();
-            paired.loop_level = result_.all[open_.back()].loop_level;
-        }
-        if (is_loop(structure.construct)) ++paired.loop_level;
+        Paired paired{structure.construct, id, {}, {}, false, {}, {}, structure.number, structure.condition};
+        if (!open_.empty()) paired.parent = open_.back();
         open_at_[key_of(structure.construct, structure.number)].push_back(open_.size());
         open_.push_back(static_cast<StructureId>(result_.all.size()));
         result_.all.push_back(std::move(paired));
@@ -220,6 +223,17 @@ class Pairing {
         return program_.effects[a].span.begin < program_.effects[b].span.begin;
     }
 
+    void index_effects() {
+        auto& index = result_.by_effect;
+        for (StructureId id = 0; id < result_.all.size(); ++id) {
+            const Paired& paired = result_.all[id];
+            index.emplace_back(paired.open, id);
+            for (const EffectId part : paired.parts) index.emplace_back(part, id);
+            if (paired.close) index.emplace_back(*paired.close, id);
+        }
+        std::ranges::sort(index);
+    }
+
     void fault(Imbalance what, EffectId effect, std::optional<EffectId> other) {
         result_.faults.push_back({what, effect, other});
     }
@@ -243,6 +257,12 @@ bool Structures::holds(const Program& program, StructureId loop, Offset place) c
     return place >= program.effects[paired.open].span.end && place < program.effects[*paired.close].span.end;
 }
 
+std::optional<StructureId> Structures::with(EffectId effect) const {
+    const auto found =
+        std::ranges::lower_bound(by_effect, effect, {}, &std::pair<EffectId, StructureId>::first);
+    return found != by_effect.end() && found->first == effect ? std::optional(found->second) : std::nullopt;
+}
+
 std::optional<StructureId> Structures::loop_around(const Program& program, Offset place) const {
     // Structures are sorted by where they open, so the last one opened before the place, or one around it,
     // holds the place.
@@ -250,15 +270,14 @@ std::optional<StructureId> Structures::loop_around(const Program& program, Offse
         all, place, {}, [&](const Paired& p) { return program.effects[p.open].span.end; });
     if (after == all.begin()) return std::nullopt;
     std::optional<StructureId> id = static_cast<StructureId>(after - all.begin() - 1);
-    while (id && !(is_loop(all[*id].construct) && holds(program, *id, place))) id = all[*id].parent;
+    while (id && !(is_loop(all[*id].construct) && holds(program, *id, place))) id = all[*id].closed_around;
     return id;
 }
 
 std::optional<StructureId> Structures::entered(const Program& program, Offset from, Offset to) const {
     std::optional<StructureId> entered;
-    for (auto id = loop_around(program, to); id; id = all[*id].parent)
-        if (is_loop(all[*id].construct) && holds(program, *id, to) && !holds(program, *id, from))
-            entered = id;
+    for (auto id = loop_around(program, to); id; id = all[*id].closed_around)
+        if (holds(program, *id, to) && !holds(program, *id, from)) entered = id;
     return entered;
 }
 

@@ -3,6 +3,8 @@
 
 #include "analyzer/program/model.hpp"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace maclint::flow {
@@ -15,10 +17,10 @@ struct Paired {
     EffectId open; ///< the effect that opens it
     std::vector<EffectId>
         parts; ///< what begins (THEN), divides (ELSE, CASE) and leaves it (BREAK), in text order
-    std::optional<EffectId> close;     ///< absent: never closed
-    bool crossed;                      ///< it overlaps another: nobody knows what the control repeats
-    std::optional<StructureId> parent; ///< the structure that was open around it
-    int loop_level; ///< 1 for an outermost loop; a choice has the level of the loop around it (0: none)
+    std::optional<EffectId> close;            ///< absent: never closed
+    bool crossed;                             ///< it overlaps another: nobody knows what the control repeats
+    std::optional<StructureId> parent;        ///< the structure that was open around it
+    std::optional<StructureId> closed_around; ///< the innermost loop open around it that is closed at all
     std::optional<std::int64_t> number;
     std::optional<ExpressionId> condition;
 };
@@ -45,6 +47,11 @@ struct Structures {
     std::vector<StructureFault> faults; ///< in program order
     bool balance_in_doubt =
         false; ///< an unreadable block may open or close something: missing partners prove nothing
+    std::vector<std::pair<EffectId, StructureId>>
+        by_effect; ///< every effect that opens, divides, leaves or closes one of them, sorted
+
+    /// The structure that the effect opens, divides, leaves or closes.
+    [[nodiscard]] std::optional<StructureId> with(EffectId effect) const;
 
     /// The innermost loop whose body holds this byte: after its opening effect, up to and including its
     /// closing block.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -40,7 +41,11 @@ class Search {
     }
 
     Aftermath run() {
-        while (!stack_.empty() && !result_.matters) {
+        while (!(stack_.empty() && waiting_.empty()) && !result_.matters) {
+            if (!waiting_.empty() && stack_.size() == waiting_.back().behind) {
+                ask_caller();
+                continue;
+            }
             const Point point = stack_.back();
             stack_.pop_back();
             if (visited_.size() > most_visits) return {true, nullptr, {}};
@@ -54,29 +59,33 @@ class Search {
 
     void push(const Point& point) {
         // Two calls that lead to one node are two questions: the way from each may be open or closed.
-        const Place key{point.program, point.node, point.call, point.idle, point.inside};
-        if (point.first != 0 || visited_.insert(key).second) stack_.push_back(point);
+        const Place key{point.program, point.node, point.first, point.call, point.idle, point.inside};
+        if (visited_.insert(key).second) stack_.push_back(point);
     }
 
+    /// Every way back to the callers of a program is the same: they are asked once.
     void return_to_callers(const ProgramAnalysis& program) {
-        const std::vector<Caller>& callers =
+        if (!returned_.insert(program.index()).second) return;
+        std::vector<Caller> callers =
             program.callers().empty() ? program.possible_callers() : program.callers();
-        if (callers.empty()) {
+        if (callers.empty())
             result_.matters |= !program.is_main();
-            return;
-        }
-        for (const Caller& caller : callers) {
-            const flow::Graph& graph = at(caller.program).graph();
-            const auto found = std::ranges::find_if(graph.nodes, [&](const flow::Node& n) {
-                return n.effects.first <= caller.effect && caller.effect < n.effects.first + n.effects.count;
-            });
-            if (found == graph.nodes.end()) {
-                result_.matters = true; // called under a condition of its own
-                return;
-            }
-            const auto node = static_cast<flow::NodeId>(found - graph.nodes.begin());
-            push({caller.program, node, caller.effect + 1, node, idle_behind(program, 0), false});
-        }
+        else
+            waiting_.push_back({std::move(callers), idle_behind(program, 0), stack_.size()});
+    }
+
+    /// Goes on behind the call of the next caller.
+    void ask_caller() {
+        Returning& returning = waiting_.back();
+        const Caller caller = returning.callers.back();
+        const std::uint32_t idle = returning.idle;
+        returning.callers.pop_back();
+        if (returning.callers.empty()) waiting_.pop_back();
+        const auto node = at(caller.program).graph().node_of(caller.effect);
+        if (!node)
+            result_.matters = true; // in a part that nothing executes
+        else
+            push({caller.program, *node, caller.effect + 1, *node, idle, false});
     }
 
     void visit(Point point) {
@@ -186,7 +195,15 @@ class Search {
     GroupId group_;
     std::vector<GroupCode> idle_; ///< codes under which no move asks for the value
     std::vector<Point> stack_;
-    using Place = std::tuple<ProgramIndex, flow::NodeId, flow::NodeId, std::uint32_t, bool>;
+    /// Callers to which a program returns, each looked at when the one before leaves nothing to look at.
+    struct Returning {
+        std::vector<Caller> callers;
+        std::uint32_t idle;
+        std::size_t behind; ///< so many points were there before, and come later
+    };
+    std::vector<Returning> waiting_;
+    std::set<ProgramIndex> returned_;
+    using Place = std::tuple<ProgramIndex, flow::NodeId, EffectId, flow::NodeId, std::uint32_t, bool>;
     std::set<Place> visited_;
     Aftermath result_{false, nullptr, {}};
 };

@@ -26,6 +26,13 @@ std::vector<flow::Label> ProgramAnalysis::targets_of(const flow::ResolvedJump& j
     return targets;
 }
 
+std::vector<Caller> ProgramAnalysis::possible_callers() const {
+    std::vector<Caller> callers;
+    for (const auto& namesakes : namesakes_)
+        callers.insert(callers.end(), namesakes->callers.begin(), namesakes->callers.end());
+    return callers;
+}
+
 std::optional<EffectId> ProgramAnalysis::user_of_label(std::int64_t number) const {
     std::optional<EffectId> user;
     auto label = std::ranges::lower_bound(graph_.labels, number, {}, &flow::Label::number);

@@ -9,6 +9,7 @@
 #include "analyzer/program/model.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -17,6 +18,19 @@ namespace maclint {
 
 using ProgramIndex = std::uint32_t; ///< place in Workspace::programs()
 
+struct Caller {
+    ProgramIndex program;
+    EffectId effect;
+};
+
+/// Programs of one number or name that are equally near to every call that may mean any of them.
+struct Namesakes {
+    std::vector<ProgramIndex> programs;
+    std::vector<Caller> callers;
+    std::vector<Place> passed;  ///< by some caller; sorted
+    bool locals_shared = false; ///< some caller shares its locals
+};
+
 /// One call in a program and the program of the workspace that it means.
 struct CallSite {
     EffectId effect;
@@ -24,12 +38,8 @@ struct CallSite {
     bool in_cycle;                      ///< caller and callee call each other, perhaps through others
     bool closes_cycle;                  ///< it calls a program from which its own program was called
     std::size_t candidates;             ///< programs of that number or name in the workspace
-    std::vector<ProgramIndex> equally_near; ///< without a target: those that it may mean
-};
-
-struct Caller {
-    ProgramIndex program;
-    EffectId effect;
+    /// Without a target: those that it may mean. Calls share the lists.
+    std::vector<std::shared_ptr<Namesakes>> equally_near;
 };
 
 /// How often each limit is used up on a chain of calls.
@@ -77,7 +87,7 @@ class ProgramAnalysis {
     [[nodiscard]] const CallSite* call_at(EffectId effect) const;
     [[nodiscard]] const std::vector<Caller>& callers() const { return callers_; }
     /// Calls that mean this program or another one, equally near.
-    [[nodiscard]] const std::vector<Caller>& possible_callers() const { return possible_callers_; }
+    [[nodiscard]] std::vector<Caller> possible_callers() const;
     /// It runs on its own: nobody calls it, and it does not return to anybody.
     [[nodiscard]] bool is_main() const { return data_->entry() == dataflow::Entry::main; }
     /// Whether a call of it gives it local variables of its own: a caller does so, or it reads arguments and
@@ -107,7 +117,8 @@ class ProgramAnalysis {
     mutable std::once_flag ways_asked_for_; ///< most programs have no finding
     mutable std::optional<flow::WaysFromStart> ways_;
     std::vector<CallSite> calls_;
-    std::vector<Caller> callers_, possible_callers_;
+    std::vector<Caller> callers_;
+    std::vector<std::shared_ptr<const Namesakes>> namesakes_; ///< lists with it that some call may mean
     bool is_macro_ = false;
     bool recursive_ = false;
     CallDepth depth_;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string_view>
+#include <vector>
 
 namespace maclint {
 namespace {
@@ -23,91 +23,110 @@ std::string_view folder_of(std::string_view path) {
     return slash == std::string_view::npos ? std::string_view{} : path.substr(0, slash);
 }
 
-std::size_t depth_of(std::string_view folder) {
-    if (folder.empty()) return 0;
-    return 1 + static_cast<std::size_t>(std::ranges::count(folder, '/'));
+/// Calls `visit(folder, steps up to it)` for the folder and all around it.
+template<class Visit>
+void for_each_folder_around(std::string_view folder, const Visit& visit) {
+    for (std::size_t steps = 0;; ++steps) {
+        visit(folder, steps);
+        if (folder.empty()) return;
+        folder = folder_of(folder);
+    }
 }
 
-/// Steps up and down from one folder to another.
-std::size_t distance(std::string_view a, std::string_view b) {
-    const auto starts_within = [](std::string_view inner, std::string_view outer) {
-        return outer.empty() || inner == outer || (inner.starts_with(outer) && inner[outer.size()] == '/');
-    };
-    std::string_view common = a;
-    while (!starts_within(b, common)) common = folder_of(common);
-    return depth_of(a) + depth_of(b) - 2 * depth_of(common);
-}
-
-/// How far the control looks for the program; nothing when it does not find it there at all.
-std::optional<std::size_t> steps_to(const ProgramAnalysis& target, const ProgramAnalysis& caller,
-                                    const Call& call) {
-    const Program& program = target.program();
-    if (program.control->language != caller.control().language) return std::nullopt;
-    const std::string_view here = caller.file().source->path();
-    const std::string_view there = target.file().source->path();
-    if (program.local && here != there) return std::nullopt;
-    // A name that the call looks for elsewhere may still be that of a local program.
-    constexpr std::size_t last_of_all = static_cast<std::size_t>(-2);
-    const Reach reach = caller.control().calls[call.kind].reach;
-    if (reach == Reach::other_files && program.local) return last_of_all;
-    // What is started by hand is called only where nothing else has the name.
-    const std::size_t by_hand = program.started == Program::Started::by_hand ? 1 : 0;
-    const std::size_t folders = here == there ? 0 : 1 + distance(folder_of(here), folder_of(there));
-    return 2 * folders + by_hand;
-}
+/// What is started by hand is called only where nothing else as near has the name.
+constexpr std::size_t step = 2;
+std::size_t handicap(const Program& program) { return program.started == Program::Started::by_hand ? 1 : 0; }
 
 } // namespace
 
-CallResolver::CallResolver(const std::deque<ProgramAnalysis>& programs)
-    : programs_(programs) {
+void CallResolver::Nearest::consider(ProgramIndex program, std::size_t steps_to_it) {
+    ++all;
+    if (steps_to_it > steps) return;
+    if (steps_to_it < steps) programs = std::make_shared<Namesakes>();
+    steps = steps_to_it;
+    programs->programs.push_back(program);
+}
+
+CallResolver::CallResolver(const std::deque<ProgramAnalysis>& programs) {
     for (const ProgramAnalysis& analysis : programs) {
         const Program& program = analysis.program();
-        if (program.number) by_number_[*program.number].push_back(analysis.index());
-        // Every file may have local programs of the same names: only calls in the file look at them.
-        Names& names = program.local ? local_[&analysis.file()] : by_name_;
-        names[folded(program.name)].push_back(analysis.index());
-        for (const std::string& name : program.also_known_as) {
-            auto& known = names[folded(name)];
-            if (known.empty() || known.back() != analysis.index()) known.push_back(analysis.index());
-        }
+        const std::string_view language = analysis.control().language;
+        if (program.number) add(by_number_[{language, *program.number}], analysis);
+        std::vector<std::string> names{folded(program.name)};
+        for (const std::string& name : program.also_known_as) names.push_back(folded(name));
+        std::ranges::sort(names);
+        names.erase(std::ranges::unique(names).begin(), names.end());
+        for (std::string& name : names) add(by_name_[{language, std::move(name)}], analysis);
     }
 }
 
-std::vector<ProgramIndex> CallResolver::candidates(const ProgramAnalysis& caller, const Call& call) const {
-    if (const auto* text = std::get_if<Text>(&call.program)) {
-        const std::string name = folded(caller.program().slice(text->characters));
-        std::vector<ProgramIndex> all;
-        const auto add = [&](const Names& names) {
-            if (const auto found = names.find(name); found != names.end())
-                all.insert(all.end(), found->second.begin(), found->second.end());
-        };
-        add(by_name_);
-        if (const auto local = local_.find(&caller.file()); local != local_.end()) add(local->second);
-        return all;
-    }
+void CallResolver::add(Bearers& bearers, const ProgramAnalysis& analysis) {
+    const Program& program = analysis.program();
+    const std::size_t by_hand = handicap(program);
+    // Every file may have local programs of the same names: only calls in the file look at them.
+    if (program.local) return bearers.local[&analysis.file()].consider(analysis.index(), by_hand);
+    bearers.in_file[&analysis.file()].consider(analysis.index(), by_hand);
+    for_each_folder_around(folder_of(analysis.file().source->path()),
+                           [&](std::string_view folder, std::size_t down) {
+                               bearers.below[folder].consider(analysis.index(), step * down + by_hand);
+                           });
+}
+
+bool CallResolver::is_computed(const Program& program, const Call& call) {
     const auto* expression = std::get_if<ExpressionId>(&call.program);
-    if (expression == nullptr) return {};
+    return expression != nullptr && !flow::constant_target(program, *expression);
+}
+
+const CallResolver::Bearers* CallResolver::bearers_for(const ProgramAnalysis& caller,
+                                                       const Call& call) const {
+    const auto look_up = [&](const auto& index, const auto& name) -> const Bearers* {
+        const auto found = index.find({caller.control().language, name});
+        return found == index.end() ? nullptr : &found->second;
+    };
+    if (const auto* text = std::get_if<Text>(&call.program))
+        return look_up(by_name_, folded(caller.program().slice(text->characters)));
+    const auto* expression = std::get_if<ExpressionId>(&call.program);
+    if (expression == nullptr) return nullptr;
     const auto number = flow::constant_target(caller.program(), *expression);
-    if (!number) return {};
-    const auto found = by_number_.find(*number);
-    return found == by_number_.end() ? std::vector<ProgramIndex>{} : found->second;
+    return number ? look_up(by_number_, *number) : nullptr;
 }
 
 CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) const {
     const auto& call = std::get<Call>(caller.program().effects[effect].what);
     CallSite site{effect, {}, false, false, 0, {}};
+    const Bearers* bearers = bearers_for(caller, call);
+    if (bearers == nullptr) return site;
     std::size_t nearest = static_cast<std::size_t>(-1);
-    for (const ProgramIndex index : candidates(caller, call)) {
-        const std::optional<std::size_t> steps = steps_to(programs_[index], caller, call);
-        if (!steps) continue;
-        ++site.candidates;
-        if (*steps > nearest) continue;
-        if (*steps < nearest) site.equally_near.clear();
-        site.equally_near.push_back(index);
-        nearest = *steps;
-    }
-    if (site.equally_near.size() == 1) {
-        site.target = site.equally_near.front();
+    const auto look_at = [&](const Nearest& there, std::size_t steps_there) {
+        const std::size_t steps = steps_there + there.steps;
+        if (steps > nearest) return;
+        if (steps < nearest) site.equally_near.clear();
+        site.equally_near.push_back(there.programs);
+        nearest = steps;
+    };
+    const auto look_into = [&](const auto& files) {
+        if (const auto found = files.find(&caller.file()); found != files.end()) look_at(found->second, 0);
+    };
+    // First the file itself, then folder by folder outwards. A name that the call looks for in other files
+    // may still be that of a local program.
+    const bool only_other_files = caller.control().calls[call.kind].reach == Reach::other_files;
+    look_into(bearers->in_file);
+    if (!only_other_files) look_into(bearers->local);
+    if (site.equally_near.empty())
+        for_each_folder_around(
+            folder_of(caller.file().source->path()), [&](std::string_view folder, std::size_t up) {
+                if (const auto found = bearers->below.find(folder); found != bearers->below.end())
+                    look_at(found->second, step * (1 + up));
+            });
+    if (site.equally_near.empty()) look_into(bearers->local);
+
+    // Seen from the outermost folder, all that are not local are there.
+    if (const auto all = bearers->below.find(std::string_view{}); all != bearers->below.end())
+        site.candidates += all->second.all;
+    if (const auto local = bearers->local.find(&caller.file()); local != bearers->local.end())
+        site.candidates += local->second.all;
+    if (site.equally_near.size() == 1 && site.equally_near.front()->programs.size() == 1) {
+        site.target = site.equally_near.front()->programs.front();
         site.equally_near.clear();
     }
     return site;

@@ -5,9 +5,12 @@
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <deque>
+#include <map>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <unordered_map>
-#include <vector>
+#include <utility>
 
 namespace maclint {
 
@@ -16,15 +19,31 @@ class CallResolver {
     explicit CallResolver(const std::deque<ProgramAnalysis>& programs);
     [[nodiscard]] CallSite resolve(const ProgramAnalysis& caller, EffectId effect) const;
 
+    /// Whether only the running program knows which program it calls.
+    [[nodiscard]] static bool is_computed(const Program& program, const Call& call);
+
   private:
-    using Names = std::unordered_map<std::string, std::vector<ProgramIndex>>;
+    /// The nearest programs, seen from somewhere.
+    struct Nearest {
+        std::size_t steps = static_cast<std::size_t>(-1);
+        std::size_t all = 0; ///< programs looked at, near or far
+        std::shared_ptr<Namesakes> programs;
 
-    [[nodiscard]] std::vector<ProgramIndex> candidates(const ProgramAnalysis& caller, const Call& call) const;
+        void consider(ProgramIndex program, std::size_t steps_to_it);
+    };
+    /// All programs of a number or a name.
+    struct Bearers {
+        std::unordered_map<std::string_view, Nearest> below; ///< a folder, as seen from it; no local programs
+        std::unordered_map<const ProgramFile*, Nearest> in_file, local; ///< only the file sees local ones
+    };
+    template<class Name>
+    using Index = std::map<std::pair<std::string_view, Name>, Bearers>; // by language too
 
-    const std::deque<ProgramAnalysis>& programs_;
-    std::unordered_map<std::int64_t, std::vector<ProgramIndex>> by_number_;
-    Names by_name_;                                       ///< but for local programs
-    std::unordered_map<const ProgramFile*, Names> local_; ///< of every file
+    void add(Bearers& bearers, const ProgramAnalysis& analysis);
+    [[nodiscard]] const Bearers* bearers_for(const ProgramAnalysis& caller, const Call& call) const;
+
+    Index<std::int64_t> by_number_;
+    Index<std::string> by_name_;
 };
 
 } // namespace maclint

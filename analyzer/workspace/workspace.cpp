@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <set>
+#include <string_view>
 #include <unordered_map>
 
 namespace maclint {
@@ -42,16 +44,56 @@ class WorkspaceBuilder {
             });
             std::ranges::sort(analysis.calls_, {}, &CallSite::effect);
         });
-        for (const ProgramAnalysis& analysis : programs_) {
+        std::vector<Namesakes*> called;
+        for (ProgramAnalysis& analysis : programs_) {
             for (const CallSite& site : analysis.calls_) {
-                for (const ProgramIndex possible : site.equally_near)
-                    programs_[possible].possible_callers_.push_back({analysis.index(), site.effect});
+                const Caller caller{analysis.index(), site.effect};
+                for (const auto& namesakes : site.equally_near) {
+                    if (namesakes->callers.empty()) {
+                        called.push_back(namesakes.get());
+                        for (const ProgramIndex possible : namesakes->programs)
+                            programs_[possible].namesakes_.push_back(namesakes);
+                    }
+                    namesakes->callers.push_back(caller);
+                }
+                if (CallResolver::is_computed(analysis.program(), call_of(caller)))
+                    computing_.insert(analysis.control().language);
                 if (!site.target) continue;
                 arrows_.add(*site.target);
-                programs_[*site.target].callers_.push_back({analysis.index(), site.effect});
+                programs_[*site.target].callers_.push_back(caller);
             }
             arrows_.end_list();
         }
+        for (Namesakes* namesakes : called) {
+            namesakes->passed = passed_by(namesakes->callers);
+            namesakes->locals_shared = some_share_locals(namesakes->callers);
+        }
+    }
+
+    /// Arguments that some of the callers pass, sorted.
+    [[nodiscard]] std::vector<Place> passed_by(const std::vector<Caller>& callers) const {
+        std::vector<Place> passed;
+        for (const Caller& caller : callers)
+            for (const Argument& argument : programs_[caller.program].program().arguments_of(call_of(caller)))
+                passed.push_back(argument.formal);
+        sort(passed);
+        return passed;
+    }
+
+    static void sort(std::vector<Place>& places) {
+        std::ranges::sort(places, {}, [](Place place) { return std::pair(place.space, place.number); });
+        places.erase(std::ranges::unique(places).begin(), places.end());
+        places.shrink_to_fit();
+    }
+
+    [[nodiscard]] bool some_share_locals(const std::vector<Caller>& callers) const {
+        return std::ranges::any_of(callers, [this](const Caller& caller) {
+            return programs_[caller.program].control().calls[call_of(caller).kind].frame == Frame::shared;
+        });
+    }
+
+    [[nodiscard]] const Call& call_of(Caller caller) const {
+        return std::get<Call>(programs_[caller.program].program().effects[caller.effect].what);
     }
 
     void analyse_layer(const std::vector<std::uint32_t>& layer) {
@@ -77,8 +119,11 @@ class WorkspaceBuilder {
             return programs[*site->target].summary();
         };
         analysis.structures_ = flow::pair_structures(program);
-        analysis.graph_ = flow::build_graph(program, analysis.structures_,
-                                            [&](EffectId call) { return callees(call).resume_labels; });
+        analysis.graph_ = flow::build_graph(program, analysis.structures_, [&](EffectId call) {
+            const dataflow::Summary& summary = callees(call);
+            return flow::WaysBack{summary.returns || may_return_unread(analysis, call),
+                                  summary.resume_labels};
+        });
         const bool main = runs_on_its_own(analysis);
         analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
         if (const auto cycles = dataflow::find_cycles(analysis.graph_, *analysis.data_)) {
@@ -88,6 +133,17 @@ class WorkspaceBuilder {
                                                    *analysis.data_, *cycles);
         }
         analysis.is_macro_ = !main && takes_arguments(analysis);
+    }
+
+    /// A block of the called program that could not be read may be its return.
+    [[nodiscard]] bool may_return_unread(const ProgramAnalysis& caller, EffectId call) const {
+        bool may_return = false;
+        const Program& called = programs_[*caller.call_at(call)->target].program();
+        flow::for_each_effect(called, [&](EffectId id) {
+            const auto* unreadable = std::get_if<UnreadableBlock>(&called.effects[id].what);
+            may_return |= unreadable != nullptr && unreadable->may_call_or_return;
+        });
+        return may_return;
     }
 
     static bool runs_on_its_own(const ProgramAnalysis& analysis) {
@@ -106,17 +162,21 @@ class WorkspaceBuilder {
     dataflow::EntryKnowledge entry_of(const ProgramAnalysis& analysis, bool main) const {
         dataflow::EntryKnowledge entry{
             main ? dataflow::Entry::main : dataflow::Entry::called_unknown, {}, {}};
-        for (const Caller& caller : analysis.callers_) {
-            const Program& program = programs_[caller.program].program();
-            const auto& call = std::get<Call>(program.effects[caller.effect].what);
-            entry.locals_are_callers |= program.control->calls[call.kind].frame == Frame::shared;
-            for (const Argument& argument : program.arguments_of(call))
-                entry.passed_somewhere.push_back(argument.formal);
+        auto& passed = entry.passed_somewhere;
+        passed = passed_by(analysis.callers_);
+        entry.locals_are_callers = some_share_locals(analysis.callers_);
+        for (const auto& namesakes : analysis.namesakes_) {
+            passed.insert(passed.end(), namesakes->passed.begin(), namesakes->passed.end());
+            entry.locals_are_callers |= namesakes->locals_shared;
         }
-        if (workspace_.complete() && !analysis.callers_.empty())
-            entry.arguments = what_all_pass(analysis);
-        else if (analysis.program().local && !analysis.callers_.empty())
-            entry.arguments = what_callers_in_the_file_pass(analysis);
+        sort(passed);
+        if (!analysis.callers_.empty() && analysis.namesakes_.empty() &&
+            !computing_.contains(analysis.control().language)) {
+            if (workspace_.complete())
+                entry.arguments = what_all_pass(analysis);
+            else if (analysis.program().local)
+                entry.arguments = what_callers_in_the_file_pass(analysis);
+        }
         entry.handed_down = handed_down_to(analysis);
         return entry;
     }
@@ -177,13 +237,18 @@ class WorkspaceBuilder {
         std::vector<std::pair<Place, std::size_t>> counts;
         for (const Caller& caller : analysis.callers_) {
             const Program& program = programs_[caller.program].program();
-            const auto& call = std::get<Call>(program.effects[caller.effect].what);
+            const Call& call = call_of(caller);
             if (program.control->calls[call.kind].frame == Frame::shared) return std::nullopt;
-            for (const Argument& argument : program.arguments_of(call)) {
+            const auto arguments = program.arguments_of(call);
+            for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
+                // A letter that is given twice is passed once.
+                if (std::ranges::find(arguments.begin(), argument, argument->formal, &Argument::formal) !=
+                    argument)
+                    continue;
                 const auto known =
-                    std::ranges::find(counts, argument.formal, &std::pair<Place, std::size_t>::first);
+                    std::ranges::find(counts, argument->formal, &std::pair<Place, std::size_t>::first);
                 if (known == counts.end())
-                    counts.emplace_back(argument.formal, 1);
+                    counts.emplace_back(argument->formal, 1);
                 else
                     ++known->second;
             }
@@ -199,9 +264,8 @@ class WorkspaceBuilder {
 
     bool takes_arguments(const ProgramAnalysis& analysis) const {
         for (const Caller& caller : analysis.callers_) {
-            const Program& program = programs_[caller.program].program();
-            const auto& call = std::get<Call>(program.effects[caller.effect].what);
-            if (program.control->calls[call.kind].frame == Frame::fresh) return true;
+            if (programs_[caller.program].control().calls[call_of(caller).kind].frame == Frame::fresh)
+                return true;
         }
         if (!analysis.callers_.empty()) return false;
         const auto& formals = analysis.control().formals;
@@ -277,6 +341,7 @@ class WorkspaceBuilder {
     unsigned jobs_;
     flow::Arrows arrows_;
     flow::Components components_;
+    std::set<std::string_view> computing_; ///< languages with a call that may mean any of their programs
 };
 
 const CallSite* ProgramAnalysis::call_at(EffectId effect) const {

@@ -57,6 +57,56 @@ TEST(Graph, ABlockThatMayBeSkippedIsPassedBothWays) {
     EXPECT_THAT(unreached_in("O1\n/GOTO10\n#1=5\nN10 M30\n"), IsEmpty());
 }
 
+TEST(Graph, TheFirstBlockOfATextMayBeSkippedToo) {
+    EXPECT_THAT(unreached_in("/M30\nG0X#5\nM30\n"), IsEmpty());
+}
+
+TEST(Graph, BlocksThatMayBeSkippedOneBehindAnotherKeepTheGraphSmall) {
+    std::string text = "O1\n";
+    constexpr int blocks = 500;
+    for (int i = 0; i < blocks; ++i) text += "/X1.\n";
+    const auto workspace = test::analyse_fanuc(text + "M30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    EXPECT_LT(program.graph().edges.size(), 5U * blocks);
+    // From the first block on every one of them may be skipped.
+    const auto past_blocks = [&](flow::EdgeId id) {
+        const flow::Node& to = program.graph().nodes[program.graph().edges[id].to];
+        return program.program().slice(to.part) != "/X1.";
+    };
+    const auto last = static_cast<flow::NodeId>(program.graph().nodes.size() - 1);
+    EXPECT_TRUE(program.graph().way(0, last, past_blocks, last + 1));
+}
+
+TEST(Graph, TheNodeOfAnEffectIsKnown) {
+    const auto workspace = test::analyse_fanuc("O1\nIF[#1EQ#0]THEN #2=1\n/#3=1 M98P2\nGOTO10\nN10 M30\n");
+    const flow::Graph& graph = workspace->programs().front().graph();
+    flow::for_each_effect(workspace->programs().front().program(), [&](EffectId id) {
+        const auto node = graph.node_of(id);
+        ASSERT_TRUE(node);
+        EXPECT_LE(graph.nodes[*node].effects.first, id);
+        EXPECT_LT(id, graph.nodes[*node].effects.first + graph.nodes[*node].effects.count);
+    });
+    EXPECT_FALSE(graph.node_of(1000));
+}
+
+TEST(Graph, TestsBehindADefaultComeBeforeIt) {
+    const auto unreached = [](const std::string& first, const std::string& second) {
+        const auto workspace = test::analyse_text("dinplus", "MACHINING\nINPUT(\"Size\",#l1)\nSWITCH #l1\n" +
+                                                                 first + second + "ENDSWITCH\nM30\nEND\n");
+        const ProgramAnalysis& program = workspace->programs().front();
+        std::vector<std::string> lines;
+        for (flow::NodeId node = 0; node < program.graph().nodes.size(); ++node)
+            if (!program.data().reached(node))
+                lines.emplace_back(program.program().slice(program.graph().nodes[node].part));
+        return lines;
+    };
+    const std::string fallback = "DEFAULT\nG0 X5\nBREAK\n";
+    const std::string choice = "CASE 1\nG0 X10\nBREAK\n";
+    // Every BREAK goes past ENDSWITCH.
+    EXPECT_THAT(unreached(choice, fallback), ElementsAre("ENDSWITCH"));
+    EXPECT_THAT(unreached(fallback, choice), ElementsAre("ENDSWITCH"));
+}
+
 TEST(Graph, BothWaysOfAConditionAreOpen) {
     EXPECT_THAT(unreached_in("O1\nIF[#100EQ1]GOTO10\n#1=5\nN10 M30\n"), IsEmpty());
 }
@@ -75,10 +125,31 @@ TEST(Graph, AStopForTheOperatorIsAWayOn) {
 }
 
 TEST(Graph, ACalledProgramMayReturnToAnotherBlock) {
-    const auto workspace = test::analyse_fanuc("O1\nM98P2\nGOTO40\nN30 #1=5\nN40 M30\nO2\nM99P30\n");
+    const auto workspace =
+        test::analyse_fanuc("O1\nM98P2\nGOTO40\nN30 #1=5\nN40 M30\nO2\nIF[#100EQ1]GOTO9\nM99P30\nN9 M99\n");
     const ProgramAnalysis& main = workspace->programs().front();
     for (flow::NodeId node = 0; node < main.graph().nodes.size(); ++node)
         EXPECT_TRUE(main.data().reached(node));
+}
+
+TEST(Graph, BehindACallThatDoesNotReturnThereNothingIsReached) {
+    const std::string alarm = "O2\n#3000=1(STOP)\n";
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\n" + alarm), ElementsAre(3, 4));
+    EXPECT_THAT(unreached_in("O1\nIF[#100EQ1]THEN M98P2\n#1=5\nM30\n" + alarm), IsEmpty());
+    EXPECT_THAT(unreached_in("O1\nM98P3\n#1=5\nM30\n" + alarm + "O3\nM98P2\nM99\n"), ElementsAre(3, 4));
+    // It returns on some way, or may be left out, or what leads back cannot be read.
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\nO2\nIF[#100EQ1]GOTO9\n#3000=1\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(unreached_in("O1\nM98P2L#100\n#1=5\nM30\n" + alarm), IsEmpty());
+    EXPECT_THAT(unreached_in("O1\n/M98P2\n#1=5\nM30\n" + alarm), IsEmpty());
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\nO2\nIF[#1EQ1 M99\nM30\n"), IsEmpty());
+}
+
+TEST(Graph, AProgramThatReturnsToABlockDoesNotReturnBehindTheCall) {
+    const std::string back = "O2\nM99P30\n";
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nN30 M30\n" + back), ElementsAre(3));
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\n" + back), IsEmpty()); // an alarm of its own
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nN30 M30\nO2\nM99P#100\n"), IsEmpty());
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nN30 M30\nO2\nIF[#100EQ1]GOTO9\nM99P30\nN9 M99\n"), IsEmpty());
 }
 
 TEST(Graph, AHugeTargetIsATargetThatIsNotThere) {

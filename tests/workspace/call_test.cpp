@@ -59,5 +59,69 @@ TEST(Calls, ACompleteWorkspaceTellsWhichArgumentsAreMissing) {
     EXPECT_EQ(macro.facts().reads[2].value.vacancy, dataflow::Vacancy::vacant);
 }
 
+/// What is known of the only variable that the macro reads, in a complete workspace.
+dataflow::Vacancy read_in_macro(const std::vector<test::NamedText>& files, std::string_view macro) {
+    const auto workspace = test::analyse_files(files, {.complete = true, .jobs = 1});
+    return program(*workspace, "O9000", macro).facts().reads.front().value.vacancy;
+}
+
+TEST(Calls, ACallThatMayMeanTheProgramMayPassWhatOthersLeaveOut) {
+    const test::NamedText caller{"main.nc", "O1\nG65P9000\nM30\n"};
+    const test::NamedText macro{"macro.nc", "O9000\nG0X#24\nM99\n"};
+    EXPECT_EQ(read_in_macro({caller, macro}, "macro.nc"), dataflow::Vacancy::vacant);
+    EXPECT_EQ(read_in_macro({caller, macro, {"any.nc", "O2\nG65P#100X5.\nM30\n"}}, "macro.nc"),
+              dataflow::Vacancy::maybe);
+    EXPECT_EQ(read_in_macro({{"a/main.nc", caller.second},
+                             {"a/macro.nc", macro.second},
+                             {"b/macro.nc", macro.second},
+                             {"c/main.nc", "O2\nG65P9000X5.\nM30\n"}},
+                            "a/macro.nc"),
+              dataflow::Vacancy::maybe);
+}
+
+TEST(Calls, ALetterThatOnlyACallerWithAChoicePassesMayBeThere) {
+    // #10 is no letter's variable; only this call passes it, as the third I of a list.
+    const std::string macro = "O9000\nG0X#10\nM99\n";
+    const auto vacancy = [&](const std::string& call) {
+        const auto workspace = test::analyse_files(
+            {{"a/macro.nc", macro}, {"b/macro.nc", macro}, {"main.nc", "O1\n" + call + "\nM30\n"}},
+            open_workspace);
+        const ProgramAnalysis& analysis = program(*workspace, "O9000", "b/macro.nc");
+        EXPECT_EQ(analysis.possible_callers().size(), 1U);
+        return analysis.facts().reads.front().value.vacancy;
+    };
+    EXPECT_EQ(vacancy("G65P9000A1."), dataflow::Vacancy::vacant);
+    EXPECT_EQ(vacancy("G65P9000I1.I2.I3."), dataflow::Vacancy::maybe);
+    EXPECT_EQ(vacancy("M98P9000"), dataflow::Vacancy::unknown);
+}
+
+TEST(Calls, ALetterThatIsGivenTwiceIsPassedByOneCaller) {
+    EXPECT_EQ(read_in_macro(
+                  {{"main.nc", "O1\nG65P9000X1.X2.\nG65P9000\nM30\n"}, {"macro.nc", "O9000\nG0X#24\nM99\n"}},
+                  "macro.nc"),
+              dataflow::Vacancy::maybe);
+}
+
+TEST(Calls, TheNearestFolderIsFoundWhateverItsDepth) {
+    const std::string macro = "O9000\nM99\n";
+    const auto called_from = [&](const std::string& path) -> std::string {
+        const auto workspace = test::analyse_files({{"a/b/c/macro.nc", macro},
+                                                    {"a/macro.nc", macro},
+                                                    {"d/e/macro.nc", macro},
+                                                    {path, "O1\nG65P9000\nM30\n"}},
+                                                   open_workspace);
+        const ProgramAnalysis& main = program(*workspace, "O1", path);
+        EXPECT_EQ(main.calls().front().candidates, 3U);
+        const auto target = main.calls().front().target;
+        return target ? workspace->programs()[*target].file().source->path() : "";
+    };
+    EXPECT_EQ(called_from("a/b/c/d/main.nc"), "a/b/c/macro.nc");
+    EXPECT_EQ(called_from("a/b/main.nc"), "");   // one step up or one step down
+    EXPECT_EQ(called_from("a/b/x/main.nc"), ""); // up and down, or up twice
+    EXPECT_EQ(called_from("a/x/main.nc"), "a/macro.nc");
+    EXPECT_EQ(called_from("main.nc"), "a/macro.nc");
+    EXPECT_EQ(called_from("d/main.nc"), "d/e/macro.nc");
+}
+
 } // namespace
 } // namespace maclint
