@@ -35,21 +35,21 @@ std::vector<double> thresholds_of(const Program& program) {
     return numbers;
 }
 
-/// The nodes that wait to be visited, by their place in reverse postorder. They are taken in sweeps from the
-/// first to the last: a loop's head is not visited again before the rest of the body has had its turn.
+/// The nodes that wait to be visited. They are taken in sweeps through the text: a loop's head is not visited
+/// again before the rest of the body has had its turn.
 class Waiting {
   public:
-    explicit Waiting(std::size_t places)
-        : bits_(places / word_bits + 1, 0) {}
+    explicit Waiting(std::size_t nodes)
+        : bits_(nodes / word_bits + 1, 0) {}
 
-    void add(std::uint32_t place) {
-        bits_[place / word_bits] |= std::uint64_t{1} << place % word_bits;
-        if (place < at_) lowest_ = std::min(lowest_, place);
+    void add(flow::NodeId node) {
+        bits_[node / word_bits] |= std::uint64_t{1} << node % word_bits;
+        if (node < at_) lowest_ = std::min(lowest_, node);
     }
 
     /// The next of them, which waits no more.
-    std::optional<std::uint32_t> take() {
-        if (auto place = take_from_here()) return place;
+    std::optional<flow::NodeId> take() {
+        if (const auto node = take_from_here()) return node;
         if (lowest_ == nothing) return std::nullopt;
         at_ = std::exchange(lowest_, nothing);
         return take_from_here();
@@ -57,9 +57,9 @@ class Waiting {
 
   private:
     static constexpr std::uint32_t word_bits = 64;
-    static constexpr std::uint32_t nothing = 0xFFFFFFFF;
+    static constexpr flow::NodeId nothing = 0xFFFFFFFF;
 
-    std::optional<std::uint32_t> take_from_here() {
+    std::optional<flow::NodeId> take_from_here() {
         std::size_t word = at_ / word_bits;
         std::uint64_t bits = bits_[word] & ~std::uint64_t{0} << at_ % word_bits;
         while (bits == 0) {
@@ -68,19 +68,15 @@ class Waiting {
         }
         const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
         bits_[word] &= ~(std::uint64_t{1} << bit);
-        const auto place = static_cast<std::uint32_t>(word) * word_bits + bit;
-        at_ = place + 1;
-        return place;
+        const flow::NodeId node = static_cast<flow::NodeId>(word) * word_bits + bit;
+        at_ = node + 1;
+        return node;
     }
 
-    std::vector<std::uint64_t> bits_; ///< one for every place, and at least one more
-    std::uint32_t at_ = 0;            ///< the sweep has come so far
-    std::uint32_t lowest_ = nothing;  ///< the first that waits for the next sweep
+    std::vector<std::uint64_t> bits_; ///< one for every node, and at least one more
+    flow::NodeId at_ = 0;             ///< the sweep has come so far
+    flow::NodeId lowest_ = nothing;   ///< the first that waits for the next sweep
 };
-
-} // namespace
-
-namespace {
 
 constexpr std::size_t worth_keeping = std::size_t{1} << 16U; ///< bytes of a list
 
@@ -98,10 +94,9 @@ void hand_over_list(std::vector<T>& from, std::vector<T>& to) {
 
 /// Lists that every solver needs: most programs are small, and there are many.
 struct SolverLists {
-    std::vector<flow::NodeId> in_order; ///< nodes in reverse postorder; the unreached are left out
-    std::vector<State> before;          ///< of every node
-    std::vector<State> along;           ///< of every edge
-    std::vector<std::uint32_t> visits;  ///< of every node
+    std::vector<State> before;         ///< of every node
+    std::vector<State> along;          ///< of every edge
+    std::vector<std::uint32_t> visits; ///< of every node
     Facts facts;
 
     void prepare(const flow::Graph& graph) {
@@ -144,7 +139,6 @@ class Solver {
         , transfer_(program, graph, states_, callees)
         , result_(result)
         , thresholds_(thresholds_of(program))
-        , in_order_(lists.in_order)
         , before_(lists.before)
         , along_(lists.along)
         , visits_(lists.visits)
@@ -155,7 +149,6 @@ class Solver {
     void run() {
         result_.reached_.assign(graph_.nodes.size(), false);
         result_.passable_.assign(graph_.edges.size(), false);
-        put_in_order();
         collect_heads();
         solve();
         narrow();
@@ -165,23 +158,11 @@ class Solver {
     }
 
   private:
-    void put_in_order() {
-        in_order_.resize(graph_.nodes.size());
-        std::size_t reached = 0;
-        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
-            if (graph_.order[node] == flow::Graph::no_order) continue;
-            in_order_[graph_.order[node]] = node;
-            ++reached;
-        }
-        in_order_.resize(reached);
-    }
-
+    /// In every cycle an edge leads back in the text: states are widened there.
     void collect_heads() {
         head_.assign(graph_.nodes.size(), false);
         for (const flow::Edge& edge : graph_.edges) {
-            const auto from = graph_.order[edge.from];
-            const auto to = graph_.order[edge.to];
-            if (from != flow::Graph::no_order && to <= from) head_[edge.to] = true;
+            if (edge.to <= edge.from) head_[edge.to] = true;
         }
     }
 
@@ -193,14 +174,13 @@ class Solver {
     }
 
     void solve() {
-        Waiting waiting(in_order_.size());
-        const auto add = [&](flow::NodeId node) { waiting.add(graph_.order[node]); };
+        Waiting waiting(graph_.nodes.size());
+        const auto add = [&](flow::NodeId node) { waiting.add(node); };
         add(0);
-        while (const auto place = waiting.take()) {
-            const flow::NodeId node = in_order_[*place];
-            const std::uint32_t visit = visits_[node]++;
-            if (!take_over(node, visit)) continue;
-            if (before_[node].reached) pass_on(node, add);
+        while (const auto node = waiting.take()) {
+            const std::uint32_t visit = visits_[*node]++;
+            if (!take_over(*node, visit)) continue;
+            if (before_[*node].reached) pass_on(*node, add);
         }
     }
 
@@ -208,7 +188,7 @@ class Solver {
     bool take_over(flow::NodeId node, std::uint32_t visit) {
         State& old = before_[node];
         const auto in = graph_.in[node];
-        if (in.size() == 1 && node != 0) {
+        if (in.size() == 1 && node != 0 && !head_[node]) {
             // It comes here because that edge has changed.
             old = along_[in.front()];
             return true;
@@ -246,13 +226,13 @@ class Solver {
     void narrow() {
         std::vector<bool> may_change(graph_.nodes.size(), false);
         bool any = false;
-        for (const flow::NodeId node : in_order_) {
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
             may_change[node] =
                 head_[node] ? visits_[node] > visits_before_widening : visits_[node] > visits_before_keeping;
             any = any || may_change[node];
         }
         if (!any) return;
-        for (const flow::NodeId node : in_order_) {
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
             if (!may_change[node] || !before_[node].reached) continue;
             const State state = incoming(node);
             if (states_.equal(state, before_[node])) continue;
@@ -312,7 +292,8 @@ class Solver {
         summary.written_for_callers = written_for_callers();
         if (!left.reached) return;
         for (std::size_t space = 0; space < most_spaces; ++space)
-            if (left.forgotten[space] != 0) summary.forgotten.push_back(static_cast<SpaceId>(space));
+            if (states_.pool().forgotten(left.forgotten)[space] != 0)
+                summary.forgotten.push_back(static_cast<SpaceId>(space));
         states_.trees().for_each(left.root, [&](Key key, std::uint32_t id) {
             if (is_place_key(key)) {
                 const Value& value = states_.pool().values[id];
@@ -386,7 +367,6 @@ class Solver {
     Transfer transfer_;
     Analysis& result_;
     std::vector<double> thresholds_;
-    std::vector<flow::NodeId>& in_order_;
     std::vector<State>& before_;
     std::vector<State>& along_;
     std::vector<std::uint32_t>& visits_;

@@ -91,7 +91,7 @@ Value States::entry_value(Place place) {
 
 std::uint32_t States::absent(const State& state, Key key) {
     const Place place = place_of(key);
-    if (const SymbolId site = state.forgotten[place.space]; site != 0) {
+    if (const SymbolId site = pool_.forgotten(state.forgotten)[place.space]; site != 0) {
         Value value;
         value.symbol = pool_.symbols({Symbol::Kind::opaque, key, site, 1});
         return pool_.values(value);
@@ -135,7 +135,9 @@ void States::know_entry_code(State& state, GroupId group, double code) {
 void States::forget(State& state, SpaceId space, const Origin& site) {
     const Key first = (Key{space} + 1) << 32U;
     state.root = trees_.without(state.root, first, first | 0xFFFFFFFFU);
-    state.forgotten[space] = pool_.symbols({Symbol::Kind::opaque, site.id, 2, site.node});
+    Forgotten forgotten = pool_.forgotten(state.forgotten);
+    forgotten[space] = pool_.symbols({Symbol::Kind::opaque, site.id, 2, site.node});
+    state.forgotten = pool_.remember(forgotten);
 }
 
 /// That the variable itself was vacant at the start says more than that another one was.
@@ -200,11 +202,14 @@ State States::merge(const State& a, const State& b, std::uint32_t node, Widening
         a.root, b.root, join_keyed,
         [&](Key key, std::uint32_t x) { return join_keyed(key, x, otherwise(b, key)); },
         [&](Key key, std::uint32_t y) { return join_keyed(key, otherwise(a, key), y); });
-    for (std::size_t space = 0; space < most_spaces; ++space) {
-        const bool same = a.forgotten[space] == b.forgotten[space];
-        joined.forgotten[space] =
-            same ? a.forgotten[space] : pool_.symbols({Symbol::Kind::opaque, space, 3, node});
-    }
+    joined.forgotten = a.forgotten;
+    if (a.forgotten == b.forgotten) return joined;
+    Forgotten forgotten = pool_.forgotten(a.forgotten);
+    const Forgotten other = pool_.forgotten(b.forgotten);
+    for (std::size_t space = 0; space < most_spaces; ++space)
+        if (forgotten[space] != other[space])
+            forgotten[space] = pool_.symbols({Symbol::Kind::opaque, space, 3, node});
+    joined.forgotten = pool_.remember(forgotten);
     return joined;
 }
 

@@ -4,7 +4,6 @@
 #include "analyzer/dataflow/trees.hpp"
 #include "analyzer/dataflow/value.hpp"
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -47,13 +46,9 @@ constexpr Key entry_code_keys = Key{0x200} << 32U;
             static_cast<std::int32_t>(static_cast<std::uint32_t>(key))};
 }
 
-constexpr std::size_t most_spaces = 8;
-
 struct State {
     Root root = 0;
-    /// For each space: 0, or the opaque symbol of what made all its variables unknown that the tree does not
-    /// hold.
-    std::array<SymbolId, most_spaces> forgotten{};
+    ForgottenId forgotten = 0;
     bool reached = false;
 };
 

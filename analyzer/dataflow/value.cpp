@@ -15,6 +15,7 @@ void Pool::fit() {
     origins.fit();
     values.fit();
     modals.fit();
+    forgotten_sets.fit();
 }
 
 SymbolId Pool::constant(double number) {

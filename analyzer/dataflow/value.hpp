@@ -6,6 +6,7 @@
 #include "analyzer/program/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -89,6 +90,13 @@ struct ModalValue {
     friend bool operator==(const ModalValue&, const ModalValue&) = default;
 };
 
+constexpr std::size_t most_spaces = 8;
+
+/// For each space: 0, or the opaque symbol of what made all its variables unknown that a state's tree does
+/// not hold.
+using Forgotten = std::array<SymbolId, most_spaces>;
+using ForgottenId = std::uint32_t; ///< 0: nothing is forgotten
+
 /// The finaliser of splitmix64: cheap, and every bit of the input reaches every bit of the result.
 constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
     value += 0x9E3779B97F4A7C15ULL + hash;
@@ -135,6 +143,13 @@ inline std::uint64_t far(const ModalValue& v) {
     for (const ModalPart& part : v.parts) hash = mix(hash, side_by_side(part.symbol, part.origin));
     return hash;
 }
+
+constexpr std::uint64_t far(const Forgotten& symbols) {
+    std::uint64_t hash = 0;
+    for (const SymbolId symbol : symbols) hash = mix(hash, symbol);
+    return hash;
+}
+constexpr std::uint64_t near(const Forgotten& symbols) { return far(symbols); }
 
 /// Stores equal things once and names them by number. Open addressing: most programs are small, and every one
 /// has four.
@@ -195,6 +210,12 @@ struct Pool {
     Interner<Origin> origins;
     Interner<Value> values;
     Interner<ModalValue> modals;
+    Interner<Forgotten> forgotten_sets; ///< most programs have none
+
+    [[nodiscard]] ForgottenId remember(const Forgotten& forgotten) { return forgotten_sets(forgotten) + 1; }
+    [[nodiscard]] Forgotten forgotten(ForgottenId id) const {
+        return id == 0 ? Forgotten{} : forgotten_sets[id - 1];
+    }
 
     Pool();
     void fit();

@@ -100,6 +100,16 @@ TEST(Loops, HoldNothingThatTheirHeadDoesNotReach) {
     EXPECT_EQ(loops.front().ways_out.size(), 1U);
 }
 
+TEST(Solver, EndsInALoopThatIsEnteredInItsMiddle) {
+    // N10 is reached by the jump back alone; #100 has no bound.
+    const auto workspace = test::analyse_fanuc("O1\n#100=0\nGOTO20\nN10G0X1.\nN20#100=#100+1\n"
+                                               "IF[#100LT#500]GOTO10\nM30\n");
+    const auto& loops = workspace->programs().front().loops();
+    ASSERT_EQ(loops.size(), 1U);
+    ASSERT_TRUE(loops.front().counter);
+    EXPECT_EQ(loops.front().counter->place.number, 100);
+}
+
 TEST(Values, OfSumsAreTheSameInEitherOrder) {
     const auto workspace = test::analyse_fanuc("O9001\n#31=#1+#2\n#32=#2+#1\n#33=#1-#2\nM99\n");
     const auto& stores = workspace->programs().front().facts().stores;
