@@ -174,7 +174,7 @@ TEST(DinIrregular, ThenMustFollowAndBeAlone) {
     EXPECT_EQ(din("IF #l1==1\nX5\nENDIF"),
               "open choice equal(#l1, 1)\nmove\nclose choice\n! then-missing 'IF #l1==1' -> THEN");
     EXPECT_EQ(din("IF #l1==1 THEN\nENDIF"),
-              "open choice equal(#l1, 1); begin choice\nclose choice\n! not-alone 'IF'");
+              "open choice equal(#l1, 1); begin choice\nclose choice\n! not-alone 'THEN'");
     EXPECT_EQ(din("ENDIF X5"), "close choice; move\n! not-alone 'ENDIF'");
     // One cause, one report.
     EXPECT_EQ(din("IF #l1==1\nTHN\nENDIF"), "open choice equal(#l1, 1)\nunreadable opens-or-closes\n"

@@ -79,6 +79,11 @@ TEST(Irregularities, AbbreviatedFunctionsAreWordsOfTheLanguage) {
                 ::testing::EndsWith("! bracket-mismatch '[' -> its ']' is missing"));
 }
 
+TEST(Irregularities, TheNumberOfALoopStandsWithoutBrackets) {
+    EXPECT_EQ(testing::read("WHILE[#1LT5]DO(1)").irregularities.at(0).cure, "1");
+    EXPECT_EQ(testing::read("END(1)").irregularities.at(0).cure, "1");
+}
+
 TEST(Irregularities, TheCureIsUtf8LikeTheSubject) {
     EXPECT_EQ(testing::read("#1=SIN(\xE4)").irregularities.at(0).cure, "[\xC3\xA4]");
 }

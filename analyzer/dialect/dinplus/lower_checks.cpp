@@ -31,9 +31,13 @@ bool opens_bracket(Kind kind) {
 void BlockLowering::check_alone(std::span<const Node* const> items) {
     const auto content = std::ranges::count_if(items, [](const Node* n) { return !is_aside(kind_of(*n)); });
     if (content < 2 || !before_->effects) return;
-    const auto keyword =
-        std::ranges::find_if(items, [](const Node* n) { return wants_to_be_alone(kind_of(*n)); });
+    const auto wants = [](const Node* n) { return wants_to_be_alone(kind_of(*n)); };
+    auto keyword = std::ranges::find_if(items, wants);
     if (keyword == items.end()) return;
+    // The condition belongs to IF: in IF #l1>60 THEN it is THEN that has to move.
+    if (kind_of(**keyword) == Kind::if_statement)
+        if (const auto next = std::find_if(std::next(keyword), items.end(), wants); next != items.end())
+            keyword = next;
     Span place = span(**keyword);
     constexpr Offset length_of_if = 2;
     if (kind_of(**keyword) == Kind::if_statement) place.end = place.begin + length_of_if;

@@ -153,10 +153,12 @@ std::optional<Irregularity> Clues::parenthesis_as_bracket() const {
         const bool address =
             word.size() == 1 && touches && looks_like_expression(comment) && word != "N" && word != "O";
         if (!certain && !operand && !address) continue;
-        std::string cure =
-            text_[comment.span.end - 1] == ')' && comment.span.length() <= longest_shown
-                ? '[' + std::string(text_.substr(comment.span.begin + 1, comment.span.length() - 2)) + ']'
-                : std::string("[");
+        std::string cure = "[";
+        if (text_[comment.span.end - 1] == ')' && comment.span.length() <= longest_shown) {
+            cure = text_.substr(comment.span.begin + 1, comment.span.length() - 2);
+            const bool plain = word == "DO" || word == "END"; // their number stands without brackets
+            if (!plain) cure = '[' + cure + ']';
+        }
         const std::string_view subject = text(before);
         return make(Irregular::parenthesis_as_bracket, comment.span,
                     word.empty() ? subject
