@@ -2,9 +2,9 @@
 #include "analyzer/dataflow/analysis.hpp"
 
 #include "analyzer/dataflow/transfer.hpp"
+#include "analyzer/dataflow/waiting.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <iterator>
 #include <utility>
 
@@ -34,49 +34,6 @@ std::vector<double> thresholds_of(const Program& program) {
     numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
     return numbers;
 }
-
-/// The nodes that wait to be visited. They are taken in sweeps through the text: a loop's head is not visited
-/// again before the rest of the body has had its turn.
-class Waiting {
-  public:
-    explicit Waiting(std::size_t nodes)
-        : bits_(nodes / word_bits + 1, 0) {}
-
-    void add(flow::NodeId node) {
-        bits_[node / word_bits] |= std::uint64_t{1} << node % word_bits;
-        if (node < at_) lowest_ = std::min(lowest_, node);
-    }
-
-    /// The next of them, which waits no more.
-    std::optional<flow::NodeId> take() {
-        if (const auto node = take_from_here()) return node;
-        if (lowest_ == nothing) return std::nullopt;
-        at_ = std::exchange(lowest_, nothing);
-        return take_from_here();
-    }
-
-  private:
-    static constexpr std::uint32_t word_bits = 64;
-    static constexpr flow::NodeId nothing = 0xFFFFFFFF;
-
-    std::optional<flow::NodeId> take_from_here() {
-        std::size_t word = at_ / word_bits;
-        std::uint64_t bits = bits_[word] & ~std::uint64_t{0} << at_ % word_bits;
-        while (bits == 0) {
-            if (++word == bits_.size()) return std::nullopt;
-            bits = bits_[word];
-        }
-        const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
-        bits_[word] &= ~(std::uint64_t{1} << bit);
-        const flow::NodeId node = static_cast<flow::NodeId>(word) * word_bits + bit;
-        at_ = node + 1;
-        return node;
-    }
-
-    std::vector<std::uint64_t> bits_; ///< one for every node, and at least one more
-    flow::NodeId at_ = 0;             ///< the sweep has come so far
-    flow::NodeId lowest_ = nothing;   ///< the first that waits for the next sweep
-};
 
 constexpr std::size_t worth_keeping = std::size_t{1} << 16U; ///< bytes of a list
 
@@ -292,7 +249,7 @@ class Solver {
         summary.written_for_callers = written_for_callers();
         if (!left.reached) return;
         for (std::size_t space = 0; space < most_spaces; ++space)
-            if (states_.pool().forgotten(left.forgotten)[space] != 0)
+            if (states_.pool().forgotten(left.forgotten).by_space[space] != 0)
                 summary.forgotten.push_back(static_cast<SpaceId>(space));
         states_.trees().for_each(left.root, [&](Key key, std::uint32_t id) {
             if (is_place_key(key)) {

@@ -91,7 +91,7 @@ Value States::entry_value(Place place) {
 
 std::uint32_t States::absent(const State& state, Key key) {
     const Place place = place_of(key);
-    if (const SymbolId site = pool_.forgotten(state.forgotten)[place.space]; site != 0) {
+    if (const SymbolId site = pool_.forgotten(state.forgotten).by_space[place.space]; site != 0) {
         Value value;
         value.symbol = pool_.symbols({Symbol::Kind::opaque, key, site, 1});
         return pool_.values(value);
@@ -136,7 +136,7 @@ void States::forget(State& state, SpaceId space, const Origin& site) {
     const Key first = (Key{space} + 1) << 32U;
     state.root = trees_.without(state.root, first, first | 0xFFFFFFFFU);
     Forgotten forgotten = pool_.forgotten(state.forgotten);
-    forgotten[space] = pool_.symbols({Symbol::Kind::opaque, site.id, 2, site.node});
+    forgotten.by_space[space] = pool_.symbols({Symbol::Kind::opaque, site.id, 2, site.node});
     state.forgotten = pool_.remember(forgotten);
 }
 
@@ -207,8 +207,8 @@ State States::merge(const State& a, const State& b, std::uint32_t node, Widening
     Forgotten forgotten = pool_.forgotten(a.forgotten);
     const Forgotten other = pool_.forgotten(b.forgotten);
     for (std::size_t space = 0; space < most_spaces; ++space)
-        if (forgotten[space] != other[space])
-            forgotten[space] = pool_.symbols({Symbol::Kind::opaque, space, 3, node});
+        if (forgotten.by_space[space] != other.by_space[space])
+            forgotten.by_space[space] = pool_.symbols({Symbol::Kind::opaque, space, 3, node});
     joined.forgotten = pool_.remember(forgotten);
     return joined;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analyzer/dataflow/few.hpp"
+#include "analyzer/dataflow/interner.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <algorithm>
@@ -94,22 +95,11 @@ constexpr std::size_t most_spaces = 8;
 
 /// For each space: 0, or the opaque symbol of what made all its variables unknown that a state's tree does
 /// not hold.
-using Forgotten = std::array<SymbolId, most_spaces>;
+struct Forgotten {
+    std::array<SymbolId, most_spaces> by_space{};
+    friend bool operator==(const Forgotten&, const Forgotten&) = default;
+};
 using ForgottenId = std::uint32_t; ///< 0: nothing is forgotten
-
-/// The finaliser of splitmix64: cheap, and every bit of the input reaches every bit of the result.
-constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
-    value += 0x9E3779B97F4A7C15ULL + hash;
-    value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    value = (value ^ (value >> 27U)) * 0x94D049BB133111EBULL;
-    return value ^ (value >> 31U);
-}
-constexpr std::uint64_t side_by_side(std::uint32_t a, std::uint32_t b) {
-    return (std::uint64_t{a} << 32U) | b;
-}
-
-// A thing has a place near others that are asked for at the same time, which keeps long programs in the
-// processor's caches, and one far from them, for where too many things want the same place.
 
 constexpr std::uint64_t near(const Symbol& s) {
     if (s.kind == Symbol::Kind::constant) return mix(0, s.a);
@@ -144,65 +134,12 @@ inline std::uint64_t far(const ModalValue& v) {
     return hash;
 }
 
-constexpr std::uint64_t far(const Forgotten& symbols) {
+constexpr std::uint64_t far(const Forgotten& forgotten) {
     std::uint64_t hash = 0;
-    for (const SymbolId symbol : symbols) hash = mix(hash, symbol);
+    for (const SymbolId symbol : forgotten.by_space) hash = mix(hash, symbol);
     return hash;
 }
-constexpr std::uint64_t near(const Forgotten& symbols) { return far(symbols); }
-
-/// Stores equal things once and names them by number. Open addressing: most programs are small, and every one
-/// has four.
-template<class T>
-class Interner {
-  public:
-    std::uint32_t operator()(const T& thing) {
-        if (2 * things_.size() >= slots_.size()) grow();
-        std::uint32_t& slot = slots_[place_of(thing)];
-        if (slot == 0) {
-            things_.push_back(thing);
-            slot = static_cast<std::uint32_t>(things_.size());
-        }
-        return slot - 1;
-    }
-    [[nodiscard]] const T& operator[](std::uint32_t id) const { return things_[id]; }
-    /// Gives back all memory that serves to add things.
-    void fit() {
-        things_.shrink_to_fit();
-        slots_ = {};
-    }
-
-  private:
-    /// So many slots are looked at near the thing's first place before the search goes on far from it.
-    static constexpr int most_near = 8;
-
-    /// The slot that holds the thing, or the free one where it belongs.
-    [[nodiscard]] std::size_t place_of(const T& thing) const {
-        const std::size_t mask = slots_.size() - 1;
-        std::size_t place = near(thing) & mask;
-        for (int i = 0; i < most_near; ++i) {
-            if (is_place_of(thing, place)) return place;
-            place = (place + 1) & mask;
-        }
-        place = far(thing) & mask;
-        while (!is_place_of(thing, place)) place = (place + 1) & mask;
-        return place;
-    }
-    [[nodiscard]] bool is_place_of(const T& thing, std::size_t place) const {
-        return slots_[place] == 0 || things_[slots_[place] - 1] == thing;
-    }
-
-    void grow() {
-        constexpr std::size_t fewest = 64;
-        slots_.assign(std::max(fewest, std::bit_ceil(4 * things_.size())), 0);
-        things_.reserve(slots_.size() / 2);
-        for (std::size_t i = 0; i < things_.size(); ++i)
-            slots_[place_of(things_[i])] = static_cast<std::uint32_t>(i + 1);
-    }
-
-    std::vector<T> things_;
-    std::vector<std::uint32_t> slots_; ///< 0: free; otherwise one more than the thing's number
-};
+constexpr std::uint64_t near(const Forgotten& forgotten) { return far(forgotten); }
 
 /// The tables of one program's analysis.
 struct Pool {
