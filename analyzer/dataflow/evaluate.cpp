@@ -250,7 +250,7 @@ void Transfer::know_entry_code(State& state, GroupId group, double code) {
 namespace {
 
 /// Cuts the range of `value` to what the comparison with `other` leaves.
-void cut(Value& value, Operation operation, const Value& other, bool vacant_passes_not_zero) {
+void cut(Value& value, Operation operation, const Value& other) {
     const auto above = [&](double bound) {
         return value.integer ? std::floor(bound) + 1 : std::nextafter(bound, bound + 1);
     };
@@ -264,8 +264,6 @@ void cut(Value& value, Operation operation, const Value& other, bool vacant_pass
         break;
     case Operation::not_equal:
         if (other.low != other.high || !std::isfinite(other.low)) break;
-        // A vacant value passes NE 0, too, and counts as 0 afterwards.
-        if (other.low == 0 && vacant_passes_not_zero) break;
         if (other.low == 0) value.nonzero = true;
         if (value.low == other.low && value.high > value.low) value.low = above(other.low);
         if (value.high == other.low && value.high > value.low) value.high = below(other.low);
@@ -283,6 +281,13 @@ void cut(Value& value, Operation operation, const Value& other, bool vacant_pass
 }
 
 } // namespace
+
+/// Whether NE takes the other side's number away. It does not when vacant differs from 0 and that side may be
+/// vacant, nor 0 from a value that may be: vacant passes NE 0 and counts as 0 afterwards.
+bool Transfer::excludes(const Value& value, const Value& other) const {
+    if (program_.control->vacant_equals_zero) return true;
+    return other.vacancy == Vacancy::set && (value.vacancy == Vacancy::set || other.low != 0);
+}
 
 void Transfer::refine_place(State& state, Place place, Operation operation, const Value& other) {
     Value value = states_.read(state, place);
@@ -304,10 +309,10 @@ void Transfer::refine_place(State& state, Place place, Operation operation, cons
             Value zero = value;
             zero.low = zero.high = 0;
             zero.integer = false;
-            cut(zero, operation, other, false);
+            cut(zero, operation, other);
             if (zero.low > zero.high) value.vacancy = Vacancy::set;
         }
-        cut(value, operation, other, value.vacancy != Vacancy::set && !program_.control->vacant_equals_zero);
+        if (operation != Operation::not_equal || excludes(value, other)) cut(value, operation, other);
         if (value.low > value.high) {
             state.reached = false;
             return;
