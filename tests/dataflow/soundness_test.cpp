@@ -227,7 +227,7 @@ void expect_sound(const std::vector<Line>& lines, Dice& dice) {
 }
 
 TEST(Soundness, WhatRunsShowIsWhatDataFlowAllows) {
-    constexpr unsigned programs = 400;
+    constexpr unsigned programs = 2000;
     for (unsigned seed = 0; seed < programs && !testing::Test::HasFailure(); ++seed) {
         Dice dice(seed);
         expect_sound(random_program(dice), dice);
