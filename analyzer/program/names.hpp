@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program/tables.hpp"
+#include "analyzer/source/text_hash.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,11 +14,6 @@
 #include <vector>
 
 namespace maclint {
-
-struct TextHash {
-    using is_transparent = void; // NOLINT(readability-identifier-naming): the standard's name
-    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
-};
 
 /// The names of variables, each with a number of its own: the first one is 0.
 class Names {

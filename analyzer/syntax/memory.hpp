@@ -1,6 +1,7 @@
 //! Parse trees of blocks seen before: NC programs repeat the same few shapes with other numbers.
 #pragma once
 
+#include "analyzer/source/text_hash.hpp"
 #include "analyzer/syntax/tree.hpp"
 
 #include <functional>
@@ -21,13 +22,8 @@ class TreeMemory {
     [[nodiscard]] const Tree& parse(std::string_view text, std::string_view shape);
 
   private:
-    struct Hash {
-        using is_transparent = void; // NOLINT(readability-identifier-naming): the standard's name
-        std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
-    };
-
     Grammar grammar_;
-    std::unordered_map<std::string, Tree, Hash, std::equal_to<>> trees_;
+    std::unordered_map<std::string, Tree, TextHash, std::equal_to<>> trees_;
     Tree long_text_;
 };
 
