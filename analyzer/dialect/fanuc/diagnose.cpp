@@ -155,9 +155,10 @@ std::optional<Irregularity> Clues::parenthesis_as_bracket() const {
         if (!certain && !operand && !address) continue;
         std::string cure = "[";
         if (text_[comment.span.end - 1] == ')' && comment.span.length() <= longest_shown) {
-            cure = text_.substr(comment.span.begin + 1, comment.span.length() - 2);
             const bool plain = word == "DO" || word == "END"; // their number stands without brackets
-            if (!plain) cure = '[' + cure + ']';
+            if (plain) cure.clear();
+            cure += text_.substr(comment.span.begin + 1, comment.span.length() - 2);
+            if (!plain) cure += ']';
         }
         const std::string_view subject = text(before);
         return make(Irregular::parenthesis_as_bracket, comment.span,
