@@ -243,9 +243,7 @@ class Solver {
             if (exit.exit.effect)
                 add_resume_label(std::get<Return>(program_.effects[*exit.exit.effect].what));
         }
-        summary.returns = std::ranges::any_of(facts_.exits, [this](const ExitState& left_with) {
-            return flow::returns_behind_call(program_, left_with.exit);
-        });
+        summary.returns = returns();
         summary.written_for_callers = written_for_callers();
         if (!left.reached) return;
         for (std::size_t space = 0; space < most_spaces; ++space)
@@ -287,14 +285,31 @@ class Solver {
     }
 
     [[nodiscard]] bool may_stop() const {
-        if (std::ranges::any_of(facts_.calls, &CallMade::may_stop)) return true;
-        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
-            if (!result_.reached_[node]) continue;
-            for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects))
-                if (std::holds_alternative<Stop>(effect.what) ||
-                    std::holds_alternative<UnreadableBlock>(effect.what))
-                    return true;
-        }
+        return std::ranges::any_of(facts_.calls, &CallMade::may_stop) ||
+               any_reached([](const Effect& effect) {
+                   return std::holds_alternative<Stop>(effect.what) ||
+                          std::holds_alternative<UnreadableBlock>(effect.what);
+               });
+    }
+
+    /// A block that could not be read may be the return.
+    [[nodiscard]] bool returns() const {
+        return std::ranges::any_of(facts_.exits,
+                                   [this](const ExitState& left_with) {
+                                       return flow::returns_behind_call(program_, left_with.exit);
+                                   }) ||
+               any_reached([](const Effect& effect) {
+                   const auto* unreadable = std::get_if<UnreadableBlock>(&effect.what);
+                   return unreadable != nullptr && unreadable->may_call_or_return;
+               });
+    }
+
+    template<class Predicate>
+    [[nodiscard]] bool any_reached(const Predicate& predicate) const {
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node)
+            if (result_.reached_[node] &&
+                std::ranges::any_of(program_.effects_in(graph_.nodes[node].effects), predicate))
+                return true;
         return false;
     }
 

@@ -230,9 +230,7 @@ class WaySearch {
 
     /// The nodes from which who stands before the edge can come back there.
     [[nodiscard]] std::span<const flow::NodeId> rounds_before(flow::EdgeId id) {
-        if (!components_) {
-            components_ = flow::find_components(arrows_along(graph_, analysis_));
-        }
+        if (!components_) components_ = flow::find_components(arrows_along(graph_, analysis_));
         return components_->members[components_->of[graph_.edges[id].from]];
     }
 

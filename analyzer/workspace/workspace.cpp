@@ -121,8 +121,7 @@ class WorkspaceBuilder {
         analysis.structures_ = flow::pair_structures(program);
         analysis.graph_ = flow::build_graph(program, analysis.structures_, [&](EffectId call) {
             const dataflow::Summary& summary = callees(call);
-            return flow::WaysBack{summary.returns || may_return_unread(analysis, call),
-                                  summary.resume_labels};
+            return flow::WaysBack{summary.returns, summary.resume_labels};
         });
         const bool main = runs_on_its_own(analysis);
         analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
@@ -133,17 +132,6 @@ class WorkspaceBuilder {
                                                    *analysis.data_, *cycles);
         }
         analysis.is_macro_ = !main && takes_arguments(analysis);
-    }
-
-    /// A block of the called program that could not be read may be its return.
-    [[nodiscard]] bool may_return_unread(const ProgramAnalysis& caller, EffectId call) const {
-        bool may_return = false;
-        const Program& called = programs_[*caller.call_at(call)->target].program();
-        flow::for_each_effect(called, [&](EffectId id) {
-            const auto* unreadable = std::get_if<UnreadableBlock>(&called.effects[id].what);
-            may_return |= unreadable != nullptr && unreadable->may_call_or_return;
-        });
-        return may_return;
     }
 
     static bool runs_on_its_own(const ProgramAnalysis& analysis) {
