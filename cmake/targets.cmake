@@ -8,8 +8,9 @@ function(maclint_own_code target scope)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # GCC 12 reports both falsely, from inside its own std::string, std::function and std::variant.
-    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-error=maybe-uninitialized)
+    # GCC 12 reports them falsely, from inside its own std::string, std::function and std::variant.
+    target_compile_options(${target} PRIVATE
+      -Wno-restrict -Wno-error=maybe-uninitialized -Wno-error=stringop-overflow -Wno-error=array-bounds)
   endif()
 endfunction()
 
@@ -21,5 +22,12 @@ function(maclint_library name)
   target_compile_definitions(${name} PUBLIC ${arg_DEFINITIONS})
   if(arg_OWN_CODE)
     maclint_own_code(${name} PUBLIC)
+  endif()
+endfunction()
+
+# Compiles the headers once for all files of `target`. A file still includes what it uses: ./dev tidy compiles without.
+function(maclint_precompile target)
+  if(MACLINT_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
   endif()
 endfunction()
