@@ -2,7 +2,7 @@
 //! good one.
 #include "cli/command_line.hpp"
 
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <array>

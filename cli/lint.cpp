@@ -1,7 +1,7 @@
 //! One workspace, one run of the union of all selections, then every file's own judgement.
 #include "cli/lint.hpp"
 
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -71,7 +71,7 @@ void check_configuration(const Configuration& configuration, const RuleStates& s
         reporter.report(*files[word->source].file, word->span, similar ? "similar" : "unknown",
                         std::move(arguments));
     }
-    std::ranges::move(judge(reporter.take(), files), std::back_inserter(result.findings));
+    std::ranges::move(apply_suppressions(reporter.take(), files), std::back_inserter(result.findings));
 }
 
 } // namespace
@@ -83,17 +83,17 @@ LintResult lint(const std::vector<ReadFile>& files, Settings& settings, unsigned
     progress.begin("checking", 0);
     auto findings = run_rules(*result.workspace, selection_of(files), jobs);
     report_not_nc(files, findings);
-    std::vector<FileRules> judged;
+    std::vector<FileRules> filtered;
     for (const ReadFile& file : files) {
         if (!file.file || !file.input.asked) continue;
-        judged.push_back({file.file.get(), file.settings.rules.get()});
+        filtered.push_back({file.file.get(), file.settings.rules.get()});
         if (file.not_nc) result.kept.push_back(file.file);
     }
-    result.findings = judge(std::move(findings), judged);
+    result.findings = apply_suppressions(std::move(findings), filtered);
     for (const auto& configuration : settings.configurations())
         if (const auto own = settings.for_file(configuration->path))
             check_configuration(*configuration, *own->rules, result);
-    std::ranges::stable_sort(result.findings, comes_before, &JudgedFinding::finding);
+    std::ranges::stable_sort(result.findings, comes_before, &FilteredFinding::finding);
     return result;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/workspace/workspace.hpp"
-#include "cli/filter/judge.hpp"
+#include "cli/filter/apply_suppressions.hpp"
 #include "cli/input/read.hpp"
 #include "cli/progress.hpp"
 
@@ -16,7 +16,7 @@ struct LintResult {
     std::unique_ptr<Workspace> workspace;
     std::vector<std::shared_ptr<const ProgramFile>>
         kept; ///< files outside the workspace that findings point to
-    std::vector<JudgedFinding> findings;
+    std::vector<FilteredFinding> findings;
 };
 
 /// Runs the rules that any file wants over all files as one workspace. Configurations are looked through for

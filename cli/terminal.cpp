@@ -1,7 +1,7 @@
 //! Writes all or says what went wrong; nothing raw from a program reaches a terminal.
 #include "cli/terminal.hpp"
 
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <cerrno>
 #include <cstdio>

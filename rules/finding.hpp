@@ -16,7 +16,7 @@ struct Rule;
 enum class Severity : std::uint8_t { note, warning, error };
 
 /// A place with a sentence about it: a related location or a step of a path.
-struct Remark {
+struct RelatedLocation {
     const ProgramFile* file;
     Span span;
     std::string text; ///< UTF-8, starts lower case, no full stop: "N20 is here, inside DO1 … END1"
@@ -38,8 +38,8 @@ struct Finding {
     Span span;
     std::string_view message_id;        ///< one of the rule's messages
     std::vector<std::string> arguments; ///< for {0}, {1} … of the message, UTF-8
-    std::vector<Remark> related;
-    std::vector<Remark>
+    std::vector<RelatedLocation> related;
+    std::vector<RelatedLocation>
         path;              ///< in execution order, the finding's own place last; empty: no data flow involved
     std::vector<Edit> fix; ///< empty: none
 

@@ -5,13 +5,13 @@
 
 namespace maclint {
 
-void report_irregular(const ProgramFile& file, Irregular kind, Reporter& reporter) {
-    for (const Irregularity& irregularity : file.irregularities) {
-        if (irregularity.kind != kind) continue;
-        const bool cure = !irregularity.cure.empty() && reporter.has_message("cure");
+void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter& reporter) {
+    for (const SyntaxError& syntax_error : file.syntax_errors) {
+        if (syntax_error.kind != kind) continue;
+        const bool cure = !syntax_error.cure.empty() && reporter.has_message("cure");
         reporter.report(
-            file, irregularity.span, cure ? "cure" : "plain",
-            {to_utf8(irregularity.subject, detect_encoding(irregularity.subject)), irregularity.cure});
+            file, syntax_error.span, cure ? "cure" : "plain",
+            {to_utf8(syntax_error.subject, detect_encoding(syntax_error.subject)), syntax_error.cure});
     }
 }
 

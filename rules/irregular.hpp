@@ -7,6 +7,6 @@ namespace maclint {
 
 /// One finding for every irregularity of the kind: the message "cure" where a cure is known and the rule has
 /// it, otherwise "plain"; their arguments are the offending text and the cure.
-void report_irregular(const ProgramFile& file, Irregular kind, Reporter& reporter);
+void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter& reporter);
 
 } // namespace maclint

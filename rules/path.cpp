@@ -100,36 +100,38 @@ bool has_choice(const ProgramAnalysis& analysis, flow::EdgeId taken, const std::
 
 } // namespace
 
-std::vector<Remark> steps_along(const ProgramAnalysis& analysis, std::span<const flow::EdgeId> way) {
-    std::vector<Remark> remarks;
-    if (way.empty()) return remarks;
+std::vector<RelatedLocation> steps_along(const ProgramAnalysis& analysis,
+                                         std::span<const flow::EdgeId> path) {
+    std::vector<RelatedLocation> related;
+    if (path.empty()) return related;
     const flow::Graph& graph = analysis.graph();
-    const std::vector<bool> leads = leading_to(analysis, graph.edges[way.back()].to);
+    const std::vector<bool> leads = leading_to(analysis, graph.edges[path.back()].to);
     // The last steps say most; a way may have thousands.
-    for (const flow::EdgeId id : way | std::views::reverse) {
-        if (remarks.size() == most_steps) break;
+    for (const flow::EdgeId id : path | std::views::reverse) {
+        if (related.size() == most_steps) break;
         const flow::Edge& edge = graph.edges[id];
         if (edge.kind == flow::EdgeKind::branch && !has_choice(analysis, id, leads)) continue;
         std::string words = words_for(analysis, edge);
         if (!words.empty())
-            remarks.push_back({&analysis.file(), span_of(analysis.program(), edge, graph), std::move(words)});
+            related.push_back({&analysis.file(), span_of(analysis.program(), edge, graph), std::move(words)});
     }
-    std::ranges::reverse(remarks);
-    return remarks;
+    std::ranges::reverse(related);
+    return related;
 }
 
-std::vector<Remark> way_between(const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to) {
+std::vector<RelatedLocation> path_between(const ProgramAnalysis& analysis, flow::NodeId from,
+                                          flow::NodeId to) {
     const auto passable = [&](flow::EdgeId edge) { return analysis.data().passable(edge); };
-    const auto way =
-        from == 0 ? analysis.way_from_start(to) : analysis.graph().way(from, to, passable, most_searched);
-    return way ? steps_along(analysis, *way) : std::vector<Remark>{};
+    const auto path =
+        from == 0 ? analysis.path_from_start(to) : analysis.graph().path(from, to, passable, most_searched);
+    return path ? steps_along(analysis, *path) : std::vector<RelatedLocation>{};
 }
 
-Remark remark_at(const ProgramAnalysis& analysis, dataflow::OriginId origin, std::string text) {
+RelatedLocation related_at(const ProgramAnalysis& analysis, dataflow::OriginId origin, std::string text) {
     return {&analysis.file(), span_of(analysis, analysis.data().origin(origin)), std::move(text)};
 }
 
-Remark remark_at_effect(const ProgramAnalysis& analysis, EffectId effect, std::string text) {
+RelatedLocation related_at_effect(const ProgramAnalysis& analysis, EffectId effect, std::string text) {
     return {&analysis.file(), analysis.program().effects[effect].span, std::move(text)};
 }
 

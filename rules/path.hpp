@@ -12,18 +12,20 @@ namespace maclint {
 
 /// The jumps and branches on this way, in execution order. Branches whose other side does not lead to the
 /// way's end go without saying; of the rest the last twelve are told.
-[[nodiscard]] std::vector<Remark> steps_along(const ProgramAnalysis& analysis,
-                                              std::span<const flow::EdgeId> way);
+[[nodiscard]] std::vector<RelatedLocation> steps_along(const ProgramAnalysis& analysis,
+                                                       std::span<const flow::EdgeId> path);
 
 /// The steps along a shortest possible way between two nodes.
-[[nodiscard]] std::vector<Remark> way_between(const ProgramAnalysis& analysis, flow::NodeId from,
-                                              flow::NodeId to);
+[[nodiscard]] std::vector<RelatedLocation> path_between(const ProgramAnalysis& analysis, flow::NodeId from,
+                                                        flow::NodeId to);
 
 /// The place that an origin stands for, with a text about it.
-[[nodiscard]] Remark remark_at(const ProgramAnalysis& analysis, dataflow::OriginId origin, std::string text);
+[[nodiscard]] RelatedLocation related_at(const ProgramAnalysis& analysis, dataflow::OriginId origin,
+                                         std::string text);
 
 /// A remark at an effect of the program.
-[[nodiscard]] Remark remark_at_effect(const ProgramAnalysis& analysis, EffectId effect, std::string text);
+[[nodiscard]] RelatedLocation related_at_effect(const ProgramAnalysis& analysis, EffectId effect,
+                                                std::string text);
 
 /// Source text for a message: UTF-8, white space folded, 40 characters at most.
 [[nodiscard]] std::string quoted(const Program& program, Span span);

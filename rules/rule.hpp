@@ -64,8 +64,8 @@ struct Rule {
     std::vector<Example> good; ///< raises nothing
     std::vector<Alarm> alarms;
     std::vector<std::string_view> sources;
-    /// `Irregular`: whatever the text has of that kind, see rules/irregular.hpp.
-    std::variant<RaisedByCommand, Irregular, FileCheck, ProgramCheck> check;
+    /// `SyntaxErrorKind`: whatever the text has of that kind, see rules/irregular.hpp.
+    std::variant<RaisedByCommand, SyntaxErrorKind, FileCheck, ProgramCheck> check;
 };
 
 /// Takes the findings of one rule.

@@ -12,8 +12,8 @@ namespace maclint {
 namespace {
 
 void run_check(const Rule& rule, const ProgramFile& file, Reporter& reporter) {
-    if (const auto* irregular = std::get_if<Irregular>(&rule.check))
-        report_irregular(file, *irregular, reporter);
+    if (const auto* syntax_error = std::get_if<SyntaxErrorKind>(&rule.check))
+        report_syntax_error(file, *syntax_error, reporter);
     if (const auto* check = std::get_if<FileCheck>(&rule.check)) (*check)(file, reporter);
 }
 

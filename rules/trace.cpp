@@ -8,10 +8,10 @@
 namespace maclint::rules {
 namespace {
 
-void add_way(std::vector<Remark>& remarks, const ProgramAnalysis& analysis, flow::NodeId from,
-             flow::NodeId to) {
+void add_path(std::vector<RelatedLocation>& related, const ProgramAnalysis& analysis, flow::NodeId from,
+              flow::NodeId to) {
     if (from == to) return;
-    for (Remark& step : way_between(analysis, from, to)) remarks.push_back(std::move(step));
+    for (RelatedLocation& step : path_between(analysis, from, to)) related.push_back(std::move(step));
 }
 
 } // namespace
@@ -24,30 +24,30 @@ flow::NodeId node_of(const ProgramAnalysis& analysis, dataflow::OriginId origin)
 
 void trace(Finding& finding, const ProgramAnalysis& analysis, dataflow::OriginId origin, std::string begins,
            flow::NodeId node, std::string ends) {
-    trace(finding, analysis, node_of(analysis, origin), remark_at(analysis, origin, std::move(begins)), node,
+    trace(finding, analysis, node_of(analysis, origin), related_at(analysis, origin, std::move(begins)), node,
           std::move(ends));
 }
 
-void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, Remark begins,
+void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, RelatedLocation begins,
            flow::NodeId node, std::string ends) {
     finding.path.push_back(std::move(begins));
-    add_way(finding.path, analysis, from, node);
+    add_path(finding.path, analysis, from, node);
     finding.path.push_back({finding.file, finding.span, std::move(ends)});
 }
 
 void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId node, std::string ends) {
-    add_way(finding.path, analysis, 0, node);
+    add_path(finding.path, analysis, 0, node);
     finding.path.push_back({finding.file, finding.span, std::move(ends)});
 }
 
-void tell_way_on(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId node) {
-    add_way(finding.related, analysis, from, node);
+void report_path_on(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId node) {
+    add_path(finding.related, analysis, from, node);
 }
 
 void trace_round(Finding& finding, const ProgramAnalysis& analysis, const dataflow::Loop& loop,
                  std::string ends) {
-    add_way(finding.path, analysis, 0, loop.head);
-    add_way(finding.path, analysis, loop.head, loop.latch);
+    add_path(finding.path, analysis, 0, loop.head);
+    add_path(finding.path, analysis, loop.head, loop.latch);
     const flow::Node& latch = analysis.graph().nodes[loop.latch];
     finding.path.push_back({finding.file, latch.part, "the loop goes back to its head here"});
     finding.path.push_back({finding.file, finding.span, std::move(ends)});

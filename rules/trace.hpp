@@ -18,14 +18,14 @@ void trace(Finding& finding, const ProgramAnalysis& analysis, dataflow::OriginId
            flow::NodeId node, std::string ends);
 
 /// The same from a place in the node `from`.
-void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, Remark begins,
+void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, RelatedLocation begins,
            flow::NodeId node, std::string ends);
 
 /// The same from the program's start, where nothing happens.
 void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId node, std::string ends);
 
 /// What happens on the way from the finding's place in `from` to `node`, as related places.
-void tell_way_on(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId node);
+void report_path_on(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId node);
 
 /// One round of a loop: from the finding's place in `node` back to it.
 void trace_round(Finding& finding, const ProgramAnalysis& analysis, const dataflow::Loop& loop,

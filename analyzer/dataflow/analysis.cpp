@@ -2,7 +2,7 @@
 #include "analyzer/dataflow/analysis.hpp"
 
 #include "analyzer/dataflow/transfer.hpp"
-#include "analyzer/dataflow/waiting.hpp"
+#include "analyzer/dataflow/worklist.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -75,7 +75,7 @@ void Facts::hand_over(Facts& to) {
     hand_over_list(reads, to.reads);
     hand_over_list(modal_reads, to.modal_reads);
     hand_over_list(stores, to.stores);
-    hand_over_list(disturbances, to.disturbances);
+    hand_over_list(clobbers, to.clobbers);
     hand_over_list(calls, to.calls);
     hand_over_list(modal_writes, to.modal_writes);
     hand_over_list(computed_jumps, to.computed_jumps);
@@ -131,7 +131,7 @@ class Solver {
     }
 
     void solve() {
-        Waiting waiting(graph_.nodes.size());
+        Worklist waiting(graph_.nodes.size());
         const auto add = [&](flow::NodeId node) { waiting.add(node); };
         add(0);
         while (const auto node = waiting.take()) {
@@ -247,17 +247,17 @@ class Solver {
         summary.written_for_callers = written_for_callers();
         if (!left.reached) return;
         for (std::size_t space = 0; space < most_spaces; ++space)
-            if (states_.pool().forgotten(left.forgotten).by_space[space] != 0)
-                summary.forgotten.push_back(static_cast<SpaceId>(space));
+            if (states_.table().havoc(left.havoc).by_space[space] != 0)
+                summary.havoc.push_back(static_cast<SpaceId>(space));
         states_.trees().for_each(left.root, [&](Key key, std::uint32_t id) {
-            if (is_place_key(key)) {
-                const Value& value = states_.pool().values[id];
-                const Symbol& symbol = states_.pool().symbols[value.symbol];
+            if (is_variable_key(key)) {
+                const Value& value = states_.table().values[id];
+                const Symbol& symbol = states_.table().symbols[value.symbol];
                 if (symbol.kind == Symbol::Kind::entry && symbol.a == key) return;
-                summary.places.push_back(
-                    {place_of(key), value.vacancy, value.low, value.high, value.integer, value.exactness});
+                summary.variables.push_back(
+                    {variable_of(key), value.vacancy, value.low, value.high, value.integer, value.exactness});
             } else if (is_group_key(key)) {
-                summary.groups.push_back(describe(static_cast<GroupId>(key), states_.pool().modals[id]));
+                summary.groups.push_back(describe(static_cast<GroupId>(key), states_.table().modals[id]));
             }
         });
     }
@@ -267,13 +267,13 @@ class Solver {
         const auto& spaces = program_.control->spaces;
         std::vector<std::string> written;
         if (std::ranges::none_of(spaces, &VariableSpace::handed_down)) return written;
-        const auto add = [&](Place place) {
-            const VariableSpace& space = spaces[place.space];
-            if (space.handed_down && !space.written_once) written.push_back(program_.spell(place));
+        const auto add = [&](Variable variable) {
+            const VariableSpace& space = spaces[variable.space];
+            if (space.handed_down && !space.written_once) written.push_back(program_.spell(variable));
         };
-        for (const Store& store : facts_.stores) add(store.place);
-        for (const Disturbance& disturbance : facts_.disturbances)
-            if (disturbance.place) add(*disturbance.place);
+        for (const Store& store : facts_.stores) add(store.variable);
+        for (const Clobber& clobber : facts_.clobbers)
+            if (clobber.variable) add(*clobber.variable);
         for (const CallMade& call : facts_.calls) {
             const auto& below = callees_(call.effect).written_for_callers;
             if (!below) return std::nullopt;
@@ -316,9 +316,9 @@ class Solver {
     [[nodiscard]] GroupChange describe(GroupId group, const ModalValue& value) const {
         GroupChange change{group, false, {}, value.unknown};
         for (const ModalPart& part : value.parts) {
-            if (states_.pool().entry_group_of(part.symbol) == group)
+            if (states_.table().entry_group_of(part.symbol) == group)
                 change.may_keep = true;
-            else if (const auto code = states_.pool().number_of(part.symbol))
+            else if (const auto code = states_.table().number_of(part.symbol))
                 change.codes.push_back(*code);
             else
                 change.other = true;
@@ -358,11 +358,11 @@ Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowle
     lists.release();
 }
 
-std::optional<flow::EdgeId> Analysis::first_impossible(std::span<const flow::EdgeId> way) const {
+std::optional<flow::EdgeId> Analysis::first_impossible(std::span<const flow::EdgeId> path) const {
     States states(*program_, knowledge_); // of its own: rules ask on several threads
     Transfer transfer(*program_, *graph_, states, callees_);
     State state = states.at_entry();
-    for (const flow::EdgeId id : way) {
+    for (const flow::EdgeId id : path) {
         const flow::Edge& edge = graph_->edges[id];
         state = transfer.along(edge, transfer.run(edge.from, state));
         if (!state.reached) return id;
@@ -375,10 +375,10 @@ Analysis& Analysis::operator=(Analysis&&) noexcept = default;
 Analysis::~Analysis() = default;
 
 Entry Analysis::entry() const { return states_->entry(); }
-const Pool& Analysis::pool() const { return states_->pool(); }
+const ValueTable& Analysis::table() const { return states_->table(); }
 const ModalValue& Analysis::modal(const State& state, GroupId group) const {
     return states_->read(state, group);
 }
-bool Analysis::is_vacant_at_entry(Place place) const { return states_->is_vacant_at_entry(place); }
+bool Analysis::is_vacant_at_entry(Variable variable) const { return states_->is_vacant_at_entry(variable); }
 
 } // namespace maclint::dataflow

@@ -26,14 +26,14 @@ class Analysis {
     /// Whether the edge can be taken.
     [[nodiscard]] bool passable(flow::EdgeId edge) const { return passable_[edge]; }
     /// The first edge of a way from the program's start that cannot be taken by who came this way.
-    [[nodiscard]] std::optional<flow::EdgeId> first_impossible(std::span<const flow::EdgeId> way) const;
+    [[nodiscard]] std::optional<flow::EdgeId> first_impossible(std::span<const flow::EdgeId> path) const;
 
-    [[nodiscard]] const Pool& pool() const;
-    [[nodiscard]] const Origin& origin(OriginId id) const { return pool().origins[id]; }
+    [[nodiscard]] const ValueTable& table() const;
+    [[nodiscard]] const Origin& origin(OriginId id) const { return table().origins[id]; }
     /// What a group can be in a state of facts().
     [[nodiscard]] const ModalValue& modal(const State& state, GroupId group) const;
     /// Whether nothing can have set the variable when the program begins.
-    [[nodiscard]] bool is_vacant_at_entry(Place place) const;
+    [[nodiscard]] bool is_vacant_at_entry(Variable variable) const;
 
   private:
     friend class Solver;

@@ -73,7 +73,7 @@ Range range_of(Operation operation, std::span<const Value> v) {
 struct Semantics {
     Operation operation;
     enum class Whole : std::uint8_t { never, if_operands, always } whole;
-    enum class Rounds : std::uint8_t { never, unless_whole, always, by_divisor, forgets } rounds;
+    enum class Rounds : std::uint8_t { never, unless_whole, always, by_divisor, havocs } rounds;
 };
 
 using W = Semantics::Whole;
@@ -89,15 +89,15 @@ constexpr auto semantics = std::to_array<Semantics>({
     {Operation::power, W::if_operands, R::unless_whole},
     {Operation::negate, W::if_operands, R::never},
     {Operation::absolute, W::if_operands, R::never},
-    {Operation::bit_and, W::always, R::forgets},
-    {Operation::bit_or, W::always, R::forgets},
-    {Operation::bit_xor, W::always, R::forgets},
-    {Operation::bit_not, W::always, R::forgets},
-    {Operation::round, W::always, R::forgets},
-    {Operation::truncate, W::always, R::forgets},
-    {Operation::round_up, W::always, R::forgets},
-    {Operation::to_binary, W::always, R::forgets},
-    {Operation::to_decimal_code, W::always, R::forgets},
+    {Operation::bit_and, W::always, R::havocs},
+    {Operation::bit_or, W::always, R::havocs},
+    {Operation::bit_xor, W::always, R::havocs},
+    {Operation::bit_not, W::always, R::havocs},
+    {Operation::round, W::always, R::havocs},
+    {Operation::truncate, W::always, R::havocs},
+    {Operation::round_up, W::always, R::havocs},
+    {Operation::to_binary, W::always, R::havocs},
+    {Operation::to_decimal_code, W::always, R::havocs},
     {Operation::add_point, W::never, R::never},
     {Operation::sine, W::never, R::always},
     {Operation::cosine, W::never, R::always},
@@ -136,10 +136,10 @@ bool keeps_zero(Operation operation) {
     }
 }
 
-OriginId doubt_of(std::span<const Value> v) {
-    const auto doubtful =
-        std::ranges::find_if(v, [](const Value& value) { return value.doubt != 0 && value.can_be(0); });
-    return doubtful == v.end() ? 0 : doubtful->doubt;
+OriginId vacancy_origin_of(std::span<const Value> v) {
+    const auto doubtful = std::ranges::find_if(
+        v, [](const Value& value) { return value.vacancy_origin != 0 && value.can_be(0); });
+    return doubtful == v.end() ? 0 : doubtful->vacancy_origin;
 }
 
 bool all_whole(std::span<const Value> v) {
@@ -184,7 +184,7 @@ Exactness exactness_of(R rounds, std::span<const Value> v) {
     case R::unless_whole: return sum_or_product(v);
     case R::always: return Exactness::rounded;
     case R::by_divisor: return division(v);
-    case R::forgets: return Exactness::exact;
+    case R::havocs: return Exactness::exact;
     }
     return Exactness::unknown;
 }
@@ -212,7 +212,7 @@ Symbol symbol_of(Operation operation, std::span<const Value> v, const Origin& he
 
 } // namespace
 
-Value compute(Pool& pool, Operation operation, std::span<const Value> operands, const Origin& here) {
+Value compute(ValueTable& table, Operation operation, std::span<const Value> operands, const Origin& here) {
     Value result;
     result.vacancy = Vacancy::set; // arithmetic takes vacant for 0 [MITSU-326]
     const Semantics* row = find_semantics(operation);
@@ -225,17 +225,17 @@ Value compute(Pool& pool, Operation operation, std::span<const Value> operands, 
         if (result.exactness == Exactness::rounded) {
             const auto rounded = std::ranges::find(operands, Exactness::rounded, &Value::exactness);
             result.rounding = rounded != operands.end() && row->rounds != R::always ? rounded->rounding
-                                                                                    : pool.origins(here);
+                                                                                    : table.origins(here);
         }
     }
     if (result.low == result.high && std::isfinite(result.low) && std::floor(result.low) == result.low &&
         result.exactness == Exactness::exact) {
-        return number_value(pool, result.low);
+        return number_value(table, result.low);
     }
-    if (keeps_zero(operation)) result.doubt = doubt_of(operands);
+    if (keeps_zero(operation)) result.vacancy_origin = vacancy_origin_of(operands);
     if (operation == Operation::negate || operation == Operation::absolute)
         result.nonzero = !operands[0].can_be(0);
-    result.symbol = pool.symbols(symbol_of(operation, operands, here));
+    result.symbol = table.symbols(symbol_of(operation, operands, here));
     return result;
 }
 

@@ -14,7 +14,7 @@ struct Truth {
 };
 
 /// The result of an operator or function. `here` is the expression, for values that are rounded by it.
-[[nodiscard]] Value compute(Pool& pool, Operation operation, std::span<const Value> operands,
+[[nodiscard]] Value compute(ValueTable& table, Operation operation, std::span<const Value> operands,
                             const Origin& here);
 
 /// The outcome of a comparison or vacancy test; `vacant_equals_zero` is the control's.

@@ -88,7 +88,7 @@ void collect(const Program& program, ExpressionId id, ReadSet& set) {
                    [](const Literal&) {},
                    [](const Text&) {},
                    [](const Vacant&) {},
-                   [&](const Load& load) { set.places.push_back(load.place); },
+                   [&](const Load& load) { set.variables.push_back(load.variable); },
                    [&](const Apply& apply) {
                        if (apply.operation == Operation::unknown) set.closed = false;
                        for (const ExpressionId operand : program.operands_of(apply))
@@ -156,13 +156,13 @@ bool exhausted(const Program& program, const std::vector<Atom>& atoms, Expressio
 
 } // namespace
 
-std::optional<Place> plain_place(const Program& program, ExpressionId expression) {
+std::optional<Variable> plain_variable(const Program& program, ExpressionId expression) {
     const auto* load = std::get_if<Load>(&program.expressions[expression].node);
-    return load == nullptr ? std::nullopt : std::optional(load->place);
+    return load == nullptr ? std::nullopt : std::optional(load->variable);
 }
 
-bool may_hold_vacant(const Program& program, Place place) {
-    return program.control->spaces[place.space].unset != Unset::undefined;
+bool may_hold_vacant(const Program& program, Variable variable) {
+    return program.control->spaces[variable.space].initial_value != InitialValue::undefined;
 }
 
 bool same_expression(const Program& program, ExpressionId a, ExpressionId b) {
@@ -176,7 +176,7 @@ bool same_expression(const Program& program, ExpressionId a, ExpressionId b) {
                           [&](const Vacant&) { return std::holds_alternative<Vacant>(other); },
                           [&](const Load& x) {
                               const auto* y = std::get_if<Load>(&other);
-                              return y != nullptr && x.place == y->place;
+                              return y != nullptr && x.variable == y->variable;
                           },
                           [&](const LoadAt& x) {
                               const auto* y = std::get_if<LoadAt>(&other);
@@ -205,11 +205,11 @@ bool same_expression(const Program& program, ExpressionId a, ExpressionId b) {
 }
 
 bool asks_for_vacancy(const Program& program, const Facts& facts, flow::NodeId first, flow::NodeId last,
-                      Place place) {
+                      Variable variable) {
     const auto& all = facts.comparisons;
     for (auto test = std::ranges::lower_bound(all, first, {}, &Comparison::node);
          test != all.end() && test->node <= last; ++test)
-        if (is_vacancy_test(test->operation) && plain_place(program, test->left_expression) == place)
+        if (is_vacancy_test(test->operation) && plain_variable(program, test->left_expression) == variable)
             return true;
     return false;
 }

@@ -9,18 +9,18 @@
 namespace maclint::dataflow {
 
 /// The variable that the expression is, and nothing else.
-[[nodiscard]] std::optional<Place> plain_place(const Program& program, ExpressionId expression);
+[[nodiscard]] std::optional<Variable> plain_variable(const Program& program, ExpressionId expression);
 
 /// The variables that an expression reads.
 struct ReadSet {
-    std::vector<Place> places;
-    bool closed; ///< nothing but `places` and constants decides the value
+    std::vector<Variable> variables;
+    bool closed; ///< nothing but `variables` and constants decides the value
 };
 [[nodiscard]] ReadSet variables_of(const Program& program, ExpressionId expression);
 
 /// Whether vacant is a value that the variable can be given and asked for; otherwise a variable that nothing
 /// has set is undefined.
-[[nodiscard]] bool may_hold_vacant(const Program& program, Place place);
+[[nodiscard]] bool may_hold_vacant(const Program& program, Variable variable);
 
 /// Whether the two say the same, brackets aside.
 [[nodiscard]] bool same_expression(const Program& program, ExpressionId a, ExpressionId b);
@@ -30,7 +30,7 @@ struct ReadSet {
 
 /// Whether one of the nodes from `first` to `last` tests the variable for vacancy.
 [[nodiscard]] bool asks_for_vacancy(const Program& program, const Facts& facts, flow::NodeId first,
-                                    flow::NodeId last, Place place);
+                                    flow::NodeId last, Variable variable);
 
 /// How a condition turned out on a way.
 struct Decision {

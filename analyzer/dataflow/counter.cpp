@@ -11,31 +11,33 @@ namespace maclint::dataflow {
 
 LoopChanges::LoopChanges(const Loop& loop, const Facts& facts) {
     for_each_in_body(loop, facts.stores,
-                     [&](const Store& store) { assigned_.push_back(key_of(store.place)); });
-    for_each_in_body(loop, facts.disturbances, [&](const Disturbance& disturbance) {
-        if (disturbance.place)
-            disturbed_.push_back(key_of(*disturbance.place));
-        else if (std::ranges::find(spaces_, disturbance.space) == spaces_.end())
-            spaces_.push_back(disturbance.space);
+                     [&](const Store& store) { assigned_.push_back(key_of(store.variable)); });
+    for_each_in_body(loop, facts.clobbers, [&](const Clobber& clobber) {
+        if (clobber.variable)
+            clobbered_.push_back(key_of(*clobber.variable));
+        else if (std::ranges::find(spaces_, clobber.space) == spaces_.end())
+            spaces_.push_back(clobber.space);
     });
     std::ranges::sort(assigned_);
-    std::ranges::sort(disturbed_);
+    std::ranges::sort(clobbered_);
 }
 
-bool LoopChanges::assigned(Place place) const { return std::ranges::binary_search(assigned_, key_of(place)); }
+bool LoopChanges::assigned(Variable variable) const {
+    return std::ranges::binary_search(assigned_, key_of(variable));
+}
 
-bool LoopChanges::disturbed(Place place) const {
-    return std::ranges::find(spaces_, place.space) != spaces_.end() ||
-           std::ranges::binary_search(disturbed_, key_of(place));
+bool LoopChanges::clobbered(Variable variable) const {
+    return std::ranges::find(spaces_, variable.space) != spaces_.end() ||
+           std::ranges::binary_search(clobbered_, key_of(variable));
 }
 
 namespace {
 
 /// The assignments in the loop's body that change the variable.
-std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Place place) {
+std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Variable variable) {
     std::vector<const Store*> stores;
     for_each_in_body(loop, facts.stores, [&](const Store& store) {
-        if (store.place == place) stores.push_back(&store);
+        if (store.variable == variable) stores.push_back(&store);
     });
     return stores;
 }
@@ -50,12 +52,12 @@ class CounterSearch {
         , loop_(loop) {}
 
     std::optional<Counter> run() {
-        for (const flow::EdgeId id : loop_.ways_out) {
+        for (const flow::EdgeId id : loop_.exit_edges) {
             const flow::Edge& edge = graph_.edges[id];
             if (!edge.condition || !add_test(edge)) return std::nullopt;
         }
-        if (!counter_ || loop_.changes.disturbed(counter_->place)) return std::nullopt;
-        for (const Store* store : stores_in(loop_, facts_, counter_->place)) {
+        if (!counter_ || loop_.changes.clobbered(counter_->variable)) return std::nullopt;
+        for (const Store* store : stores_in(loop_, facts_, counter_->variable)) {
             if (store->step)
                 counter_->steps.push_back(store);
             else if (is_clamp(*store))
@@ -69,12 +71,13 @@ class CounterSearch {
   private:
     [[nodiscard]] bool is_fixed(ExpressionId expression) const {
         const ReadSet set = variables_of(program_, expression);
-        return set.closed && std::ranges::none_of(
-                                 set.places, [this](Place place) { return loop_.changes.may_change(place); });
+        return set.closed && std::ranges::none_of(set.variables, [this](Variable variable) {
+                   return loop_.changes.may_change(variable);
+               });
     }
 
     /// A side that is the variable, or minus the variable.
-    [[nodiscard]] std::optional<std::pair<Place, bool>> side(ExpressionId id) const {
+    [[nodiscard]] std::optional<std::pair<Variable, bool>> side(ExpressionId id) const {
         bool negated = false;
         const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
         if (apply != nullptr && apply->operation == Operation::negate) {
@@ -82,8 +85,8 @@ class CounterSearch {
             id = program_.operands_of(*apply).front();
         }
         const auto* load = std::get_if<Load>(&program_.expressions[id].node);
-        if (load == nullptr || !loop_.changes.may_change(load->place)) return std::nullopt;
-        return std::pair(load->place, negated);
+        if (load == nullptr || !loop_.changes.may_change(load->variable)) return std::nullopt;
+        return std::pair(load->variable, negated);
     }
 
     bool add_test(const flow::Edge& edge) {
@@ -107,7 +110,7 @@ class CounterSearch {
         if (!variable || !is_fixed(bound)) return false;
         if (variable->second) stays = mirrored(stays);
         if (!counter_) counter_ = Counter{variable->first, {}, {}, {}};
-        if (!(counter_->place == variable->first)) return false;
+        if (!(counter_->variable == variable->first)) return false;
         counter_->tests.push_back({&*found, stays, bound, bound_value});
         return true;
     }
@@ -118,7 +121,7 @@ class CounterSearch {
             const auto& condition = graph_.edges[id].condition;
             if (!condition) return false;
             const ReadSet set = variables_of(program_, *condition);
-            return std::ranges::find(set.places, store.place) != set.places.end();
+            return std::ranges::find(set.variables, store.variable) != set.variables.end();
         };
         return !graph_.in[store.node].empty() && std::ranges::all_of(graph_.in[store.node], guarded);
     }

@@ -15,13 +15,15 @@ class LoopChanges {
   public:
     LoopChanges() = default;
     LoopChanges(const Loop& loop, const Facts& facts);
-    [[nodiscard]] bool may_change(Place place) const { return assigned(place) || disturbed(place); }
+    [[nodiscard]] bool may_change(Variable variable) const {
+        return assigned(variable) || clobbered(variable);
+    }
     /// By something that is no assignment: a call, a store through an index.
-    [[nodiscard]] bool disturbed(Place place) const;
+    [[nodiscard]] bool clobbered(Variable variable) const;
 
   private:
-    [[nodiscard]] bool assigned(Place place) const;
-    std::vector<Key> assigned_, disturbed_; ///< sorted
+    [[nodiscard]] bool assigned(Variable variable) const;
+    std::vector<Key> assigned_, clobbered_; ///< sorted
     std::vector<SpaceId> spaces_;           ///< of which anything may change
 };
 
@@ -35,7 +37,7 @@ struct CounterTest {
 
 /// A variable that alone decides when a loop ends.
 struct Counter {
-    Place place;
+    Variable variable;
     std::vector<CounterTest> tests;   ///< one for every way out, at least one
     std::vector<const Store*> steps;  ///< v = v + amount, at least one
     std::vector<const Store*> clamps; ///< other assignments, each guarded by a condition on the variable

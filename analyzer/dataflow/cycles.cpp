@@ -8,15 +8,15 @@ bool leads_back(const flow::Graph& graph, const Analysis& analysis, flow::EdgeId
     return graph.order[e.to] <= graph.order[e.from] && analysis.passable(edge);
 }
 
-flow::Arrows arrows_along(const flow::Graph& graph, const Analysis& analysis) {
-    flow::Arrows arrows;
-    arrows.reserve(graph.nodes.size(), graph.edges.size());
+flow::Adjacency adjacency_along(const flow::Graph& graph, const Analysis& analysis) {
+    flow::Adjacency adjacency;
+    adjacency.reserve(graph.nodes.size(), graph.edges.size());
     for (flow::NodeId node = 0; node < graph.nodes.size(); ++node) {
         for (const flow::EdgeId id : graph.out[node])
-            if (analysis.passable(id)) arrows.add(graph.edges[id].to);
-        arrows.end_list();
+            if (analysis.passable(id)) adjacency.add(graph.edges[id].to);
+        adjacency.end_list();
     }
-    return arrows;
+    return adjacency;
 }
 
 std::optional<Cycles> find_cycles(const flow::Graph& graph, const Analysis& analysis) {
@@ -24,8 +24,8 @@ std::optional<Cycles> find_cycles(const flow::Graph& graph, const Analysis& anal
     for (flow::EdgeId edge = 0; edge < graph.edges.size() && !any; ++edge)
         any = leads_back(graph, analysis, edge);
     if (!any) return std::nullopt;
-    Cycles cycles{arrows_along(graph, analysis), {}};
-    cycles.components = flow::find_components(cycles.arrows);
+    Cycles cycles{adjacency_along(graph, analysis), {}};
+    cycles.components = flow::find_components(cycles.adjacency);
     return cycles;
 }
 

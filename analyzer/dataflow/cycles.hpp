@@ -10,12 +10,12 @@ namespace maclint::dataflow {
 
 /// The part of the flow graph that can be run, and which of its nodes can reach each other.
 struct Cycles {
-    flow::Arrows arrows;
+    flow::Adjacency adjacency;
     flow::Components components;
 };
 
 /// For each node where the edges lead that can be taken.
-[[nodiscard]] flow::Arrows arrows_along(const flow::Graph& graph, const Analysis& analysis);
+[[nodiscard]] flow::Adjacency adjacency_along(const flow::Graph& graph, const Analysis& analysis);
 
 /// Whether the edge can be taken and leads to its own node or one before it.
 [[nodiscard]] bool leads_back(const flow::Graph& graph, const Analysis& analysis, flow::EdgeId edge);

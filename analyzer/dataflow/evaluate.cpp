@@ -12,20 +12,20 @@ namespace maclint::dataflow {
 
 Value Transfer::opaque(ExpressionId id) {
     Value value;
-    value.symbol = states_.pool().symbols({Symbol::Kind::opaque, id, 0, node_});
+    value.symbol = states_.table().symbols({Symbol::Kind::opaque, id, 0, node_});
     return value;
 }
 
 /// The value of a literal.
 Value Transfer::number(ExpressionId id, double number) {
     SymbolId& known = constants_[id];
-    if (known == 0) known = states_.pool().constant(number);
+    if (known == 0) known = states_.table().constant(number);
     return number_value(known, number);
 }
 
-Value Transfer::record_read(const State& state, Place place, ExpressionId id, Use use) {
-    const Value value = states_.read(state, place);
-    if (facts_ != nullptr) facts_->reads.push_back({node_, effect_, id, place, value, use});
+Value Transfer::record_read(const State& state, Variable variable, ExpressionId id, Use use) {
+    const Value value = states_.read(state, variable);
+    if (facts_ != nullptr) facts_->reads.push_back({node_, effect_, id, variable, value, use});
     return value;
 }
 
@@ -39,11 +39,11 @@ Value Transfer::load_modal(const State& state, GroupId group, ExpressionId id) {
     bool one = !modal.unknown && !modal.parts.empty();
     for (const ModalPart& part : modal.parts) one &= part.symbol == modal.parts.front().symbol;
     if (!one) return value;
-    if (const auto code = states_.pool().number_of(modal.parts.front().symbol))
-        return number_value(states_.pool(), *code);
+    if (const auto code = states_.table().number_of(modal.parts.front().symbol))
+        return number_value(states_.table(), *code);
     value.symbol = modal.parts.front().symbol;
     if (const auto code = states_.entry_code(state, group);
-        code && states_.pool().entry_group_of(value.symbol)) {
+        code && states_.table().entry_group_of(value.symbol)) {
         value.low = value.high = *code;
     }
     return value;
@@ -56,8 +56,8 @@ Value Transfer::load_at(const State& state, FamilyId family, const Value& index,
     const VariableRange* range = program_.control->families[family].find(rounded);
     if (range == nullptr) return opaque(id);
     switch (range->meaning) {
-    case Meaning::null: return vacant_value(states_.pool(), 0);
-    case Meaning::place:
+    case Meaning::null: return vacant_value(states_.table(), 0);
+    case Meaning::variable:
         return record_read(state, {range->space, static_cast<std::int32_t>(rounded)}, id, use);
     case Meaning::modal: return load_modal(state, range->group, id);
     default: return opaque(id);
@@ -66,8 +66,8 @@ Value Transfer::load_at(const State& state, FamilyId family, const Value& index,
 
 /// #[#31+10] with a vacant #31 is #10 only by a mistake that is told at #31.
 bool Transfer::rests_on_vacant(const State& state, ExpressionId index) {
-    return std::ranges::any_of(variables_of(program_, index).places, [&](Place place) {
-        const Vacancy vacancy = states_.read(state, place).vacancy;
+    return std::ranges::any_of(variables_of(program_, index).variables, [&](Variable variable) {
+        const Vacancy vacancy = states_.read(state, variable).vacancy;
         return vacancy == Vacancy::vacant || vacancy == Vacancy::maybe;
     });
 }
@@ -77,8 +77,8 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
     return std::visit(
         overloaded{
             [&](const Literal& literal) { return number(id, literal.value); },
-            [&](const Vacant&) { return vacant_value(states_.pool(), 0); },
-            [&](const Load& load) { return record_read(state, load.place, id, use); },
+            [&](const Vacant&) { return vacant_value(states_.table(), 0); },
+            [&](const Load& load) { return record_read(state, load.variable, id, use); },
             [&](const LoadAt& load) {
                 const Value index = evaluate(state, load.index, Use::index);
                 if (rests_on_vacant(state, load.index)) return opaque(id);
@@ -109,7 +109,7 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
                 }
                 for (std::size_t i = 0; i < operands.size(); ++i)
                     values[i] = evaluate(state, operands[i], Use::arithmetic);
-                return compute(states_.pool(), apply.operation, std::span(values).first(operands.size()),
+                return compute(states_.table(), apply.operation, std::span(values).first(operands.size()),
                                {Origin::Kind::expression, id, node_});
             },
             [&](const auto&) { return opaque(id); },
@@ -119,10 +119,10 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
 
 /// AND (`all`) or OR of conditions. Whether they can all hold, or all fail, is asked one behind the other:
 /// of #1LT8 OR #1GT6 the second holds where the first fails.
-Truth Transfer::judge_chain(const State& state, std::span<const ExpressionId> operands, bool all) {
+Truth Transfer::evaluate_chain(const State& state, std::span<const ExpressionId> operands, bool all) {
     Truth apart{all, !all};
     for (const ExpressionId operand : operands) {
-        const Truth part = judge(state, operand);
+        const Truth part = evaluate_condition(state, operand);
         apart.can_hold = all ? apart.can_hold && part.can_hold : apart.can_hold || part.can_hold;
         apart.can_fail = all ? apart.can_fail || part.can_fail : apart.can_fail && part.can_fail;
     }
@@ -130,7 +130,7 @@ Truth Transfer::judge_chain(const State& state, std::span<const ExpressionId> op
     Facts* const facts = std::exchange(facts_, nullptr); // what is read is recorded already
     State agreed = state;
     for (const ExpressionId operand : operands) {
-        const Truth part = judge(agreed, operand);
+        const Truth part = evaluate_condition(agreed, operand);
         if (!(all ? part.can_hold : part.can_fail)) agreed.reached = false;
         if (agreed.reached) refine(agreed, operand, all);
         if (!agreed.reached) break;
@@ -141,7 +141,7 @@ Truth Transfer::judge_chain(const State& state, std::span<const ExpressionId> op
     return apart;
 }
 
-Truth Transfer::judge(const State& state, ExpressionId id) {
+Truth Transfer::evaluate_condition(const State& state, ExpressionId id) {
     const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
     if (apply == nullptr) {
         (void)evaluate(state, id, Use::comparison);
@@ -149,10 +149,10 @@ Truth Transfer::judge(const State& state, ExpressionId id) {
     }
     const auto operands = program_.operands_of(*apply);
     switch (apply->operation) {
-    case Operation::all_of: return judge_chain(state, operands, true);
-    case Operation::any_of: return judge_chain(state, operands, false);
+    case Operation::all_of: return evaluate_chain(state, operands, true);
+    case Operation::any_of: return evaluate_chain(state, operands, false);
     case Operation::not_of: {
-        const Truth truth = judge(state, operands.front());
+        const Truth truth = evaluate_condition(state, operands.front());
         return {truth.can_fail, truth.can_hold};
     }
     case Operation::is_vacant:
@@ -194,7 +194,7 @@ void Transfer::refine(State& state, ExpressionId id, bool holds) {
     const Operation operation = holds ? apply->operation : opposite(apply->operation);
     if (operation == Operation::is_vacant || operation == Operation::is_set) {
         const auto* load = std::get_if<Load>(&program_.expressions[operands.front()].node);
-        if (load != nullptr) refine_place(state, load->place, operation, {});
+        if (load != nullptr) refine_variable(state, load->variable, operation, {});
     } else if (is_comparison(operation) && operands.size() == 2) {
         if (!compared_ || compared_->expression != id)
             compared_ = {id, evaluate(state, operands[0], Use::comparison),
@@ -213,20 +213,20 @@ void Transfer::refine_side(State& state, ExpressionId side, const Value& value, 
         refine_entry_code(state, value, operation, other);
     } else if (const auto* load = std::get_if<Load>(&expression.node)) {
         refine_entry_code(state, value, operation, other);
-        refine_place(state, load->place, operation, other);
+        refine_variable(state, load->variable, operation, other);
     } else if (const auto* apply = std::get_if<Apply>(&expression.node);
                apply != nullptr && apply->operation == Operation::negate) {
         const auto* negated =
             std::get_if<Load>(&program_.expressions[program_.operands_of(*apply).front()].node);
         if (negated == nullptr || operation == Operation::equal) return;
-        other = compute(states_.pool(), Operation::negate, std::span(&other, 1),
+        other = compute(states_.table(), Operation::negate, std::span(&other, 1),
                         {Origin::Kind::expression, side, node_});
-        refine_place(state, negated->place, mirrored(operation), other);
+        refine_variable(state, negated->variable, mirrored(operation), other);
     }
 }
 
 void Transfer::refine_entry_code(State& state, const Value& value, Operation operation, const Value& other) {
-    const auto group = states_.pool().entry_group_of(value.symbol);
+    const auto group = states_.table().entry_group_of(value.symbol);
     const auto code = other.constant();
     if (!group || !code) return;
     if (operation == Operation::equal) know_entry_code(state, *group, *code);
@@ -241,8 +241,8 @@ void Transfer::know_entry_code(State& state, GroupId group, double code) {
     states_.know_entry_code(state, group, code);
     ModalValue value = states_.read(state, group);
     for (ModalPart& part : value.parts)
-        if (states_.pool().number_of(part.symbol) == code)
-            part.symbol = states_.pool().symbols({Symbol::Kind::entry_group, group, 0, 0});
+        if (states_.table().number_of(part.symbol) == code)
+            part.symbol = states_.table().symbols({Symbol::Kind::entry_group, group, 0, 0});
     std::ranges::sort(value.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
     states_.write(state, group, std::move(value));
 }
@@ -289,13 +289,13 @@ bool Transfer::excludes(const Value& value, const Value& other) const {
     return other.vacancy == Vacancy::set && (value.vacancy == Vacancy::set || other.low != 0);
 }
 
-void Transfer::refine_place(State& state, Place place, Operation operation, const Value& other) {
-    Value value = states_.read(state, place);
+void Transfer::refine_variable(State& state, Variable variable, Operation operation, const Value& other) {
+    Value value = states_.read(state, variable);
     const Value before = value;
     if (operation == Operation::is_vacant) {
         if (value.vacancy == Vacancy::set) return;
         const OriginId origin = value.origin;
-        value = vacant_value(states_.pool(), value.doubt);
+        value = vacant_value(states_.table(), value.vacancy_origin);
         value.origin = origin;
     } else if (operation == Operation::is_set) {
         value.vacancy = Vacancy::set;
@@ -319,14 +319,14 @@ void Transfer::refine_place(State& state, Place place, Operation operation, cons
         }
         if (value.low == value.high && value.vacancy == Vacancy::set && operation == Operation::equal &&
             other.constant()) {
-            value = number_value(states_.pool(), value.low);
+            value = number_value(states_.table(), value.low);
             value.origin = before.origin;
             // A saved copy of the caller's code stays one.
-            if (states_.pool().entry_group_of(before.symbol)) value.symbol = before.symbol;
+            if (states_.table().entry_group_of(before.symbol)) value.symbol = before.symbol;
         }
     }
-    if (value.vacancy == Vacancy::set && before.vacancy != Vacancy::set) value.doubt = 0;
-    if (!(value == before)) states_.write(state, place, value);
+    if (value.vacancy == Vacancy::set && before.vacancy != Vacancy::set) value.vacancy_origin = 0;
+    if (!(value == before)) states_.write(state, variable, value);
 }
 
 } // namespace maclint::dataflow

@@ -37,7 +37,7 @@ struct Read {
     flow::NodeId node;
     EffectId effect;
     ExpressionId expression;
-    Place place;
+    Variable variable;
     Value value;
     Use use;
 };
@@ -60,7 +60,7 @@ struct Step {
 struct Store {
     flow::NodeId node;
     EffectId effect;
-    Place place;
+    Variable variable;
     ExpressionId expression;
     Value value;
     Value old; ///< what the variable held before
@@ -69,11 +69,11 @@ struct Store {
 
 /// Something other than an assignment may have changed variables: a call, an unreadable block, a store
 /// through an index that can be many.
-struct Disturbance {
+struct Clobber {
     flow::NodeId node;
     EffectId effect;
     SpaceId space;
-    std::optional<Place> place; ///< empty: any variable of the space
+    std::optional<Variable> variable; ///< empty: any variable of the space
 };
 
 /// A call that runs a program here.
@@ -120,7 +120,7 @@ struct Facts {
     std::vector<Read> reads;
     std::vector<ModalRead> modal_reads;
     std::vector<Store> stores;
-    std::vector<Disturbance> disturbances;
+    std::vector<Clobber> clobbers;
     std::vector<CallMade> calls;
     std::vector<ModalWrite> modal_writes;
     std::vector<ComputedJump> computed_jumps;

@@ -30,7 +30,7 @@ class Interner {
   public:
     std::uint32_t operator()(const T& thing) {
         if (2 * things_.size() >= slots_.size()) grow();
-        std::uint32_t& slot = slots_[place_of(thing)];
+        std::uint32_t& slot = slots_[slot_of(thing)];
         if (slot == 0) {
             things_.push_back(thing);
             slot = static_cast<std::uint32_t>(things_.size());
@@ -49,19 +49,19 @@ class Interner {
     static constexpr int most_near = 8;
 
     /// The slot that holds the thing, or the free one where it belongs.
-    [[nodiscard]] std::size_t place_of(const T& thing) const {
+    [[nodiscard]] std::size_t slot_of(const T& thing) const {
         const std::size_t mask = slots_.size() - 1;
-        std::size_t place = near(thing) & mask;
+        std::size_t slot = hash_local(thing) & mask;
         for (int i = 0; i < most_near; ++i) {
-            if (is_place_of(thing, place)) return place;
-            place = (place + 1) & mask;
+            if (is_slot_of(thing, slot)) return slot;
+            slot = (slot + 1) & mask;
         }
-        place = far(thing) & mask;
-        while (!is_place_of(thing, place)) place = (place + 1) & mask;
-        return place;
+        slot = hash_mixed(thing) & mask;
+        while (!is_slot_of(thing, slot)) slot = (slot + 1) & mask;
+        return slot;
     }
-    [[nodiscard]] bool is_place_of(const T& thing, std::size_t place) const {
-        return slots_[place] == 0 || things_[slots_[place] - 1] == thing;
+    [[nodiscard]] bool is_slot_of(const T& thing, std::size_t slot) const {
+        return slots_[slot] == 0 || things_[slots_[slot] - 1] == thing;
     }
 
     void grow() {
@@ -69,7 +69,7 @@ class Interner {
         slots_.assign(std::max(fewest, std::bit_ceil(4 * things_.size())), 0);
         things_.reserve(slots_.size() / 2);
         for (std::size_t i = 0; i < things_.size(); ++i)
-            slots_[place_of(things_[i])] = static_cast<std::uint32_t>(i + 1);
+            slots_[slot_of(things_[i])] = static_cast<std::uint32_t>(i + 1);
     }
 
     std::vector<T> things_;

@@ -13,10 +13,10 @@ constexpr std::size_t work_at_least = 20'000;
 
 class LoopSearch {
   public:
-    LoopSearch(const Program& program, const flow::Structures& structures, const flow::Graph& graph,
+    LoopSearch(const Program& program, const flow::Regions& regions, const flow::Graph& graph,
                const Analysis& analysis, const Cycles& cycles)
         : program_(program)
-        , structures_(structures)
+        , regions_(regions)
         , graph_(graph)
         , analysis_(analysis)
         , component_(cycles.components.of)
@@ -85,7 +85,7 @@ class LoopSearch {
         unsigned traits = 0;
         for (const flow::NodeId node : loop.body) {
             for (const flow::EdgeId out : graph_.out[node])
-                if (mark_[target_[out]] != round_) loop.ways_out.push_back(out);
+                if (mark_[target_[out]] != round_) loop.exit_edges.push_back(out);
             traits |= traits_[node];
         }
         loop.can_stop = (traits & may_stop) != 0;
@@ -93,8 +93,7 @@ class LoopSearch {
         if (edge.kind == flow::EdgeKind::back) {
             const Slice effects = graph_.nodes[loop.head].effects;
             for (Id i = effects.first; i < effects.first + effects.count; ++i)
-                if (const auto id = structures_.with(i); id && structures_.all[*id].open == i)
-                    loop.structure = id;
+                if (const auto id = regions_.with(i); id && regions_.all[*id].open == i) loop.region = id;
         }
         return loop;
     }
@@ -137,7 +136,7 @@ class LoopSearch {
     }
 
     const Program& program_;
-    const flow::Structures& structures_;
+    const flow::Regions& regions_;
     const flow::Graph& graph_;
     const Analysis& analysis_;
     const std::vector<std::uint32_t>& component_; ///< of every node
@@ -145,7 +144,7 @@ class LoopSearch {
     // What the search looks at again and again lies close together.
     std::vector<std::uint8_t> traits_; ///< of every node
     std::vector<flow::NodeId> target_; ///< of every edge
-    flow::Lists sources_;              ///< for each node those of its cycle that lead to it
+    flow::SliceTable sources_;         ///< for each node those of its cycle that lead to it
     std::vector<std::uint32_t> mark_;
     std::vector<flow::NodeId> stack_;
     std::uint32_t round_ = 0;
@@ -155,9 +154,9 @@ class LoopSearch {
 
 bool Loop::holds(flow::NodeId node) const { return std::ranges::binary_search(body, node); }
 
-std::vector<Loop> find_loops(const Program& program, const flow::Structures& structures,
-                             const flow::Graph& graph, const Analysis& analysis, const Cycles& cycles) {
-    return LoopSearch(program, structures, graph, analysis, cycles).run();
+std::vector<Loop> find_loops(const Program& program, const flow::Regions& regions, const flow::Graph& graph,
+                             const Analysis& analysis, const Cycles& cycles) {
+    return LoopSearch(program, regions, graph, analysis, cycles).run();
 }
 
 } // namespace maclint::dataflow

@@ -5,7 +5,7 @@
 #include "analyzer/dataflow/analysis.hpp"
 #include "analyzer/dataflow/counter.hpp"
 #include "analyzer/dataflow/cycles.hpp"
-#include "analyzer/flow/structure.hpp"
+#include "analyzer/flow/regions.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -17,9 +17,9 @@ struct Loop {
     flow::NodeId head = 0;  ///< where every round begins
     flow::NodeId latch = 0; ///< the node that leads back to it
     flow::EdgeId back = 0;
-    std::optional<flow::StructureId> structure; ///< WHILE or DO; empty: closed by a jump
-    std::vector<flow::NodeId> body;             ///< sorted, head and latch included
-    std::vector<flow::EdgeId> ways_out; ///< edges that leave the body, also those that are never taken
+    std::optional<flow::RegionId> region; ///< WHILE or DO; empty: closed by a jump
+    std::vector<flow::NodeId> body;       ///< sorted, head and latch included
+    std::vector<flow::EdgeId> exit_edges; ///< edges that leave the body, also those that are never taken
     bool can_stop = false; ///< a return, program end, alarm or pause is inside, or in a program called there
     bool has_unknown_effects = false; ///< a call of an unknown program or an unreadable block is inside
     LoopChanges changes;
@@ -30,16 +30,16 @@ struct Loop {
 
 /// All loops that can be reached, in text order of their heads. A program with so many nested cycles that
 /// listing them would take more than a fixed amount of work gets only the first of them.
-[[nodiscard]] std::vector<Loop> find_loops(const Program& program, const flow::Structures& structures,
+[[nodiscard]] std::vector<Loop> find_loops(const Program& program, const flow::Regions& regions,
                                            const flow::Graph& graph, const Analysis& analysis,
                                            const Cycles& cycles);
 
 /// Cycles that nothing ends: no way leads out of them, and nothing in them stops the program. The body is all
-/// that can be reached from inside; `structure` is the outermost WHILE or DO that holds all of it, if one
+/// that can be reached from inside; `region` is the outermost WHILE or DO that holds all of it, if one
 /// does, else `back` is the last jump back in the text. What they change is not looked at.
-[[nodiscard]] std::vector<Loop> find_traps(const Program& program, const flow::Structures& structures,
-                                           const flow::Graph& graph, const Analysis& analysis,
-                                           const Cycles& cycles);
+[[nodiscard]] std::vector<Loop> find_inescapable_cycles(const Program& program, const flow::Regions& regions,
+                                                        const flow::Graph& graph, const Analysis& analysis,
+                                                        const Cycles& cycles);
 
 /// Calls `visit` for every fact in the loop's body. Facts are in the order of nodes, and so is the body: each
 /// node's are looked up behind those of the last.

@@ -18,9 +18,9 @@ Vacancy join_vacancy(Vacancy a, Vacancy b) {
 /// Keeps the parts sorted by symbol; two origins of one symbol both count.
 void add_part(ModalValue& value, const ModalPart& part) {
     const auto key = [](const ModalPart& p) { return std::pair(p.symbol, p.origin); };
-    const auto place = std::ranges::lower_bound(value.parts, key(part), {}, key);
-    if (place != value.parts.end() && *place == part) return;
-    value.parts.insert(place, part);
+    const auto variable = std::ranges::lower_bound(value.parts, key(part), {}, key);
+    if (variable != value.parts.end() && *variable == part) return;
+    value.parts.insert(variable, part);
 }
 
 } // namespace
@@ -33,10 +33,10 @@ States::States(const Program& program, EntryKnowledge knowledge)
         const ModalGroup& group = program.control->groups[i];
         ModalValue value;
         if (knowledge_.entry == Entry::main && group.reset)
-            value.parts = {{pool_.constant(*group.reset), 0}};
+            value.parts = {{table_.constant(*group.reset), 0}};
         else
-            value.parts = {{pool_.symbols({Symbol::Kind::entry_group, i, 0, 0}), 0}};
-        entry_modals_.push_back(pool_.modals(value));
+            value.parts = {{table_.symbols({Symbol::Kind::entry_group, i, 0, 0}), 0}};
+        entry_modals_.push_back(table_.modals(value));
     }
 }
 
@@ -46,43 +46,45 @@ State States::at_entry() const {
     return state;
 }
 
-bool States::may_be_handed_down(Place place) const {
-    if (!program_.control->spaces[place.space].handed_down) return false;
+bool States::may_be_handed_down(Variable variable) const {
+    if (!program_.control->spaces[variable.space].handed_down) return false;
     const auto& known = knowledge_.handed_down;
-    return !known || std::ranges::find(*known, place) != known->end();
+    return !known || std::ranges::find(*known, variable) != known->end();
 }
 
-Vacancy States::vacancy_at_entry(Place place) const {
+Vacancy States::vacancy_at_entry(Variable variable) const {
     if (knowledge_.entry == Entry::main) return Vacancy::vacant;
-    if (knowledge_.locals_are_callers || may_be_handed_down(place)) return Vacancy::unknown;
+    if (knowledge_.locals_are_callers || may_be_handed_down(variable)) return Vacancy::unknown;
     if (knowledge_.arguments) {
-        const auto known = std::ranges::find(*knowledge_.arguments, place, &std::pair<Place, Vacancy>::first);
+        const auto known =
+            std::ranges::find(*knowledge_.arguments, variable, &std::pair<Variable, Vacancy>::first);
         return known == knowledge_.arguments->end() ? Vacancy::vacant : known->second;
     }
     const auto& formals = program_.control->formals;
     const auto& passed = knowledge_.passed_somewhere;
-    const bool argument = std::ranges::find(formals, place) != formals.end() ||
-                          std::ranges::find(passed, place) != passed.end();
+    const bool argument = std::ranges::find(formals, variable) != formals.end() ||
+                          std::ranges::find(passed, variable) != passed.end();
     return argument ? Vacancy::maybe : Vacancy::vacant;
 }
 
-bool States::is_vacant_at_entry(Place place) const {
-    const VariableSpace& space = program_.control->spaces[place.space];
-    return space.scope == Scope::frame && space.unset != Unset::zero &&
-           vacancy_at_entry(place) == Vacancy::vacant;
+bool States::is_vacant_at_entry(Variable variable) const {
+    const VariableSpace& space = program_.control->spaces[variable.space];
+    return space.scope == Scope::frame && space.initial_value != InitialValue::zero &&
+           vacancy_at_entry(variable) == Vacancy::vacant;
 }
 
-Value States::entry_value(Place place) {
-    const VariableSpace& space = program_.control->spaces[place.space];
+Value States::entry_value(Variable variable) {
+    const VariableSpace& space = program_.control->spaces[variable.space];
     const OriginId origin =
-        pool_.origins({Origin::Kind::entry, static_cast<std::uint32_t>(place.number), place.space});
+        table_.origins({Origin::Kind::entry, static_cast<std::uint32_t>(variable.number), variable.space});
     Value value;
-    value.symbol = pool_.symbols({Symbol::Kind::entry, key_of(place), 0, 0});
+    value.symbol = table_.symbols({Symbol::Kind::entry, key_of(variable), 0, 0});
     if (space.scope == Scope::frame) {
-        value.vacancy = vacancy_at_entry(place);
+        value.vacancy = vacancy_at_entry(variable);
         if (value.vacancy == Vacancy::vacant)
-            return space.unset == Unset::zero ? number_value(pool_, 0) : vacant_value(pool_, origin);
-        if (value.vacancy == Vacancy::maybe) value.doubt = origin;
+            return space.initial_value == InitialValue::zero ? number_value(table_, 0)
+                                                             : vacant_value(table_, origin);
+        if (value.vacancy == Vacancy::maybe) value.vacancy_origin = origin;
     } else if (space.scope == Scope::machine) {
         value.vacancy = Vacancy::set;
     }
@@ -90,72 +92,73 @@ Value States::entry_value(Place place) {
 }
 
 std::uint32_t States::absent(const State& state, Key key) {
-    const Place place = place_of(key);
-    if (const SymbolId site = pool_.forgotten(state.forgotten).by_space[place.space]; site != 0) {
+    const Variable variable = variable_of(key);
+    if (const SymbolId site = table_.havoc(state.havoc).by_space[variable.space]; site != 0) {
         Value value;
-        value.symbol = pool_.symbols({Symbol::Kind::opaque, key, site, 1});
-        return pool_.values(value);
+        value.symbol = table_.symbols({Symbol::Kind::opaque, key, site, 1});
+        return table_.values(value);
     }
-    if (const auto known = trees_.find(entry_values_, key)) return *known;
-    const std::uint32_t id = pool_.values(entry_value(place));
-    entry_values_ = trees_.set(entry_values_, key, id);
+    if (const auto known = maps_.find(entry_values_, key)) return *known;
+    const std::uint32_t id = table_.values(entry_value(variable));
+    entry_values_ = maps_.set(entry_values_, key, id);
     return id;
 }
 
 std::uint32_t States::absent_modal(Key key) { return entry_modals_[static_cast<GroupId>(key)]; }
 
-Value States::read(const State& state, Place place) {
-    const auto found = trees_.find(state.root, key_of(place));
-    return pool_.values[found ? *found : absent(state, key_of(place))];
+Value States::read(const State& state, Variable variable) {
+    const auto found = maps_.find(state.root, key_of(variable));
+    return table_.values[found ? *found : absent(state, key_of(variable))];
 }
 
 const ModalValue& States::read(const State& state, GroupId group) {
-    const auto found = trees_.find(state.root, key_of(group));
-    return pool_.modals[found ? *found : absent_modal(key_of(group))];
+    const auto found = maps_.find(state.root, key_of(group));
+    return table_.modals[found ? *found : absent_modal(key_of(group))];
 }
 
 std::optional<double> States::entry_code(const State& state, GroupId group) const {
-    const auto found = trees_.find(state.root, entry_code_key(group));
-    return found ? pool_.number_of(*found) : std::nullopt;
+    const auto found = maps_.find(state.root, entry_code_key(group));
+    return found ? table_.number_of(*found) : std::nullopt;
 }
 
-void States::write(State& state, Place place, const Value& value) {
-    state.root = trees_.set(state.root, key_of(place), pool_.values(value));
+void States::write(State& state, Variable variable, const Value& value) {
+    state.root = maps_.set(state.root, key_of(variable), table_.values(value));
 }
 
 void States::write(State& state, GroupId group, ModalValue value) {
     if (value.parts.size() > most_modal_parts) value = {{}, true};
-    state.root = trees_.set(state.root, key_of(group), pool_.modals(value));
+    state.root = maps_.set(state.root, key_of(group), table_.modals(value));
 }
 
 void States::know_entry_code(State& state, GroupId group, double code) {
-    state.root = trees_.set(state.root, entry_code_key(group), pool_.constant(code));
+    state.root = maps_.set(state.root, entry_code_key(group), table_.constant(code));
 }
 
-void States::forget(State& state, SpaceId space, const Origin& site) {
+void States::havoc(State& state, SpaceId space, const Origin& site) {
     const Key first = (Key{space} + 1) << 32U;
-    state.root = trees_.without(state.root, first, first | 0xFFFFFFFFU);
-    Forgotten forgotten = pool_.forgotten(state.forgotten);
-    forgotten.by_space[space] = pool_.symbols({Symbol::Kind::opaque, site.id, 2, site.node});
-    state.forgotten = pool_.remember(forgotten);
+    state.root = maps_.without(state.root, first, first | 0xFFFFFFFFU);
+    HavocSet havoc = table_.havoc(state.havoc);
+    havoc.by_space[space] = table_.symbols({Symbol::Kind::opaque, site.id, 2, site.node});
+    state.havoc = table_.remember(havoc);
 }
 
 /// That the variable itself was vacant at the start says more than that another one was.
-bool States::is_entry_of(OriginId doubt, Key key) const {
-    const Origin& origin = pool_.origins[doubt];
-    const Place place = place_of(key);
-    return origin.kind == Origin::Kind::entry && origin.id == static_cast<std::uint32_t>(place.number) &&
-           origin.node == place.space;
+bool States::is_entry_of(OriginId vacancy_origin, Key key) const {
+    const Origin& origin = table_.origins[vacancy_origin];
+    const Variable variable = variable_of(key);
+    return origin.kind == Origin::Kind::entry && origin.id == static_cast<std::uint32_t>(variable.number) &&
+           origin.node == variable.space;
 }
 
 Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t node) {
     if (a == b) return a;
     Value joined;
-    joined.symbol = a.symbol == b.symbol ? a.symbol : pool_.symbols({Symbol::Kind::joined, key, node, 0});
+    joined.symbol = a.symbol == b.symbol ? a.symbol : table_.symbols({Symbol::Kind::joined, key, node, 0});
     joined.origin = a.origin == b.origin ? a.origin : 0;
     joined.vacancy = join_vacancy(a.vacancy, b.vacancy);
-    joined.doubt = a.doubt != 0 && !is_entry_of(b.doubt, key) ? a.doubt : b.doubt;
-    if (joined.doubt == 0) joined.doubt = a.doubt;
+    joined.vacancy_origin =
+        a.vacancy_origin != 0 && !is_entry_of(b.vacancy_origin, key) ? a.vacancy_origin : b.vacancy_origin;
+    if (joined.vacancy_origin == 0) joined.vacancy_origin = a.vacancy_origin;
     joined.exactness = std::max(a.exactness, b.exactness);
     joined.rounding = a.rounding != 0 ? a.rounding : b.rounding;
     joined.low = std::min(a.low, b.low);
@@ -167,16 +170,16 @@ Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t
 
 std::uint32_t States::join_modals(std::uint32_t a, std::uint32_t b) {
     if (a == b) return a;
-    ModalValue joined = pool_.modals[a];
-    const ModalValue other = pool_.modals[b];
+    ModalValue joined = table_.modals[a];
+    const ModalValue other = table_.modals[b];
     joined.unknown |= other.unknown;
     for (const ModalPart& part : other.parts) add_part(joined, part);
     if (joined.parts.size() > most_modal_parts) joined = {{}, true};
-    return pool_.modals(joined);
+    return table_.modals(joined);
 }
 
 bool States::equal(const State& a, const State& b) const {
-    return a.reached == b.reached && a.forgotten == b.forgotten && trees_.equal(a.root, b.root);
+    return a.reached == b.reached && a.havoc == b.havoc && maps_.equal(a.root, b.root);
 }
 
 State States::merge(const State& a, const State& b, std::uint32_t node, Widening& widening) {
@@ -187,29 +190,29 @@ State States::merge(const State& a, const State& b, std::uint32_t node, Widening
     constexpr std::uint32_t nothing = 0; // the constant symbol of no code: "not known"
     const auto join_keyed = [&](Key key, std::uint32_t x, std::uint32_t y) {
         if (is_group_key(key)) return join_modals(x, y);
-        if (!is_place_key(key)) return x == y ? x : nothing;
-        const Value old = pool_.values[x];
-        Value now = join_values(old, pool_.values[y], key, node);
+        if (!is_variable_key(key)) return x == y ? x : nothing;
+        const Value old = table_.values[x];
+        Value now = join_values(old, table_.values[y], key, node);
         widening(old, now);
-        return pool_.values(now);
+        return table_.values(now);
     };
     const auto otherwise = [&](const State& lacking, Key key) -> std::uint32_t {
         if (is_group_key(key)) return absent_modal(key);
-        if (!is_place_key(key)) return nothing;
+        if (!is_variable_key(key)) return nothing;
         return absent(lacking, key);
     };
-    joined.root = trees_.merge(
+    joined.root = maps_.merge(
         a.root, b.root, join_keyed,
         [&](Key key, std::uint32_t x) { return join_keyed(key, x, otherwise(b, key)); },
         [&](Key key, std::uint32_t y) { return join_keyed(key, otherwise(a, key), y); });
-    joined.forgotten = a.forgotten;
-    if (a.forgotten == b.forgotten) return joined;
-    Forgotten forgotten = pool_.forgotten(a.forgotten);
-    const Forgotten other = pool_.forgotten(b.forgotten);
+    joined.havoc = a.havoc;
+    if (a.havoc == b.havoc) return joined;
+    HavocSet havoc = table_.havoc(a.havoc);
+    const HavocSet other = table_.havoc(b.havoc);
     for (std::size_t space = 0; space < most_spaces; ++space)
-        if (forgotten.by_space[space] != other.by_space[space])
-            forgotten.by_space[space] = pool_.symbols({Symbol::Kind::opaque, space, 3, node});
-    joined.forgotten = pool_.remember(forgotten);
+        if (havoc.by_space[space] != other.by_space[space])
+            havoc.by_space[space] = table_.symbols({Symbol::Kind::opaque, space, 3, node});
+    joined.havoc = table_.remember(havoc);
     return joined;
 }
 
@@ -236,8 +239,8 @@ void States::keep_only(std::span<State* const> states) {
     std::vector<Root*> roots;
     for (State* state : states) roots.push_back(&state->root);
     entry_values_ = 0;
-    trees_.keep_only(roots);
-    pool_.fit();
+    maps_.keep_only(roots);
+    table_.fit();
 }
 
 } // namespace maclint::dataflow

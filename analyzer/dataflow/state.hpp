@@ -1,7 +1,7 @@
 //! What is known at one point of a program: every variable, every modal group.
 #pragma once
 
-#include "analyzer/dataflow/trees.hpp"
+#include "analyzer/dataflow/persistent_map.hpp"
 #include "analyzer/dataflow/value.hpp"
 
 #include <functional>
@@ -21,34 +21,34 @@ enum class Entry : std::uint8_t {
 /// What the callers tell of a program's local variables.
 struct EntryKnowledge {
     Entry entry;
-    std::vector<Place> passed_somewhere; ///< arguments that some known caller passes, in no order
+    std::vector<Variable> passed_somewhere; ///< arguments that some known caller passes, in no order
     /// All callers are known: whether each argument is passed by all, some or none of them. Absent: there may
     /// be other callers.
-    std::optional<std::vector<std::pair<Place, Vacancy>>> arguments;
+    std::optional<std::vector<std::pair<Variable, Vacancy>>> arguments;
     /// Some caller shares its locals with the program: what they hold at the start, nobody knows.
     bool locals_are_callers = false;
     /// Variables that a program further up may hand down; absent: nobody knows which.
-    std::optional<std::vector<Place>> handed_down = std::vector<Place>{};
+    std::optional<std::vector<Variable>> handed_down = std::vector<Variable>{};
 };
 
-[[nodiscard]] constexpr Key key_of(Place place) {
-    return (Key{place.space} + 1) << 32U | static_cast<std::uint32_t>(place.number);
+[[nodiscard]] constexpr Key key_of(Variable variable) {
+    return (Key{variable.space} + 1) << 32U | static_cast<std::uint32_t>(variable.number);
 }
 constexpr Key group_keys = Key{0x100} << 32U;
 constexpr Key entry_code_keys = Key{0x200} << 32U;
 [[nodiscard]] constexpr Key key_of(GroupId group) { return group_keys | group; }
 /// Under this key a state holds the code that the caller's group is known to have on this way.
 [[nodiscard]] constexpr Key entry_code_key(GroupId group) { return entry_code_keys | group; }
-[[nodiscard]] constexpr bool is_place_key(Key key) { return key < group_keys; }
+[[nodiscard]] constexpr bool is_variable_key(Key key) { return key < group_keys; }
 [[nodiscard]] constexpr bool is_group_key(Key key) { return key >= group_keys && key < entry_code_keys; }
-[[nodiscard]] constexpr Place place_of(Key key) {
+[[nodiscard]] constexpr Variable variable_of(Key key) {
     return {static_cast<SpaceId>((key >> 32U) - 1),
             static_cast<std::int32_t>(static_cast<std::uint32_t>(key))};
 }
 
 struct State {
     Root root = 0;
-    ForgottenId forgotten = 0;
+    HavocId havoc = 0;
     bool reached = false;
 };
 
@@ -58,15 +58,15 @@ class States {
     States(const Program& program, EntryKnowledge knowledge);
 
     [[nodiscard]] State at_entry() const;
-    [[nodiscard]] bool is_vacant_at_entry(Place place) const;
-    [[nodiscard]] Value read(const State& state, Place place);
+    [[nodiscard]] bool is_vacant_at_entry(Variable variable) const;
+    [[nodiscard]] Value read(const State& state, Variable variable);
     [[nodiscard]] const ModalValue& read(const State& state, GroupId group);
     [[nodiscard]] std::optional<double> entry_code(const State& state, GroupId group) const;
-    void write(State& state, Place place, const Value& value);
+    void write(State& state, Variable variable, const Value& value);
     void write(State& state, GroupId group, ModalValue value);
     void know_entry_code(State& state, GroupId group, double code);
     /// Everything in the space may have changed; `site` makes the new values differ from others.
-    void forget(State& state, SpaceId space, const Origin& site);
+    void havoc(State& state, SpaceId space, const Origin& site);
 
     [[nodiscard]] bool equal(const State& a, const State& b) const;
     /// Both ways meet at `node`.
@@ -78,28 +78,28 @@ class States {
     /// From now on only these states are asked for; the memory of all others is given back.
     void keep_only(std::span<State* const> states);
 
-    [[nodiscard]] Pool& pool() { return pool_; }
-    [[nodiscard]] const Pool& pool() const { return pool_; }
-    [[nodiscard]] Trees& trees() { return trees_; }
+    [[nodiscard]] ValueTable& table() { return table_; }
+    [[nodiscard]] const ValueTable& table() const { return table_; }
+    [[nodiscard]] PersistentMap& trees() { return maps_; }
     [[nodiscard]] Entry entry() const { return knowledge_.entry; }
 
   private:
     using Widening = const std::function<void(const Value& old, Value& now)>;
     [[nodiscard]] State merge(const State& a, const State& b, std::uint32_t node, Widening& widening);
-    [[nodiscard]] Value entry_value(Place place);
-    [[nodiscard]] Vacancy vacancy_at_entry(Place place) const;
-    [[nodiscard]] bool may_be_handed_down(Place place) const;
+    [[nodiscard]] Value entry_value(Variable variable);
+    [[nodiscard]] Vacancy vacancy_at_entry(Variable variable) const;
+    [[nodiscard]] bool may_be_handed_down(Variable variable) const;
     /// The value, by number, of a variable that a state does not hold.
     [[nodiscard]] std::uint32_t absent(const State& state, Key key);
     [[nodiscard]] std::uint32_t absent_modal(Key key);
-    [[nodiscard]] bool is_entry_of(OriginId doubt, Key key) const;
+    [[nodiscard]] bool is_entry_of(OriginId vacancy_origin, Key key) const;
     [[nodiscard]] Value join_values(const Value& a, const Value& b, Key key, std::uint32_t node);
     [[nodiscard]] std::uint32_t join_modals(std::uint32_t a, std::uint32_t b);
 
     const Program& program_;
     EntryKnowledge knowledge_;
-    Pool pool_;
-    Trees trees_;
+    ValueTable table_;
+    PersistentMap maps_;
     Root entry_values_ = 0; ///< those that were asked for
     std::vector<std::uint32_t> entry_modals_;
 };

@@ -10,8 +10,8 @@
 
 namespace maclint::dataflow {
 
-struct PlaceChange {
-    Place place;
+struct VariableChange {
+    Variable variable;
     Vacancy vacancy;
     double low, high;
     bool integer;
@@ -29,9 +29,9 @@ struct Summary {
     bool known = false;   ///< false: the program is not there, everything may change
     bool returns = true;  ///< at least one way leads back to the block behind the call
     bool may_stop = true; ///< it or what it calls may stop: an alarm, a pause, the program's end
-    std::vector<PlaceChange>
-        places; ///< all that it may write and the caller can see (locals for calls that share them)
-    std::vector<SpaceId> forgotten; ///< spaces of which anything may have changed
+    std::vector<VariableChange>
+        variables; ///< all that it may write and the caller can see (locals for calls that share them)
+    std::vector<SpaceId> havoc; ///< spaces of which anything may have changed
     std::vector<GroupChange> groups;
     std::vector<std::int64_t> resume_labels; ///< M99 P
     /// Variables, as they are spelled, that it writes and that may be the caller's, handed down to it;

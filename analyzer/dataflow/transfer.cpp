@@ -11,7 +11,7 @@ namespace maclint::dataflow {
 namespace {
 
 /// An index with so few possible numbers that each is a store of its own.
-constexpr double most_indexed_places = 64;
+constexpr double most_indexed_variables = 64;
 
 } // namespace
 
@@ -23,20 +23,20 @@ Transfer::Transfer(const Program& program, const flow::Graph& graph, States& sta
     , constants_(program.expressions.size(), 0)
     , origins_(program.effects.size(), 0) {
     const auto& groups = program_.control->groups;
-    const auto found = std::ranges::find(groups, Concern::modal_call, &ModalGroup::concern);
+    const auto found = std::ranges::find(groups, RestorePolicy::modal_call, &ModalGroup::restore_policy);
     if (found != groups.end()) modal_call_group_ = static_cast<GroupId>(found - groups.begin());
 }
 
 /// The effect as an origin. An effect belongs to one node.
 OriginId Transfer::here() {
     OriginId& known = origins_[effect_];
-    if (known == 0) known = states_.pool().origins({Origin::Kind::effect, effect_, node_});
+    if (known == 0) known = states_.table().origins({Origin::Kind::effect, effect_, node_});
     return known;
 }
 
 State Transfer::run(flow::NodeId node, State state) {
     node_ = node;
-    judged_.reset();
+    evaluated_.reset();
     compared_.reset();
     const flow::Node& n = graph_.nodes[node];
     if (n.is_run) {
@@ -54,9 +54,9 @@ State Transfer::along(const flow::Edge& edge, State after) {
     if (!after.reached) return after;
     node_ = edge.from;
     if (edge.condition) {
-        if (!judged_ || judged_->first != *edge.condition)
-            judged_.emplace(*edge.condition, judge(after, *edge.condition));
-        const Truth truth = judged_->second;
+        if (!evaluated_ || evaluated_->first != *edge.condition)
+            evaluated_.emplace(*edge.condition, evaluate_condition(after, *edge.condition));
+        const Truth truth = evaluated_->second;
         if (edge.holds ? !truth.can_hold : !truth.can_fail) return {};
         refine(after, *edge.condition, edge.holds);
     } else if (edge.label) {
@@ -71,7 +71,7 @@ void Transfer::apply(State& state, const Effect& effect) {
                    [&](const Assign& what) { assign(state, what); },
                    [&](const SetModal& what) { set_modal(state, what); },
                    // What changes nothing is only evaluated to be written down.
-                   [&](const Values& what) {
+                   [&](const EvaluateWords& what) {
                        if (facts_ == nullptr) return;
                        for (const ExpressionId value : program_.values_of(what))
                            (void)evaluate(state, value, Use::word);
@@ -80,12 +80,12 @@ void Transfer::apply(State& state, const Effect& effect) {
                    [&](const Call& what) { call(state, what); },
                    [&](const Guarded& what) {
                        if (facts_ == nullptr) return;
-                       const Truth truth = judge(state, what.condition);
+                       const Truth truth = evaluate_condition(state, what.condition);
                        facts_->conditions.push_back({node_, effect_, what.condition, truth});
                    },
-                   [&](const Structure& what) {
+                   [&](const RegionMark& what) {
                        if (facts_ == nullptr || !what.condition) return;
-                       const Truth truth = judge(state, *what.condition);
+                       const Truth truth = evaluate_condition(state, *what.condition);
                        facts_->conditions.push_back({node_, effect_, *what.condition, truth});
                    },
                    [&](const Jump& what) {
@@ -97,11 +97,12 @@ void Transfer::apply(State& state, const Effect& effect) {
                    [&](const Exchange& what) {
                        if (facts_ != nullptr)
                            for (const ExpressionId out : what.out) (void)evaluate(state, out, Use::word);
-                       for (const Place in : what.in) disturb(state, in, opaque_place(in, 4));
+                       for (const Variable in : what.in) clobber(state, in, opaque_variable(in, 4));
                    },
                    [&](const UnreadableBlock& what) {
-                       for (const Place place : what.may_write) disturb(state, place, opaque_place(place, 4));
-                       if (what.may_call_or_return) forget_shared(state);
+                       for (const Variable variable : what.may_write)
+                           clobber(state, variable, opaque_variable(variable, 4));
+                       if (what.may_call_or_return) havoc_shared(state);
                    },
                    [&](const ToolChange&) {
                        if (facts_ != nullptr) facts_->tool_changes.push_back({node_, effect_, state});
@@ -119,19 +120,19 @@ void Transfer::apply(State& state, const Effect& effect) {
 void Transfer::assign(State& state, const Assign& assign) {
     const Value value = evaluate(state, assign.value, Use::copy);
     std::visit(overloaded{
-                   [&](const Place& place) { store(state, place, value, assign.value); },
+                   [&](const Variable& variable) { store(state, variable, value, assign.value); },
                    [&](const StoreAt& target) { store_at(state, target, value, assign.value); },
                    [](const StoreMachine&) {},
                },
                assign.target);
 }
 
-void Transfer::store(State& state, Place place, Value value, ExpressionId expression) {
+void Transfer::store(State& state, Variable variable, Value value, ExpressionId expression) {
     if (facts_ != nullptr)
-        facts_->stores.push_back({node_, effect_, place, expression, value, states_.read(state, place),
-                                  step_of(state, place, expression)});
+        facts_->stores.push_back({node_, effect_, variable, expression, value, states_.read(state, variable),
+                                  step_of(state, variable, expression)});
     value.origin = here();
-    states_.write(state, place, value);
+    states_.write(state, variable, value);
 }
 
 void Transfer::store_at(State& state, const StoreAt& target, const Value& value, ExpressionId expression) {
@@ -143,34 +144,34 @@ void Transfer::store_at(State& state, const StoreAt& target, const Value& value,
         if (range == nullptr) return;
         if (range->on_write == OnWrite::set_modal)
             set_group(state, range->group, value);
-        else if (range->meaning == Meaning::place)
+        else if (range->meaning == Meaning::variable)
             store(state, {range->space, rounded}, value, expression);
         return;
     }
     for (const VariableRange& range : family.ranges) {
-        if (range.meaning != Meaning::place || !(index.low <= range.last && range.first <= index.high))
+        if (range.meaning != Meaning::variable || !(index.low <= range.last && range.first <= index.high))
             continue;
         const double first = std::max<double>(index.low, range.first);
         const double last = std::min<double>(index.high, range.last);
-        if (last - first > most_indexed_places) {
-            forget(state, range.space);
+        if (last - first > most_indexed_variables) {
+            havoc(state, range.space);
             continue;
         }
         for (auto number = static_cast<std::int32_t>(std::lround(first)); number <= std::lround(last);
              ++number)
-            disturb(state, {range.space, number}, opaque_place({range.space, number}, 5));
+            clobber(state, {range.space, number}, opaque_variable({range.space, number}, 5));
     }
 }
 
 /// Recognises v = v + amount, v = amount + v and v = v - amount.
-std::optional<Step> Transfer::step_of(const State& state, Place place, ExpressionId value) {
+std::optional<Step> Transfer::step_of(const State& state, Variable variable, ExpressionId value) {
     const auto* apply = std::get_if<Apply>(&program_.expressions[value].node);
     if (apply == nullptr || (apply->operation != Operation::add && apply->operation != Operation::subtract))
         return std::nullopt;
     const auto operands = program_.operands_of(*apply);
     const auto is_self = [&](ExpressionId id) {
         const auto* load = std::get_if<Load>(&program_.expressions[id].node);
-        return load != nullptr && load->place == place;
+        return load != nullptr && load->variable == variable;
     };
     std::optional<ExpressionId> amount;
     if (is_self(operands[0]))
@@ -190,7 +191,7 @@ void Transfer::set_modal(State& state, const SetModal& set) {
     const Value value = evaluate(state, set.value, Use::word);
     std::optional<GroupId> group = set.group;
     if (!group) {
-        group = states_.pool().entry_group_of(value.symbol);
+        group = states_.table().entry_group_of(value.symbol);
         if (group && program_.control->groups[*group].letter != set.letter) group = std::nullopt;
         if (!group)
             if (const auto code = value.constant()) group = program_.control->group_of(set.letter, *code);
@@ -203,7 +204,7 @@ void Transfer::set_modal(State& state, const SetModal& set) {
     if (group)
         set_group(state, *group, value);
     else if (!value.constant() && value.vacancy != Vacancy::vacant)
-        doubt_groups(state, set.letter);
+        havoc_groups(state, set.letter);
 }
 
 void Transfer::set_group(State& state, GroupId group, const Value& value) {
@@ -226,15 +227,15 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
 }
 
 void Transfer::set_code(State& state, GroupId group, double code, OriginId origin) {
-    SymbolId symbol = states_.pool().constant(code);
+    SymbolId symbol = states_.table().constant(code);
     // On a way where the caller's code is known to be this one, setting it puts the caller's code back.
     if (states_.entry_code(state, group) == code)
-        symbol = states_.pool().symbols({Symbol::Kind::entry_group, group, 0, 0});
+        symbol = states_.table().symbols({Symbol::Kind::entry_group, group, 0, 0});
     states_.write(state, group, {{{symbol, origin}}, false});
 }
 
 /// Without a letter: all groups.
-void Transfer::doubt_groups(State& state, std::optional<char> letter) {
+void Transfer::havoc_groups(State& state, std::optional<char> letter) {
     for (std::size_t i = 0; i < program_.control->groups.size(); ++i) {
         if (letter && program_.control->groups[i].letter != *letter) continue;
         ModalValue value = states_.read(state, static_cast<GroupId>(i));
@@ -254,7 +255,7 @@ void Transfer::call(State& state, const Call& call) {
             (void)evaluate(state, *number, Use::word);
     }
     const CallKind& kind = program_.control->calls[call.kind];
-    if (kind.when == When::once) return run_program(state, effect_, call);
+    if (kind.trigger == CallTrigger::once) return run_program(state, effect_, call);
     if (const auto group = modal_call_group_) set_code(state, *group, kind.modal_code, here());
 }
 
@@ -263,32 +264,33 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
     if (facts_ != nullptr)
         facts_->calls.push_back({node_, id, summary.known, !summary.known || summary.may_stop});
     if (!summary.known) {
-        forget_shared(state);
+        havoc_shared(state);
         if (program_.control->calls[call.kind].frame == Frame::shared)
             for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-                if (program_.control->spaces[i].scope == Scope::frame) forget(state, static_cast<SpaceId>(i));
+                if (program_.control->spaces[i].scope == Scope::frame) havoc(state, static_cast<SpaceId>(i));
         change_handed_down(state, summary);
-        doubt_groups(state, std::nullopt);
+        havoc_groups(state, std::nullopt);
         return;
     }
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
     const auto visible = [&](SpaceId space) {
         return shared_frame || program_.control->spaces[space].scope != Scope::frame;
     };
-    for (const SpaceId space : summary.forgotten)
-        if (visible(space)) forget(state, space);
-    for (const PlaceChange& change : summary.places) {
-        if (!visible(change.place.space)) continue;
+    for (const SpaceId space : summary.havoc)
+        if (visible(space)) havoc(state, space);
+    for (const VariableChange& change : summary.variables) {
+        if (!visible(change.variable.space)) continue;
         Value value;
-        value.symbol = opaque_place(change.place, 6).symbol;
+        value.symbol = opaque_variable(change.variable, 6).symbol;
         value.vacancy = change.vacancy;
-        value.doubt = change.vacancy == Vacancy::maybe || change.vacancy == Vacancy::vacant ? here() : 0;
+        value.vacancy_origin =
+            change.vacancy == Vacancy::maybe || change.vacancy == Vacancy::vacant ? here() : 0;
         value.low = change.low;
         value.high = change.high;
         value.integer = change.integer;
         value.exactness = change.exactness == Exactness::rounded ? Exactness::unknown : change.exactness;
         value.origin = here();
-        disturb(state, change.place, value);
+        clobber(state, change.variable, value);
     }
     change_handed_down(state, summary);
     change_groups(state, summary);
@@ -297,11 +299,11 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
 /// What this program hands down to all that it calls, they may change.
 void Transfer::change_handed_down(State& state, const Summary& summary) {
     const auto& written = summary.written_for_callers;
-    for (const Place place : program_.handed_down) {
-        if (program_.control->spaces[place.space].written_once) continue;
-        if (written && std::ranges::find(*written, program_.spell(place)) == written->end()) continue;
-        const Place meant = program_.meant_by(place);
-        disturb(state, meant, opaque_place(meant, 7));
+    for (const Variable variable : program_.handed_down) {
+        if (program_.control->spaces[variable.space].written_once) continue;
+        if (written && std::ranges::find(*written, program_.spell(variable)) == written->end()) continue;
+        const Variable meant = program_.meant_by(variable);
+        clobber(state, meant, opaque_variable(meant, 7));
     }
 }
 
@@ -309,7 +311,8 @@ void Transfer::change_groups(State& state, const Summary& summary) {
     const OriginId origin = here();
     for (const GroupChange& change : summary.groups) {
         ModalValue value = change.may_keep ? states_.read(state, change.group) : ModalValue{};
-        for (const double code : change.codes) value.parts.push_back({states_.pool().constant(code), origin});
+        for (const double code : change.codes)
+            value.parts.push_back({states_.table().constant(code), origin});
         value.unknown |= change.other;
         std::ranges::sort(value.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
         value.parts.cut_off(std::ranges::unique(value.parts).begin());
@@ -317,29 +320,29 @@ void Transfer::change_groups(State& state, const Summary& summary) {
     }
 }
 
-void Transfer::forget_shared(State& state) {
+void Transfer::havoc_shared(State& state) {
     for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-        if (program_.control->spaces[i].scope != Scope::frame) forget(state, static_cast<SpaceId>(i));
+        if (program_.control->spaces[i].scope != Scope::frame) havoc(state, static_cast<SpaceId>(i));
 }
 
 /// Everything in the space may have changed here.
-void Transfer::forget(State& state, SpaceId space) {
-    if (facts_ != nullptr) facts_->disturbances.push_back({node_, effect_, space, {}});
-    states_.forget(state, space, {Origin::Kind::effect, effect_, node_});
+void Transfer::havoc(State& state, SpaceId space) {
+    if (facts_ != nullptr) facts_->clobbers.push_back({node_, effect_, space, {}});
+    states_.havoc(state, space, {Origin::Kind::effect, effect_, node_});
 }
 
 /// The variable may have changed here, by something that is no assignment.
-void Transfer::disturb(State& state, Place place, const Value& value) {
-    if (facts_ != nullptr) facts_->disturbances.push_back({node_, effect_, place.space, place});
-    states_.write(state, place, value);
+void Transfer::clobber(State& state, Variable variable, const Value& value) {
+    if (facts_ != nullptr) facts_->clobbers.push_back({node_, effect_, variable.space, variable});
+    states_.write(state, variable, value);
 }
 
 /// A value of which nothing is known; `what_for` keeps it apart from others that the effect makes.
-Value Transfer::opaque_place(Place place, std::uint32_t what_for) {
+Value Transfer::opaque_variable(Variable variable, std::uint32_t what_for) {
     Value value;
-    value.symbol =
-        states_.pool().symbols({Symbol::Kind::opaque, side_by_side(effect_, node_),
-                                what_for << 8U | place.space, static_cast<std::uint32_t>(place.number)});
+    value.symbol = states_.table().symbols({Symbol::Kind::opaque, side_by_side(effect_, node_),
+                                            what_for << 8U | variable.space,
+                                            static_cast<std::uint32_t>(variable.number)});
     return value;
 }
 
@@ -349,7 +352,7 @@ void Transfer::move(State& state) {
     // Moving while a modal call is active runs its program [SEED-001:466].
     const auto parts = states_.read(state, *group).parts;
     for (const ModalPart& part : parts) {
-        const Origin& origin = states_.pool().origins[part.origin];
+        const Origin& origin = states_.table().origins[part.origin];
         if (origin.kind != Origin::Kind::effect) continue;
         const auto* call = std::get_if<Call>(&program_.effects[origin.id].what);
         if (call == nullptr) continue;
@@ -363,11 +366,11 @@ void Transfer::move(State& state) {
 
 void Transfer::run_of_plain_blocks(State& state, flow::NodeId node) {
     const flow::Node& n = graph_.nodes[node];
-    const auto& run = std::get<Run>(program_.items[n.item]);
+    const auto& run = std::get<PlainRun>(program_.items[n.item]);
     if (run.moves) move(state);
     const auto set = [&](const ModalSetting& setting) {
         set_code(state, setting.group, setting.value,
-                 states_.pool().origins({Origin::Kind::run, setting.group, node_}));
+                 states_.table().origins({Origin::Kind::run, setting.group, node_}));
     };
     if (n.part.begin == run.span.begin && n.part.end == run.span.end) {
         std::ranges::for_each(program_.net_of(run), set);

@@ -27,33 +27,33 @@ class Transfer {
     [[nodiscard]] bool rests_on_vacant(const State& state, ExpressionId index);
     [[nodiscard]] Value load_modal(const State& state, GroupId group, ExpressionId id);
     [[nodiscard]] Value opaque(ExpressionId id);
-    [[nodiscard]] Value opaque_place(Place place, std::uint32_t what_for);
-    [[nodiscard]] Truth judge(const State& state, ExpressionId id);
-    [[nodiscard]] Truth judge_chain(const State& state, std::span<const ExpressionId> operands, bool all);
+    [[nodiscard]] Value opaque_variable(Variable variable, std::uint32_t what_for);
+    [[nodiscard]] Truth evaluate_condition(const State& state, ExpressionId id);
+    [[nodiscard]] Truth evaluate_chain(const State& state, std::span<const ExpressionId> operands, bool all);
     void refine(State& state, ExpressionId id, bool holds);
     void refine_side(State& state, ExpressionId side, const Value& value, Operation operation, Value other);
     [[nodiscard]] bool excludes(const Value& value, const Value& other) const;
-    void refine_place(State& state, Place place, Operation operation, const Value& other);
+    void refine_variable(State& state, Variable variable, Operation operation, const Value& other);
     void know_entry_code(State& state, GroupId group, double code);
     void refine_entry_code(State& state, const Value& value, Operation operation, const Value& other);
-    [[nodiscard]] Value record_read(const State& state, Place place, ExpressionId id, Use use);
+    [[nodiscard]] Value record_read(const State& state, Variable variable, ExpressionId id, Use use);
 
     void apply(State& state, const Effect& effect);
     void assign(State& state, const Assign& assign);
-    [[nodiscard]] std::optional<Step> step_of(const State& state, Place place, ExpressionId value);
-    void store(State& state, Place place, Value value, ExpressionId expression);
+    [[nodiscard]] std::optional<Step> step_of(const State& state, Variable variable, ExpressionId value);
+    void store(State& state, Variable variable, Value value, ExpressionId expression);
     void store_at(State& state, const StoreAt& target, const Value& value, ExpressionId expression);
     void set_modal(State& state, const SetModal& set);
     void set_group(State& state, GroupId group, const Value& value);
     void set_code(State& state, GroupId group, double code, OriginId origin);
-    void doubt_groups(State& state, std::optional<char> letter);
+    void havoc_groups(State& state, std::optional<char> letter);
     void call(State& state, const Call& call);
     void run_program(State& state, EffectId id, const Call& call);
     void change_handed_down(State& state, const Summary& summary);
     void change_groups(State& state, const Summary& summary);
-    void forget(State& state, SpaceId space);
-    void forget_shared(State& state);
-    void disturb(State& state, Place place, const Value& value);
+    void havoc(State& state, SpaceId space);
+    void havoc_shared(State& state);
+    void clobber(State& state, Variable variable, const Value& value);
     void move(State& state);
     void run_of_plain_blocks(State& state, flow::NodeId node);
     [[nodiscard]] OriginId here();
@@ -70,7 +70,7 @@ class Transfer {
     flow::NodeId node_ = 0;
     EffectId effect_ = 0;
     /// The node's condition, the same on all edges of a branch.
-    std::optional<std::pair<ExpressionId, Truth>> judged_;
+    std::optional<std::pair<ExpressionId, Truth>> evaluated_;
     /// The comparison judged last in the state that is asked about, and its sides there.
     struct Compared {
         ExpressionId expression;

@@ -2,8 +2,8 @@
 //! of.
 #pragma once
 
-#include "analyzer/dataflow/few.hpp"
 #include "analyzer/dataflow/interner.hpp"
+#include "analyzer/dataflow/small_vector.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <algorithm>
@@ -54,9 +54,9 @@ struct Symbol {
 
 struct Value {
     SymbolId symbol = 0;
-    OriginId origin = 0;   ///< the store that made it the content of its variable
-    OriginId doubt = 0;    ///< why it can be vacant, or 0 because something else is vacant
-    OriginId rounding = 0; ///< where it was rounded
+    OriginId origin = 0;         ///< the store that made it the content of its variable
+    OriginId vacancy_origin = 0; ///< why it can be vacant, or 0 because something else is vacant
+    OriginId rounding = 0;       ///< where it was rounded
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     Vacancy vacancy = Vacancy::unknown;
@@ -86,7 +86,7 @@ struct ModalPart {
 
 /// All ways a modal group can be at a point, sorted by symbol; `unknown` beside them: any other, too.
 struct ModalValue {
-    Few<ModalPart, 2> parts;
+    SmallVector<ModalPart, 2> parts;
     bool unknown = false;
     friend bool operator==(const ModalValue&, const ModalValue&) = default;
 };
@@ -95,66 +95,64 @@ constexpr std::size_t most_spaces = 8;
 
 /// For each space: 0, or the opaque symbol of what made all its variables unknown that a state's tree does
 /// not hold.
-struct Forgotten {
+struct HavocSet {
     std::array<SymbolId, most_spaces> by_space{};
-    friend bool operator==(const Forgotten&, const Forgotten&) = default;
+    friend bool operator==(const HavocSet&, const HavocSet&) = default;
 };
-using ForgottenId = std::uint32_t; ///< 0: nothing is forgotten
+using HavocId = std::uint32_t; ///< 0: nothing is forgotten
 
-constexpr std::uint64_t near(const Symbol& s) {
+constexpr std::uint64_t hash_local(const Symbol& s) {
     if (s.kind == Symbol::Kind::constant) return mix(0, s.a);
     return s.a + 4 * (std::uint64_t{s.b} + s.c) + static_cast<std::uint64_t>(s.kind);
 }
-constexpr std::uint64_t far(const Symbol& s) {
+constexpr std::uint64_t hash_mixed(const Symbol& s) {
     return mix(mix(static_cast<std::uint64_t>(s.kind), s.a), side_by_side(s.b, s.c));
 }
 
-constexpr std::uint64_t near(const Origin& o) { return o.id + static_cast<std::uint64_t>(o.kind); }
-constexpr std::uint64_t far(const Origin& o) {
+constexpr std::uint64_t hash_local(const Origin& o) { return o.id + static_cast<std::uint64_t>(o.kind); }
+constexpr std::uint64_t hash_mixed(const Origin& o) {
     return mix(static_cast<std::uint64_t>(o.kind), side_by_side(o.id, o.node));
 }
 
-constexpr std::uint64_t near(const Value& v) { return 4 * std::uint64_t{v.symbol} + v.origin; }
-constexpr std::uint64_t far(const Value& v) {
+constexpr std::uint64_t hash_local(const Value& v) { return 4 * std::uint64_t{v.symbol} + v.origin; }
+constexpr std::uint64_t hash_mixed(const Value& v) {
     const auto flags = (static_cast<std::uint64_t>(v.vacancy) << 16U) |
                        (static_cast<std::uint64_t>(v.exactness) << 8U) | (v.integer ? 1U : 0U) |
                        (v.nonzero ? 2U : 0U);
     std::uint64_t hash = mix(flags, side_by_side(v.symbol, v.origin));
-    hash = mix(hash, side_by_side(v.doubt, v.rounding));
+    hash = mix(hash, side_by_side(v.vacancy_origin, v.rounding));
     hash = mix(hash, std::bit_cast<std::uint64_t>(v.low));
     return mix(hash, std::bit_cast<std::uint64_t>(v.high));
 }
 
-inline std::uint64_t near(const ModalValue& v) {
+inline std::uint64_t hash_local(const ModalValue& v) {
     return v.parts.empty() ? 0 : 4 * std::uint64_t{v.parts.front().symbol} + v.parts.front().origin;
 }
-inline std::uint64_t far(const ModalValue& v) {
+inline std::uint64_t hash_mixed(const ModalValue& v) {
     std::uint64_t hash = v.unknown ? 1 : 0;
     for (const ModalPart& part : v.parts) hash = mix(hash, side_by_side(part.symbol, part.origin));
     return hash;
 }
 
-constexpr std::uint64_t far(const Forgotten& forgotten) {
+constexpr std::uint64_t hash_mixed(const HavocSet& havoc) {
     std::uint64_t hash = 0;
-    for (const SymbolId symbol : forgotten.by_space) hash = mix(hash, symbol);
+    for (const SymbolId symbol : havoc.by_space) hash = mix(hash, symbol);
     return hash;
 }
-constexpr std::uint64_t near(const Forgotten& forgotten) { return far(forgotten); }
+constexpr std::uint64_t hash_local(const HavocSet& havoc) { return hash_mixed(havoc); }
 
 /// The tables of one program's analysis.
-struct Pool {
+struct ValueTable {
     Interner<Symbol> symbols;
     Interner<Origin> origins;
     Interner<Value> values;
     Interner<ModalValue> modals;
-    Interner<Forgotten> forgotten_sets; ///< most programs have none
+    Interner<HavocSet> havoc_sets; ///< most programs have none
 
-    [[nodiscard]] ForgottenId remember(const Forgotten& forgotten) { return forgotten_sets(forgotten) + 1; }
-    [[nodiscard]] Forgotten forgotten(ForgottenId id) const {
-        return id == 0 ? Forgotten{} : forgotten_sets[id - 1];
-    }
+    [[nodiscard]] HavocId remember(const HavocSet& havoc) { return havoc_sets(havoc) + 1; }
+    [[nodiscard]] HavocSet havoc(HavocId id) const { return id == 0 ? HavocSet{} : havoc_sets[id - 1]; }
 
-    Pool();
+    ValueTable();
     void fit();
     [[nodiscard]] SymbolId constant(double number);
     [[nodiscard]] std::optional<double> number_of(SymbolId symbol) const;
@@ -162,9 +160,9 @@ struct Pool {
     [[nodiscard]] std::optional<GroupId> entry_group_of(SymbolId symbol) const;
 };
 
-[[nodiscard]] Value number_value(Pool& pool, double number);
+[[nodiscard]] Value number_value(ValueTable& table, double number);
 /// The same for a number whose symbol is known.
 [[nodiscard]] Value number_value(SymbolId symbol, double number);
-[[nodiscard]] Value vacant_value(Pool& pool, OriginId doubt);
+[[nodiscard]] Value vacant_value(ValueTable& table, OriginId vacancy_origin);
 
 } // namespace maclint::dataflow

@@ -2,8 +2,8 @@
 //! text.
 #include "analyzer/dialect/detect/first_program.hpp"
 #include "analyzer/dialect/detect/line.hpp"
-#include "analyzer/dialect/detect/marks.hpp"
 #include "analyzer/dialect/detect/other_text.hpp"
+#include "analyzer/dialect/detect/signatures.hpp"
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/content.hpp"
 #include "analyzer/source/line_index.hpp"

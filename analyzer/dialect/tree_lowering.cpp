@@ -1,8 +1,8 @@
 //! The part of lowering that knows no dialect.
 #include "analyzer/dialect/tree_lowering.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/numbers.hpp"
-#include "analyzer/dialect/words.hpp"
 
 #include <array>
 #include <iterator>
@@ -97,8 +97,8 @@ const syntax::Node* TreeLowering::only_child(const Node& node) const {
 
 std::string TreeLowering::upper_text(const Node& node) const { return in_capitals(text(node)); }
 
-void TreeLowering::report(Irregular kind, Span span, std::string cure) {
-    irregularities_.push_back({kind, span, std::string(program_->slice(span)), std::move(cure)});
+void TreeLowering::report(SyntaxErrorKind kind, Span span, std::string cure) {
+    syntax_errors_.push_back({kind, span, std::string(program_->slice(span)), std::move(cure)});
 }
 
 } // namespace maclint

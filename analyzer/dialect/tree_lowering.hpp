@@ -28,8 +28,8 @@ class TreeLowering {
     static constexpr int deepest = 200;
 
     /// Nodes for which `is_remark` says so are no children: comments.
-    TreeLowering(std::vector<Irregularity>& irregularities, bool (*is_remark)(const Node&))
-        : irregularities_(irregularities)
+    TreeLowering(std::vector<SyntaxError>& syntax_errors, bool (*is_remark)(const Node&))
+        : syntax_errors_(syntax_errors)
         , is_remark_(is_remark) {}
     ~TreeLowering() = default;
 
@@ -81,12 +81,12 @@ class TreeLowering {
     /// The child of a node that has no other.
     [[nodiscard]] const Node* only_child(const Node& node) const;
 
-    void report(Irregular kind, Span span, std::string cure);
+    void report(SyntaxErrorKind kind, Span span, std::string cure);
 
     const syntax::Tree* tree_ = nullptr;
     Span block_;
     Program* program_ = nullptr;
-    std::vector<Irregularity>& irregularities_;
+    std::vector<SyntaxError>& syntax_errors_;
     std::vector<Effect> effects_; ///< of the block, so far
     int depth_ = 0;               ///< of the expression being lowered
 

@@ -10,19 +10,19 @@ constexpr std::uint32_t unseen = 0xFFFFFFFF;
 
 class Tarjan {
   public:
-    explicit Tarjan(const Arrows& arrows)
-        : arrows_(arrows)
-        , index_(arrows.size(), unseen)
-        , low_(arrows.size(), 0)
-        , waiting_(arrows.size(), false) {
-        result_.of.assign(arrows.size(), unseen);
-        result_.members.reserve(arrows.size(), arrows.size());
-        stack_.reserve(arrows.size());
-        frames_.reserve(arrows.size());
+    explicit Tarjan(const Adjacency& adjacency)
+        : adjacency_(adjacency)
+        , index_(adjacency.size(), unseen)
+        , low_(adjacency.size(), 0)
+        , waiting_(adjacency.size(), false) {
+        result_.of.assign(adjacency.size(), unseen);
+        result_.members.reserve(adjacency.size(), adjacency.size());
+        stack_.reserve(adjacency.size());
+        frames_.reserve(adjacency.size());
     }
 
     Components run() {
-        for (std::uint32_t node = 0; node < arrows_.size(); ++node)
+        for (std::uint32_t node = 0; node < adjacency_.size(); ++node)
             if (index_[node] == unseen) visit_from(node);
         return std::move(result_);
     }
@@ -45,8 +45,8 @@ class Tarjan {
         while (!frames_.empty()) {
             Frame& frame = frames_.back();
             const std::uint32_t node = frame.node;
-            if (frame.next < arrows_[node].size()) {
-                const std::uint32_t to = arrows_[node][frame.next++];
+            if (frame.next < adjacency_[node].size()) {
+                const std::uint32_t to = adjacency_[node][frame.next++];
                 if (index_[to] == unseen)
                     enter(to);
                 else if (waiting_[to])
@@ -74,7 +74,7 @@ class Tarjan {
         result_.members.end_list();
     }
 
-    const Arrows& arrows_;
+    const Adjacency& adjacency_;
     std::vector<std::uint32_t> index_, low_;
     std::vector<bool> waiting_;
     std::vector<std::uint32_t> stack_, members_;
@@ -85,14 +85,14 @@ class Tarjan {
 
 } // namespace
 
-Components find_components(const Arrows& arrows) { return Tarjan(arrows).run(); }
+Components find_components(const Adjacency& adjacency) { return Tarjan(adjacency).run(); }
 
-std::vector<std::vector<std::uint32_t>> layers_of(const Arrows& arrows, const Components& components) {
+std::vector<std::vector<std::uint32_t>> layers_of(const Adjacency& adjacency, const Components& components) {
     std::vector<std::size_t> height(components.members.size(), 0);
     std::vector<std::vector<std::uint32_t>> layers;
     for (std::uint32_t component = 0; component < components.members.size(); ++component) {
         for (const std::uint32_t node : components.members[component])
-            for (const std::uint32_t to : arrows[node])
+            for (const std::uint32_t to : adjacency[node])
                 if (components.of[to] != component)
                     height[component] = std::max(height[component], height[components.of[to]] + 1);
         if (height[component] >= layers.size()) layers.resize(height[component] + 1);

@@ -9,7 +9,7 @@
 namespace maclint::flow {
 
 /// Lists of numbers, one behind the other in the same memory: most are short, and there are many.
-class Lists {
+class SliceTable {
   public:
     /// Makes room for so many lists that hold so many numbers together.
     void reserve(std::size_t lists, std::size_t numbers) {
@@ -32,18 +32,18 @@ class Lists {
 };
 
 /// For every node the nodes that it points to.
-using Arrows = Lists;
+using Adjacency = SliceTable;
 
 struct Components {
     std::vector<std::uint32_t> of; ///< component of every node
-    Lists members;                 ///< sorted; what a component points to comes before it
+    SliceTable members;            ///< sorted; what a component points to comes before it
 };
 
 /// Strongly connected components (Tarjan 1972), without recursion.
-[[nodiscard]] Components find_components(const Arrows& arrows);
+[[nodiscard]] Components find_components(const Adjacency& adjacency);
 
 /// Components grouped so that everything that a group points to is in earlier groups.
-[[nodiscard]] std::vector<std::vector<std::uint32_t>> layers_of(const Arrows& arrows,
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> layers_of(const Adjacency& adjacency,
                                                                 const Components& components);
 
 } // namespace maclint::flow

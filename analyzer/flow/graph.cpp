@@ -40,9 +40,9 @@ struct Loose {
 
 class Building {
   public:
-    Building(const Program& program, const Structures& structures, const Returns& returns)
+    Building(const Program& program, const Regions& regions, const Returns& returns)
         : program_(program)
-        , structures_(structures)
+        , regions_(regions)
         , returns_(returns) {
         collect_wanted();
     }
@@ -88,7 +88,7 @@ class Building {
                                                            : std::nullopt)
                                    want(number);
                            },
-                           [this, id](const Call& call) { collect_ways_back(id, call); },
+                           [this, id](const Call& call) { collect_return_targets(id, call); },
                            [](const auto&) {},
                        },
                        program_.effects[id].what);
@@ -96,13 +96,13 @@ class Building {
         std::ranges::sort(wanted_.numbers);
     }
 
-    void collect_ways_back(EffectId id, const Call& call) {
-        if (program_.control->calls[call.kind].when != When::once) return;
-        WaysBack ways = returns_(id);
-        if (ways.to_next_block && ways.labels.empty()) return;
-        ways.to_next_block |= !surely_runs(call);
-        wanted_.numbers.insert(wanted_.numbers.end(), ways.labels.begin(), ways.labels.end());
-        ways_back_.emplace(id, std::move(ways));
+    void collect_return_targets(EffectId id, const Call& call) {
+        if (program_.control->calls[call.kind].trigger != CallTrigger::once) return;
+        ReturnTargets paths = returns_(id);
+        if (paths.to_next_block && paths.labels.empty()) return;
+        paths.to_next_block |= !surely_runs(call);
+        wanted_.numbers.insert(wanted_.numbers.end(), paths.labels.begin(), paths.labels.end());
+        return_targets_.emplace(id, std::move(paths));
     }
 
     /// A count that may be 0, or vacant, may call nothing.
@@ -137,11 +137,11 @@ class Building {
 
     void take_item(ItemId item) {
         std::visit(overloaded{[&](const Block& block) { take_block(item, block); },
-                              [&](const Run& run) { take_run(item, run); }},
+                              [&](const PlainRun& run) { take_run(item, run); }},
                    program_.items[item]);
     }
 
-    void take_run(ItemId item, const Run& run) {
+    void take_run(ItemId item, const PlainRun& run) {
         if (!run.has_sequence_numbers || wanted_.nothing()) {
             new_node(item, run.span, {}, true);
             return;
@@ -183,9 +183,9 @@ class Building {
         const Id end = slice.first + slice.count;
         for (Id i = slice.first; i < end; ++i) {
             const auto& what = program_.effects[i].what;
-            if (!leaves_line(what) && !ways_back_.contains(i)) continue;
+            if (!leaves_line(what) && !return_targets_.contains(i)) continue;
             // The effect itself ends its node, so that rules find the state in front of it.
-            const bool header = std::holds_alternative<Structure>(what);
+            const bool header = std::holds_alternative<RegionMark>(what);
             if (header && i > begin) flush(begin, i);
             const std::vector<Loose> falling_in = header ? divert_before_case(i) : std::vector<Loose>{};
             const NodeId node = flush(header ? i : begin, i + 1);
@@ -201,7 +201,7 @@ class Building {
     static bool leaves_line(const decltype(Effect::what)& what) {
         if (const auto* stop = std::get_if<Stop>(&what)) return stop->kind != Stop::Kind::pause;
         return std::holds_alternative<Jump>(what) || std::holds_alternative<Guarded>(what) ||
-               std::holds_alternative<Structure>(what) || std::holds_alternative<Return>(what);
+               std::holds_alternative<RegionMark>(what) || std::holds_alternative<Return>(what);
     }
 
     void leave(NodeId node, EffectId id) {
@@ -217,7 +217,7 @@ class Building {
                            take_effects(guarded.effects);
                            loose_.push_back({node, EdgeKind::branch, guarded.condition, false});
                        },
-                       [&](const Structure& structure) { leave_structure(node, id, structure); },
+                       [&](const RegionMark& mark) { leave_region(node, id, mark); },
                        [&](const Call&) { calls_.emplace_back(node, id); },
                        [](const auto&) {},
                    },
@@ -246,20 +246,20 @@ class Building {
         std::optional<NodeId> fallback; ///< DEFAULT, wherever it stands: all tests come first
     };
 
-    void leave_structure(NodeId node, EffectId id, const Structure& structure) {
-        const auto found = structures_.with(id);
+    void leave_region(NodeId node, EffectId id, const RegionMark& mark) {
+        const auto found = regions_.with(id);
         if (!found) return; // a stray END: the control goes on
-        const Paired& paired = structures_.all[*found];
-        switch (structure.part) {
-        case Structure::Part::open: {
+        const Region& region = regions_.all[*found];
+        switch (mark.part) {
+        case RegionMark::Part::open: {
             // Without its END, or crossing another, the loop is read as plain text.
-            if (!paired.close || paired.crossed) return;
-            Open open{node, paired.condition, {}, {}, {}};
+            if (!region.close || region.crossed) return;
+            Open open{node, region.condition, {}, {}, {}};
             loose_.clear();
-            if (paired.condition) {
-                loose_.push_back({node, EdgeKind::branch, paired.condition, true});
-                open.otherwise = Loose{node, EdgeKind::branch, paired.condition, false};
-            } else if (structure.construct == Construct::selection) {
+            if (region.condition) {
+                loose_.push_back({node, EdgeKind::branch, region.condition, true});
+                open.otherwise = Loose{node, EdgeKind::branch, region.condition, false};
+            } else if (mark.region_kind == RegionKind::selection) {
                 open.otherwise = Loose{node, EdgeKind::next, {}, true};
             } else {
                 loose_.push_back({node, EdgeKind::next, {}, true});
@@ -267,22 +267,22 @@ class Building {
             open_.emplace(*found, std::move(open));
             break;
         }
-        case Structure::Part::begin: break;
-        case Structure::Part::middle: middle(*found, node, structure); break;
-        case Structure::Part::leave: leave_selection(*found); break;
-        case Structure::Part::close: close(*found, node); break;
+        case RegionMark::Part::begin: break;
+        case RegionMark::Part::middle: middle(*found, node, mark); break;
+        case RegionMark::Part::leave: leave_selection(*found); break;
+        case RegionMark::Part::close: close(*found, node); break;
         }
     }
 
-    void middle(StructureId id, NodeId node, const Structure& structure) {
+    void middle(RegionId id, NodeId node, const RegionMark& mark) {
         const auto found = open_.find(id);
         if (found == open_.end()) return;
         Open& open = found->second;
-        if (structures_.all[id].construct == Construct::selection) {
+        if (regions_.all[id].region_kind == RegionKind::selection) {
             // The test stands in this node; the next CASE takes over when it fails.
-            if (structure.condition) {
-                loose_ = {{node, EdgeKind::branch, structure.condition, true}};
-                open.otherwise = Loose{node, EdgeKind::branch, structure.condition, false};
+            if (mark.condition) {
+                loose_ = {{node, EdgeKind::branch, mark.condition, true}};
+                open.otherwise = Loose{node, EdgeKind::branch, mark.condition, false};
             } else {
                 loose_ = {{node, EdgeKind::next, {}, true}};
                 open.fallback = node;
@@ -297,30 +297,30 @@ class Building {
     /// A CASE is reached by the tests before it, DEFAULT when the last of them has failed, none by the branch
     /// above; that one falls into what follows the test.
     std::vector<Loose> divert_before_case(EffectId id) {
-        const auto& structure = std::get<Structure>(program_.effects[id].what);
-        const auto found = structures_.with(id);
-        if (!found || structure.part != Structure::Part::middle) return {};
+        const auto& mark = std::get<RegionMark>(program_.effects[id].what);
+        const auto found = regions_.with(id);
+        if (!found || mark.part != RegionMark::Part::middle) return {};
         const auto open = open_.find(*found);
-        if (open == open_.end() || structures_.all[*found].construct != Construct::selection) return {};
+        if (open == open_.end() || regions_.all[*found].region_kind != RegionKind::selection) return {};
         std::vector<Loose> falling = std::exchange(loose_, {});
-        if (structure.condition && open->second.otherwise)
+        if (mark.condition && open->second.otherwise)
             loose_.push_back(*std::exchange(open->second.otherwise, std::nullopt));
         return falling;
     }
 
-    void leave_selection(StructureId id) {
+    void leave_selection(RegionId id) {
         const auto found = open_.find(id);
         if (found == open_.end()) return;
         found->second.to_close.insert(found->second.to_close.end(), loose_.begin(), loose_.end());
         loose_.clear();
     }
 
-    void close(StructureId id, NodeId node) {
+    void close(RegionId id, NodeId node) {
         const auto found = open_.find(id);
         if (found == open_.end()) return;
         Open& open = found->second;
-        const Construct construct = structures_.all[id].construct;
-        if (construct == Construct::while_loop || construct == Construct::endless_loop) {
+        const RegionKind region_kind = regions_.all[id].region_kind;
+        if (region_kind == RegionKind::while_loop || region_kind == RegionKind::endless_loop) {
             add_edge({node, open.header, EdgeKind::back, {}, true, {}, {}});
             loose_.clear();
         }
@@ -381,14 +381,14 @@ class Building {
     void resolve_returns() {
         std::vector<bool> goes_elsewhere(graph_.nodes.size(), false);
         for (const auto& [node, call] : calls_) {
-            const WaysBack& ways = ways_back_.at(call);
+            const ReturnTargets& paths = return_targets_.at(call);
             bool all_there = true; // otherwise the control stops: what follows is not judged by that
-            for (const std::int64_t number : ways.labels) {
+            for (const std::int64_t number : paths.labels) {
                 const Label* label = graph_.find_label(number, 0);
                 all_there &= label != nullptr;
                 if (label != nullptr) add_edge({node, label->node, EdgeKind::resume, {}, true, call, {}});
             }
-            goes_elsewhere[node] = !ways.to_next_block && all_there;
+            goes_elsewhere[node] = !paths.to_next_block && all_there;
         }
         std::erase_if(graph_.edges, [&](const Edge& edge) {
             return goes_elsewhere[edge.from] && edge.kind != EdgeKind::resume;
@@ -444,13 +444,14 @@ class Building {
     }
 
     const Program& program_;
-    const Structures& structures_;
+    const Regions& regions_;
     const Returns& returns_;
     Graph graph_;
     Wanted wanted_;
-    std::unordered_map<EffectId, WaysBack> ways_back_; ///< of calls that may go on elsewhere than behind them
-    std::vector<std::pair<NodeId, EffectId>> calls_;   ///< these, and the nodes that end with them
-    std::unordered_map<StructureId, Open> open_;
+    std::unordered_map<EffectId, ReturnTargets>
+        return_targets_;                             ///< of calls that may go on elsewhere than behind them
+    std::vector<std::pair<NodeId, EffectId>> calls_; ///< these, and the nodes that end with them
+    std::unordered_map<RegionId, Open> open_;
     std::vector<Loose> loose_;
     ItemId item_ = 0;
     Span part_{};
@@ -468,7 +469,7 @@ class Met {
     [[nodiscard]] bool knows(NodeId node) const { return !slots_.empty() && slots_[slot_of(node)] != 0; }
     [[nodiscard]] EdgeId edge_to(NodeId node) const { return nodes_[slots_[slot_of(node)] - 1].second; }
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
-    [[nodiscard]] NodeId node(std::size_t place) const { return nodes_[place].first; }
+    [[nodiscard]] NodeId node(std::size_t index) const { return nodes_[index].first; }
 
   private:
     /// The slot of the node, or the free one where it belongs.
@@ -518,7 +519,7 @@ std::optional<NodeId> Graph::node_of(EffectId effect) const {
 }
 
 std::optional<std::vector<EdgeId>>
-Graph::way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const {
+Graph::path(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const {
     Met met;
     const auto spread_from = [&](NodeId node) {
         for (const EdgeId id : out[node]) {
@@ -531,11 +532,11 @@ Graph::way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, st
     for (std::size_t i = 0; i < met.size() && !met.knows(to) && met.size() < most_nodes; ++i)
         spread_from(met.node(i));
     if (!met.knows(to)) return std::nullopt;
-    std::vector<EdgeId> way;
-    for (NodeId node = to; way.empty() || node != from; node = edges[way.back()].from)
-        way.push_back(met.edge_to(node));
-    std::ranges::reverse(way);
-    return way;
+    std::vector<EdgeId> path;
+    for (NodeId node = to; path.empty() || node != from; node = edges[path.back()].from)
+        path.push_back(met.edge_to(node));
+    std::ranges::reverse(path);
+    return path;
 }
 
 std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target) {
@@ -553,8 +554,8 @@ bool returns_behind_call(const Program& program, const Exit& exit) {
     return !label || !constant_target(program, *label);
 }
 
-Graph build_graph(const Program& program, const Structures& structures, const Returns& returns) {
-    return Building(program, structures, returns).run();
+Graph build_graph(const Program& program, const Regions& regions, const Returns& returns) {
+    return Building(program, regions, returns).run();
 }
 
 } // namespace maclint::flow

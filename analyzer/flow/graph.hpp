@@ -1,7 +1,7 @@
 //! The control-flow graph of one program, with the jump rules of the control.
 #pragma once
 
-#include "analyzer/flow/structure.hpp"
+#include "analyzer/flow/regions.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <functional>
@@ -106,20 +106,20 @@ struct Graph {
     /// Edges on a shortest way from `from` to `to`, or nothing when there is none or the search has met
     /// `most_nodes` nodes. An edge that `usable` refuses is not taken.
     [[nodiscard]] std::optional<std::vector<EdgeId>>
-    way(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const;
+    path(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const;
 };
 
 /// How a called program may come back.
-struct WaysBack {
+struct ReturnTargets {
     bool to_next_block = true;
     std::vector<std::int64_t> labels; ///< sequence numbers of the caller
 };
-using Returns = std::function<WaysBack(EffectId call)>;
+using Returns = std::function<ReturnTargets(EffectId call)>;
 
 /// Whether who leaves the program there goes on behind the call, not at a sequence number.
 [[nodiscard]] bool returns_behind_call(const Program& program, const Exit& exit);
 
-[[nodiscard]] Graph build_graph(const Program& program, const Structures& structures, const Returns& returns);
+[[nodiscard]] Graph build_graph(const Program& program, const Regions& regions, const Returns& returns);
 
 /// The number that a jump's target expression names when it is a plain constant.
 [[nodiscard]] std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target);

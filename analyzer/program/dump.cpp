@@ -45,20 +45,20 @@ std::string describe(const Program& program, const Call& call) {
     return out;
 }
 
-std::string describe(const Program& program, const Structure& structure) {
-    static constexpr std::string_view constructs[] = {"while", "endless", "choice", "selection", "unit"};
+std::string describe(const Program& program, const RegionMark& mark) {
+    static constexpr std::string_view region_kinds[] = {"while", "endless", "choice", "selection", "unit"};
     static constexpr std::string_view parts[] = {"open", "begin", "middle", "leave", "close"};
-    std::string out(parts[static_cast<std::size_t>(structure.part)]);
+    std::string out(parts[static_cast<std::size_t>(mark.part)]);
     out += ' ';
-    out += constructs[static_cast<std::size_t>(structure.construct)];
-    if (structure.number) out += ' ' + std::to_string(*structure.number);
-    if (structure.condition) out += ' ' + maclint::describe(program, *structure.condition);
+    out += region_kinds[static_cast<std::size_t>(mark.region_kind)];
+    if (mark.number) out += ' ' + std::to_string(*mark.number);
+    if (mark.condition) out += ' ' + maclint::describe(program, *mark.condition);
     return out;
 }
 
 std::string describe(const Program& program, const UnreadableBlock& block) {
     std::string out = "unreadable";
-    for (const Place place : block.may_write) out += " writes " + program.spell(place);
+    for (const Variable variable : block.may_write) out += " writes " + program.spell(variable);
     for (const std::int64_t label : block.may_jump) out += " jumps " + std::to_string(label);
     if (block.may_open_or_close) out += " opens-or-closes";
     if (block.may_call_or_return) out += " calls-or-returns";
@@ -67,7 +67,7 @@ std::string describe(const Program& program, const UnreadableBlock& block) {
 
 std::string describe(const Program& program, const Assign& assign) {
     const std::string target = std::visit(
-        overloaded{[&](Place place) { return program.spell(place); },
+        overloaded{[&](Variable variable) { return program.spell(variable); },
                    [&](const StoreAt& at) { return "#[" + maclint::describe(program, at.index) + "]"; },
                    [&](const StoreMachine& at) {
                        return "machine " + describe_machine(program, at.family, at.number);
@@ -85,7 +85,7 @@ std::string describe(const Program& program, const Block& block) {
     return out;
 }
 
-std::string describe(const Program& program, const Run& run) {
+std::string describe(const Program& program, const PlainRun& run) {
     std::string out = "run of " + std::to_string(run.blocks);
     if (run.has_sequence_numbers) out += " numbered";
     if (run.moves) out += " moving";
@@ -111,7 +111,7 @@ std::string_view name_of(Operation operation) {
     return names[static_cast<std::size_t>(operation)];
 }
 
-std::string_view name_of(Irregular irregular) {
+std::string_view name_of(SyntaxErrorKind syntax_error) {
     static constexpr std::string_view names[] = {
         "oversized-block",      "unterminated-comment",    "parenthesis-as-bracket",
         "bracket-mismatch",     "unknown-keyword",         "missing-construct",
@@ -119,8 +119,8 @@ std::string_view name_of(Irregular irregular) {
         "loop-without-do",      "call-without-program",    "not-alone",
         "then-missing",         "assignment-in-condition", "comparison-as-assignment",
         "hash-in-vacancy-test", "unknown-transfer-value",  "unreadable"};
-    static_assert(std::size(names) == static_cast<std::size_t>(Irregular::unreadable) + 1);
-    return names[static_cast<std::size_t>(irregular)];
+    static_assert(std::size(names) == static_cast<std::size_t>(SyntaxErrorKind::unreadable) + 1);
+    return names[static_cast<std::size_t>(syntax_error)];
 }
 
 std::string describe(const Program& program, ExpressionId expression) {
@@ -139,7 +139,7 @@ std::string describe(const Program& program, ExpressionId expression) {
         overloaded{[](const Literal& node) { return text_of(node.value) + (node.decimal_point ? "." : ""); },
                    [&](const Text& node) { return '"' + std::string(program.slice(node.characters)) + '"'; },
                    [](Vacant) { return std::string("vacant"); },
-                   [&](const Load& node) { return program.spell(node.place); },
+                   [&](const Load& node) { return program.spell(node.variable); },
                    [&](const LoadAt& node) { return "#[" + describe(program, node.index) + "]"; },
                    [&](const LoadModal& node) {
                        return "modal(" + std::string(program.control->groups[node.group].name) + ")";
@@ -162,7 +162,7 @@ std::string describe(const Program& program, const Effect& effect) {
                 const std::string group(what.group ? program.control->groups[*what.group].name : "modal");
                 return group + '=' + describe(program, what.value);
             },
-            [&](const Values& values) {
+            [&](const EvaluateWords& values) {
                 std::string text = "values";
                 for (const ExpressionId value : program.values_of(values))
                     text += ' ' + describe(program, value);
@@ -178,7 +178,7 @@ std::string describe(const Program& program, const Effect& effect) {
                 return std::string(what.kind == ToolChange::Kind::change ? "tool change"
                                                                          : "to the tool change position");
             },
-            [&](const Structure& what) { return describe(program, what); },
+            [&](const RegionMark& what) { return describe(program, what); },
             [&](const Jump& what) { return "jump " + describe(program, what.target); },
             [&](const Call& what) { return describe(program, what); },
             [&](const Return& what) {
@@ -187,7 +187,7 @@ std::string describe(const Program& program, const Effect& effect) {
             [&](const Exchange& what) {
                 std::string out = "exchange";
                 for (const ExpressionId id : what.out) out += " out " + describe(program, id);
-                for (const Place place : what.in) out += " in " + program.spell(place);
+                for (const Variable variable : what.in) out += " in " + program.spell(variable);
                 return out;
             },
             [&](const Guarded& what) {
@@ -214,11 +214,11 @@ std::string describe(const Program& program) {
 std::string describe(const ProgramFile& file) {
     std::string out;
     for (const Program& program : file.programs) out += program.name + ":\n" + describe(program);
-    for (const Irregularity& irregularity : file.irregularities) {
+    for (const SyntaxError& syntax_error : file.syntax_errors) {
         out += "! ";
-        out += name_of(irregularity.kind);
-        out += " '" + irregularity.subject + "'";
-        if (!irregularity.cure.empty()) out += " -> " + irregularity.cure;
+        out += name_of(syntax_error.kind);
+        out += " '" + syntax_error.subject + "'";
+        if (!syntax_error.cure.empty()) out += " -> " + syntax_error.cure;
         out += '\n';
     }
     return out;

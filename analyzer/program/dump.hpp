@@ -17,6 +17,6 @@ namespace maclint {
 [[nodiscard]] std::string describe(const ProgramFile& file);
 
 [[nodiscard]] std::string_view name_of(Operation operation);
-[[nodiscard]] std::string_view name_of(Irregular irregular);
+[[nodiscard]] std::string_view name_of(SyntaxErrorKind syntax_error);
 
 } // namespace maclint

@@ -51,7 +51,7 @@ std::span<const ExpressionId> Program::operands_of(const Apply& apply) const {
     return std::span(operands).subspan(apply.operands.first, apply.operands.count);
 }
 
-std::span<const ExpressionId> Program::values_of(const Values& values) const {
+std::span<const ExpressionId> Program::values_of(const EvaluateWords& values) const {
     return std::span(operands).subspan(values.values.first, values.values.count);
 }
 
@@ -63,7 +63,7 @@ std::span<const Argument> Program::arguments_of(const Call& call) const {
     return std::span(arguments).subspan(call.arguments.first, call.arguments.count);
 }
 
-std::span<const ModalSetting> Program::net_of(const Run& run) const {
+std::span<const ModalSetting> Program::net_of(const PlainRun& run) const {
     return std::span(settings).subspan(run.net.first, run.net.count);
 }
 
@@ -71,18 +71,18 @@ Span Program::span_of(ItemId item) const {
     return std::visit([](const auto& part) { return part.span; }, items[item]);
 }
 
-Place Program::meant_by(Place place) const {
-    const auto alias = aliases.find(place);
-    return alias == aliases.end() ? place : alias->second;
+Variable Program::meant_by(Variable variable) const {
+    const auto alias = aliases.find(variable);
+    return alias == aliases.end() ? variable : alias->second;
 }
 
-std::string Program::spell(Place place) const {
-    const VariableSpace& space = control->spaces[place.space];
-    const auto index = static_cast<std::size_t>(place.number);
+std::string Program::spell(Variable variable) const {
+    const VariableSpace& space = control->spaces[variable.space];
+    const auto index = static_cast<std::size_t>(variable.number);
     if (index < space.fixed_names.size())
         return std::string(space.prefix) + std::string(space.fixed_names[index]);
-    if (space.named) return std::string(space.prefix).append(names[place.number]);
-    return std::string(space.prefix) + std::to_string(place.number);
+    if (space.named) return std::string(space.prefix).append(names[variable.number]);
+    return std::string(space.prefix) + std::to_string(variable.number);
 }
 
 void Program::fit() {

@@ -84,7 +84,7 @@ struct Text {
 };
 struct Vacant {}; ///< the null variable
 struct Load {
-    Place place;
+    Variable variable;
 };
 struct LoadAt {
     FamilyId family;
@@ -119,7 +119,7 @@ struct StoreMachine {
     std::int32_t number;
 }; ///< target of #5221=…
 struct Assign {
-    std::variant<Place, StoreAt, StoreMachine> target;
+    std::variant<Variable, StoreAt, StoreMachine> target;
     ExpressionId value;
 };
 
@@ -131,7 +131,7 @@ struct SetModal {
 };
 
 /// Values that words compute and that change nothing in the model: axis words, T, D, H.
-struct Values {
+struct EvaluateWords {
     Slice values; ///< Program::operands
 };
 
@@ -161,15 +161,15 @@ struct Reference {
     ExpressionId block;
 };
 
-enum class Construct : std::uint8_t { while_loop, endless_loop, choice, selection, unit };
-[[nodiscard]] constexpr bool is_loop(Construct construct) {
-    return construct == Construct::while_loop || construct == Construct::endless_loop;
+enum class RegionKind : std::uint8_t { while_loop, endless_loop, choice, selection, unit };
+[[nodiscard]] constexpr bool is_loop(RegionKind region_kind) {
+    return region_kind == RegionKind::while_loop || region_kind == RegionKind::endless_loop;
 }
 
 /// Opens, divides or closes a construct. In a language whose loops have numbers, a number pairs open and
 /// close.
-struct Structure {
-    Construct construct;
+struct RegionMark {
+    RegionKind region_kind;
     enum class Part : std::uint8_t {
         open,
         begin,  ///< THEN: what it opens has begun; the flow does not change
@@ -187,7 +187,7 @@ struct Jump {
 }; ///< to a sequence number; a condition around it is a Guarded effect
 
 struct Argument {
-    Place formal;
+    Variable formal;
     ExpressionId value;
     std::string_view address; ///< "A", "LA"; static lifetime or into the source text
     Span span;
@@ -204,7 +204,7 @@ struct Return {
 }; ///< M99, M99 P
 struct Exchange {
     std::vector<ExpressionId> out;
-    std::vector<Place> in;
+    std::vector<Variable> in;
 }; ///< DPRNT, PRINT, INPUT
 struct Guarded {
     ExpressionId condition;
@@ -213,15 +213,16 @@ struct Guarded {
 
 /// A block that could not be read. What its words name may or may not happen.
 struct UnreadableBlock {
-    std::vector<Place> may_write; ///< all that it names: it may change them, or be the test that was missing
+    std::vector<Variable>
+        may_write; ///< all that it names: it may change them, or be the test that was missing
     std::vector<std::int64_t> may_jump;
     bool may_open_or_close; ///< it names DO, END, IF …: balance findings that it may explain are held back
     bool may_call_or_return;
 };
 
 struct Effect {
-    std::variant<Assign, SetModal, Values, Motion, Synchronise, Stop, ToolChange, Structure, Jump, Call,
-                 Return, Exchange, Guarded, UnreadableBlock, Reference>
+    std::variant<Assign, SetModal, EvaluateWords, Motion, Synchronise, Stop, ToolChange, RegionMark, Jump,
+                 Call, Return, Exchange, Guarded, UnreadableBlock, Reference>
         what;
     Span span;
 };
@@ -253,7 +254,7 @@ struct ModalSetting {
 };
 
 /// Plain blocks in a row, not stored one by one; see Program::for_each_block.
-struct Run {
+struct PlainRun {
     Span span;
     std::uint32_t blocks;
     bool moves; ///< at least one block moves an axis
@@ -270,7 +271,7 @@ struct PlainBlock {
     std::vector<ModalSetting> settings;
 };
 
-using Item = std::variant<Block, Run>;
+using Item = std::variant<Block, PlainRun>;
 using ItemId = Id;
 
 /// Part of a program; the body is a slice of Program::items.
@@ -308,23 +309,24 @@ class Program {
     std::vector<Word> words;
     std::vector<Argument> arguments;
     std::vector<ModalSetting> settings;
-    Names names;                    ///< of named variables
-    std::vector<Place> handed_down; ///< locals that all programs called from here see, too: #l1(200)
-    std::unordered_map<Place, Place, PlaceHash> aliases; ///< names, and the variables that they stand for
+    Names names;                       ///< of named variables
+    std::vector<Variable> handed_down; ///< locals that all programs called from here see, too: #l1(200)
+    std::unordered_map<Variable, Variable, VariableHash>
+        aliases; ///< names, and the variables that they stand for
 
     [[nodiscard]] std::string_view slice(Span span) const {
         return text.substr(span.begin, span.end - span.begin);
     }
     [[nodiscard]] std::span<const ExpressionId> operands_of(const Apply& apply) const;
-    [[nodiscard]] std::span<const ExpressionId> values_of(const Values& values) const;
+    [[nodiscard]] std::span<const ExpressionId> values_of(const EvaluateWords& values) const;
     [[nodiscard]] std::span<const Effect> effects_in(Slice slice) const;
     [[nodiscard]] std::span<const Argument> arguments_of(const Call& call) const;
-    [[nodiscard]] std::span<const ModalSetting> net_of(const Run& run) const;
+    [[nodiscard]] std::span<const ModalSetting> net_of(const PlainRun& run) const;
     [[nodiscard]] Span span_of(ItemId item) const;
     /// The variable that a name stands for; any other place is itself.
-    [[nodiscard]] Place meant_by(Place place) const;
+    [[nodiscard]] Variable meant_by(Variable variable) const;
     /// "#101", "__la".
-    [[nodiscard]] std::string spell(Place place) const;
+    [[nodiscard]] std::string spell(Variable variable) const;
     /// Gives back memory that was taken for more blocks.
     void fit();
     /// Every block of `part` of a run in order, until the visitor returns false.
@@ -334,7 +336,7 @@ class Program {
 // ---- files ----
 
 /// What is wrong with a text before any flow is looked at. Rules of the families 0xx and 1xx report these.
-enum class Irregular : std::uint8_t {
+enum class SyntaxErrorKind : std::uint8_t {
     oversized_block, ///< too long to be parsed
     unterminated_comment,
     parenthesis_as_bracket, ///< subject: the word before the '('
@@ -355,15 +357,15 @@ enum class Irregular : std::uint8_t {
     unreadable,               ///< nothing more exact is known; cure: what was expected
 };
 
-struct Irregularity {
-    Irregular kind;
+struct SyntaxError {
+    SyntaxErrorKind kind;
     Span span;
     std::string subject; ///< the offending text, UTF-8
     std::string cure;    ///< what to write instead, in the user's words; may be empty
 };
 
 /// A comment that speaks to maclint.
-struct Comment {
+struct DirectiveComment {
     Span span;       ///< brackets included
     bool alone;      ///< nothing but a sequence number stands in its block beside it
     Span block;      ///< the block that holds it
@@ -383,8 +385,8 @@ struct ProgramFile {
     std::shared_ptr<const Source> source;
     const ControlModel* control = nullptr;
     std::vector<Program> programs;
-    std::vector<Irregularity> irregularities; ///< in file order
-    std::vector<Comment> comments;            ///< only those that contain "MACLINT", any case
+    std::vector<SyntaxError> syntax_errors; ///< in file order
+    std::vector<DirectiveComment> comments; ///< only those that contain "MACLINT", any case
     /// By number, then in text order; see index_block_numbers.
     std::vector<BlockNumber> block_numbers;
 };

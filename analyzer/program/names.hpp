@@ -30,12 +30,12 @@ class Names {
 };
 
 /// Variables by their names.
-using PlacesByName = std::unordered_map<std::string, Place, TextHash, std::equal_to<>>;
+using VariablesByName = std::unordered_map<std::string, Variable, TextHash, std::equal_to<>>;
 
-struct PlaceHash {
-    std::size_t operator()(Place place) const {
+struct VariableHash {
+    std::size_t operator()(Variable variable) const {
         constexpr unsigned bits_of_number = 32;
-        return std::size_t{place.space} << bits_of_number | static_cast<std::uint32_t>(place.number);
+        return std::size_t{variable.space} << bits_of_number | static_cast<std::uint32_t>(variable.number);
     }
 };
 

@@ -16,7 +16,7 @@ void visit_numbers(const Program& program, const Item& item, const Visit& visit)
                               if (block.sequence_number)
                                   visit(*block.sequence_number, block.sequence_number_span);
                           },
-                          [&](const Run& run) {
+                          [&](const PlainRun& run) {
                               if (!run.has_sequence_numbers) return;
                               program.for_each_block(run.span, [&](const PlainBlock& block) {
                                   if (block.sequence_number)

@@ -23,7 +23,7 @@ Readable count_readable(const ProgramFile& file) {
     Readable count;
     for (const Program& program : file.programs) {
         for (const Item& item : program.items) {
-            if (const auto* run = std::get_if<Run>(&item)) {
+            if (const auto* run = std::get_if<PlainRun>(&item)) {
                 count.blocks += run->blocks;
                 continue;
             }

@@ -19,14 +19,14 @@ using ReferenceKindId = std::uint8_t; ///< row of ControlModel::references
 
 /// How long a variable lives and who shares it.
 enum class Scope : std::uint8_t {
-    frame,     ///< one set for every call level (local variables)
-    workspace, ///< shared by all programs, lost when the control is switched off
-    retained,  ///< shared by all programs, kept when the control is switched off
-    machine,   ///< owned by the control: offsets, outputs, counters
+    frame,    ///< one set for every call level (local variables)
+    shared,   ///< shared by all programs, lost when the control is switched off
+    retained, ///< shared by all programs, kept when the control is switched off
+    machine,  ///< owned by the control: offsets, outputs, counters
 };
 
 /// What a variable reads as before anything was stored in it.
-enum class Unset : std::uint8_t { vacant, zero, undefined, old_value };
+enum class InitialValue : std::uint8_t { vacant, zero, undefined, old_value };
 
 /// One row of the variable-space table.
 struct VariableSpace {
@@ -34,7 +34,7 @@ struct VariableSpace {
     std::string_view prefix; ///< how a place of it is written before its number: "#"
     bool named;              ///< a place's number is the index of a name, not part of the spelling
     Scope scope;
-    Unset unset;
+    InitialValue initial_value;
     std::string_view source;
     std::vector<std::string_view> fixed_names =
         {}; ///< how its places are spelled behind the prefix, by number
@@ -44,14 +44,14 @@ struct VariableSpace {
 };
 
 /// One variable: a space and a number (for named variables the index of the name in its program).
-struct Place {
+struct Variable {
     SpaceId space;
     std::int32_t number;
-    friend bool operator==(const Place&, const Place&) = default;
+    friend bool operator==(const Variable&, const Variable&) = default;
 };
 
 /// What a rule may say about a modal group that a program leaves changed.
-enum class Concern : std::uint8_t {
+enum class RestorePolicy : std::uint8_t {
     none,      ///< nothing: no custom asks to put it back
     state,     ///< a way of reading words (plane, distance, units): MAC501
     operation, ///< something that acts on every later move until cancelled: MAC502
@@ -69,7 +69,7 @@ enum class Concern : std::uint8_t {
 struct ModalGroup {
     std::string_view name; ///< "distance mode"
     char letter;           ///< 'G', 'F', 'S'; '#' for a group that is a variable (single-block suppression)
-    Concern concern;
+    RestorePolicy restore_policy;
     std::vector<double> members;   ///< codes of the group; empty for value groups
     std::vector<double> customary; ///< codes that a program may leave behind without comment
     std::optional<double> cancel;  ///< the code that ends an operation (G40, G80)
@@ -101,11 +101,11 @@ enum class OnWrite : std::uint8_t { store, set_modal, alarm, pause, forbidden };
 
 /// What a variable number stands for.
 enum class Meaning : std::uint8_t {
-    null,    ///< the null variable: always vacant
-    place,   ///< an ordinary variable of `space`
-    modal,   ///< reads the code in force of `group`
-    machine, ///< a value that the machine owns
-    absent,  ///< no such variable on this control
+    null,     ///< the null variable: always vacant
+    variable, ///< an ordinary variable of `space`
+    modal,    ///< reads the code in force of `group`
+    machine,  ///< a value that the machine owns
+    absent,   ///< no such variable on this control
 };
 
 /// One row of a family of variable numbers; rows of a family do not overlap and are sorted by `first`.
@@ -134,21 +134,21 @@ struct VariableFamily {
 /// Whether a call opens a fresh set of local variables.
 enum class Frame : std::uint8_t { fresh, shared };
 /// Which limit a call counts against.
-enum class Counted : std::uint8_t { macro, subprogram };
+enum class NestingLimit : std::uint8_t { macro, subprogram };
 /// When the called program runs.
-enum class When : std::uint8_t { once, after_each_motion, after_each_block };
+enum class CallTrigger : std::uint8_t { once, after_each_motion, after_each_block };
 /// Where the called program is looked for.
-enum class Reach : std::uint8_t { everywhere, same_file, other_files };
+enum class LookupScope : std::uint8_t { everywhere, same_file, other_files };
 
 /// One row of the call table.
 struct CallKind {
     std::string_view name; ///< "G65 macro call"
     Frame frame;
-    Counted counted;
-    When when;
+    NestingLimit counts_against;
+    CallTrigger trigger;
     double modal_code; ///< the code in force in the modal-call group while it acts; 0 for a call made once
     std::string_view source;
-    Reach reach = Reach::everywhere;
+    LookupScope lookup = LookupScope::everywhere;
 };
 
 /// One row of the section table: a part of a program that a word of its own begins.
@@ -193,9 +193,9 @@ struct ControlModel {
     std::vector<VariableFamily> families;
     std::vector<ModalGroup> groups;
     std::vector<CallKind> calls;
-    std::vector<Place>
+    std::vector<Variable>
         formals; ///< local variables that an argument letter of a call reaches (specification I)
-    std::vector<std::array<Place, 3>> series =
+    std::vector<std::array<Variable, 3>> series =
         {}; ///< those that the first, second … I, J and K of a call reach (specification II)
     bool vacant_equals_zero;        ///< whether EQ and NE take vacant for 0
     std::vector<Idle> idle = {};    ///< when nobody asks for a feed or speed

@@ -16,9 +16,9 @@ const Tree& TreeMemory::parse(std::string_view text, std::string_view shape) {
         syntax::parse(grammar_, text, long_text_);
         return long_text_;
     }
-    if (const auto known = trees_.find(shape); known != trees_.end()) return known->second;
-    if (trees_.size() >= most_remembered) trees_.clear();
-    Tree& tree = trees_[std::string(shape)];
+    if (const auto known = maps_.find(shape); known != maps_.end()) return known->second;
+    if (maps_.size() >= most_remembered) maps_.clear();
+    Tree& tree = maps_[std::string(shape)];
     syntax::parse(grammar_, text, tree);
     tree.nodes.shrink_to_fit();
     return tree;

@@ -23,7 +23,7 @@ class TreeMemory {
 
   private:
     Grammar grammar_;
-    std::unordered_map<std::string, Tree, TextHash, std::equal_to<>> trees_;
+    std::unordered_map<std::string, Tree, TextHash, std::equal_to<>> maps_;
     Tree long_text_;
 };
 

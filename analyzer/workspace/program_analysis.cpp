@@ -5,11 +5,11 @@
 
 namespace maclint {
 
-std::optional<std::vector<flow::EdgeId>> ProgramAnalysis::way_from_start(flow::NodeId node) const {
-    std::call_once(ways_asked_for_, [this] {
-        ways_.emplace(graph_, [this](flow::EdgeId id) { return data_->passable(id); });
+std::optional<std::vector<flow::EdgeId>> ProgramAnalysis::path_from_start(flow::NodeId node) const {
+    std::call_once(shortest_paths_once_, [this] {
+        paths_.emplace(graph_, [this](flow::EdgeId id) { return data_->passable(id); });
     });
-    return ways_->to(graph_, node);
+    return paths_->to(graph_, node);
 }
 
 std::vector<flow::Label> ProgramAnalysis::targets_of(const flow::ResolvedJump& jump) const {
@@ -28,8 +28,8 @@ std::vector<flow::Label> ProgramAnalysis::targets_of(const flow::ResolvedJump& j
 
 std::vector<Caller> ProgramAnalysis::possible_callers() const {
     std::vector<Caller> callers;
-    for (const auto& namesakes : namesakes_)
-        callers.insert(callers.end(), namesakes->callers.begin(), namesakes->callers.end());
+    for (const auto& same_name : same_name_)
+        callers.insert(callers.end(), same_name->callers.begin(), same_name->callers.end());
     return callers;
 }
 
@@ -51,7 +51,8 @@ std::optional<EffectId> ProgramAnalysis::user_of_label(std::int64_t number) cons
 
 std::vector<dataflow::OriginId> ProgramAnalysis::own_modal_calls(const dataflow::State& state) const {
     std::vector<dataflow::OriginId> calls;
-    const auto group = std::ranges::find(control().groups, Concern::modal_call, &ModalGroup::concern);
+    const auto group =
+        std::ranges::find(control().groups, RestorePolicy::modal_call, &ModalGroup::restore_policy);
     if (group == control().groups.end()) return calls;
     const auto id = static_cast<GroupId>(group - control().groups.begin());
     const dataflow::ModalValue& value = data_->modal(state, id);
@@ -60,7 +61,8 @@ std::vector<dataflow::OriginId> ProgramAnalysis::own_modal_calls(const dataflow:
         const dataflow::Origin& origin = data_->origin(part.origin);
         if (origin.kind != dataflow::Origin::Kind::effect) continue;
         const auto* call = std::get_if<Call>(&program_->effects[origin.id].what);
-        if (call != nullptr && control().calls[call->kind].when != When::once) calls.push_back(part.origin);
+        if (call != nullptr && control().calls[call->kind].trigger != CallTrigger::once)
+            calls.push_back(part.origin);
     }
     return calls;
 }

@@ -4,8 +4,8 @@
 #include "analyzer/dataflow/analysis.hpp"
 #include "analyzer/dataflow/loops.hpp"
 #include "analyzer/flow/graph.hpp"
-#include "analyzer/flow/structure.hpp"
-#include "analyzer/flow/ways_from_start.hpp"
+#include "analyzer/flow/regions.hpp"
+#include "analyzer/flow/shortest_paths.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
@@ -24,11 +24,11 @@ struct Caller {
 };
 
 /// Programs of one number or name that are equally near to every call that may mean any of them.
-struct Namesakes {
+struct Candidates {
     std::vector<ProgramIndex> programs;
     std::vector<Caller> callers;
-    std::vector<Place> passed;  ///< by some caller; sorted
-    bool locals_shared = false; ///< some caller shares its locals
+    std::vector<Variable> passed; ///< by some caller; sorted
+    bool locals_shared = false;   ///< some caller shares its locals
 };
 
 /// One call in a program and the program of the workspace that it means.
@@ -39,7 +39,7 @@ struct CallSite {
     bool closes_cycle;                  ///< it calls a program from which its own program was called
     std::size_t candidates;             ///< programs of that number or name in the workspace
     /// Without a target: those that it may mean. Calls share the lists.
-    std::vector<std::shared_ptr<Namesakes>> equally_near;
+    std::vector<std::shared_ptr<Candidates>> equally_near;
 };
 
 /// How often each limit is used up on a chain of calls.
@@ -63,16 +63,18 @@ class ProgramAnalysis {
     [[nodiscard]] bool asked() const { return file_->asked; }
     [[nodiscard]] const Program& program() const { return *program_; }
     [[nodiscard]] const ControlModel& control() const { return *program_->control; }
-    [[nodiscard]] const flow::Structures& structures() const { return structures_; }
+    [[nodiscard]] const flow::Regions& regions() const { return regions_; }
     [[nodiscard]] const flow::Graph& graph() const { return graph_; }
     [[nodiscard]] const dataflow::Analysis& data() const { return *data_; }
     /// A shortest way from the program's start to the node, over edges that can be taken; nothing when there
     /// is none. May be asked on several threads.
-    [[nodiscard]] std::optional<std::vector<flow::EdgeId>> way_from_start(flow::NodeId node) const;
+    [[nodiscard]] std::optional<std::vector<flow::EdgeId>> path_from_start(flow::NodeId node) const;
     [[nodiscard]] const dataflow::Facts& facts() const { return data_->facts(); }
     [[nodiscard]] const std::vector<dataflow::Loop>& loops() const { return loops_; }
     /// Cycles that nothing ends.
-    [[nodiscard]] const std::vector<dataflow::Loop>& traps() const { return traps_; }
+    [[nodiscard]] const std::vector<dataflow::Loop>& inescapable_cycles() const {
+        return inescapable_cycles_;
+    }
     [[nodiscard]] const dataflow::Summary& summary() const { return data_->summary(); }
 
     /// The blocks that a jump can reach; none when nobody knows.
@@ -99,9 +101,9 @@ class ProgramAnalysis {
     [[nodiscard]] CallDepth depth() const { return depth_; }
     /// Calls that lead from this program to another, in order; empty when there is no way or it is the same
     /// program.
-    [[nodiscard]] std::vector<Caller> way_to(ProgramIndex program) const;
+    [[nodiscard]] std::vector<Caller> path_to(ProgramIndex program) const;
     /// The calls along that way for the limit, outermost first.
-    [[nodiscard]] std::vector<Caller> chain_to(Counted counted) const;
+    [[nodiscard]] std::vector<Caller> chain_to(NestingLimit nesting) const;
 
   private:
     friend class Workspace;
@@ -110,15 +112,15 @@ class ProgramAnalysis {
     ProgramIndex index_;
     const WorkspaceFile* file_;
     const Program* program_;
-    flow::Structures structures_;
+    flow::Regions regions_;
     flow::Graph graph_;
     std::optional<dataflow::Analysis> data_;
-    std::vector<dataflow::Loop> loops_, traps_;
-    mutable std::once_flag ways_asked_for_; ///< most programs have no finding
-    mutable std::optional<flow::WaysFromStart> ways_;
+    std::vector<dataflow::Loop> loops_, inescapable_cycles_;
+    mutable std::once_flag shortest_paths_once_; ///< most programs have no finding
+    mutable std::optional<flow::ShortestPaths> paths_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;
-    std::vector<std::shared_ptr<const Namesakes>> namesakes_; ///< lists with it that some call may mean
+    std::vector<std::shared_ptr<const Candidates>> same_name_; ///< lists with it that some call may mean
     bool is_macro_ = false;
     bool recursive_ = false;
     CallDepth depth_;

@@ -42,7 +42,7 @@ std::size_t handicap(const Program& program) { return program.started == Program
 void CallResolver::Nearest::consider(ProgramIndex program, std::size_t steps_to_it) {
     ++all;
     if (steps_to_it > steps) return;
-    if (steps_to_it < steps) programs = std::make_shared<Namesakes>();
+    if (steps_to_it < steps) programs = std::make_shared<Candidates>();
     steps = steps_to_it;
     programs->programs.push_back(program);
 }
@@ -60,16 +60,16 @@ CallResolver::CallResolver(const std::deque<ProgramAnalysis>& programs) {
     }
 }
 
-void CallResolver::add(Bearers& bearers, const ProgramAnalysis& analysis) {
+void CallResolver::add(ProgramsByName& programs_by_name, const ProgramAnalysis& analysis) {
     const Program& program = analysis.program();
     const std::size_t by_hand = handicap(program);
     // Every file may have local programs of the same names: only calls in the file look at them.
-    if (program.local) return bearers.local[&analysis.file()].consider(analysis.index(), by_hand);
-    bearers.in_file[&analysis.file()].consider(analysis.index(), by_hand);
-    for_each_folder_around(folder_of(analysis.file().source->path()),
-                           [&](std::string_view folder, std::size_t down) {
-                               bearers.below[folder].consider(analysis.index(), step * down + by_hand);
-                           });
+    if (program.local) return programs_by_name.local[&analysis.file()].consider(analysis.index(), by_hand);
+    programs_by_name.in_file[&analysis.file()].consider(analysis.index(), by_hand);
+    for_each_folder_around(
+        folder_of(analysis.file().source->path()), [&](std::string_view folder, std::size_t down) {
+            programs_by_name.below[folder].consider(analysis.index(), step * down + by_hand);
+        });
 }
 
 bool CallResolver::is_computed(const Program& program, const Call& call) {
@@ -77,9 +77,9 @@ bool CallResolver::is_computed(const Program& program, const Call& call) {
     return expression != nullptr && !flow::constant_target(program, *expression);
 }
 
-const CallResolver::Bearers* CallResolver::bearers_for(const ProgramAnalysis& caller,
-                                                       const Call& call) const {
-    const auto look_up = [&](const auto& index, const auto& name) -> const Bearers* {
+const CallResolver::ProgramsByName* CallResolver::programs_named(const ProgramAnalysis& caller,
+                                                                 const Call& call) const {
+    const auto look_up = [&](const auto& index, const auto& name) -> const ProgramsByName* {
         const auto found = index.find({caller.control().language, name});
         return found == index.end() ? nullptr : &found->second;
     };
@@ -94,8 +94,8 @@ const CallResolver::Bearers* CallResolver::bearers_for(const ProgramAnalysis& ca
 CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) const {
     const auto& call = std::get<Call>(caller.program().effects[effect].what);
     CallSite site{effect, {}, false, false, 0, {}};
-    const Bearers* bearers = bearers_for(caller, call);
-    if (bearers == nullptr) return site;
+    const ProgramsByName* programs_by_name = programs_named(caller, call);
+    if (programs_by_name == nullptr) return site;
     std::size_t nearest = static_cast<std::size_t>(-1);
     const auto look_at = [&](const Nearest& there, std::size_t steps_there) {
         const std::size_t steps = steps_there + there.steps;
@@ -109,21 +109,24 @@ CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) c
     };
     // First the file itself, then folder by folder outwards. A name that the call looks for in other files
     // may still be that of a local program.
-    const bool only_other_files = caller.control().calls[call.kind].reach == Reach::other_files;
-    look_into(bearers->in_file);
-    if (!only_other_files) look_into(bearers->local);
+    const bool only_other_files = caller.control().calls[call.kind].lookup == LookupScope::other_files;
+    look_into(programs_by_name->in_file);
+    if (!only_other_files) look_into(programs_by_name->local);
     if (site.equally_near.empty())
-        for_each_folder_around(
-            folder_of(caller.file().source->path()), [&](std::string_view folder, std::size_t up) {
-                if (const auto found = bearers->below.find(folder); found != bearers->below.end())
-                    look_at(found->second, step * (1 + up));
-            });
-    if (site.equally_near.empty()) look_into(bearers->local);
+        for_each_folder_around(folder_of(caller.file().source->path()),
+                               [&](std::string_view folder, std::size_t up) {
+                                   if (const auto found = programs_by_name->below.find(folder);
+                                       found != programs_by_name->below.end())
+                                       look_at(found->second, step * (1 + up));
+                               });
+    if (site.equally_near.empty()) look_into(programs_by_name->local);
 
     // Seen from the outermost folder, all that are not local are there.
-    if (const auto all = bearers->below.find(std::string_view{}); all != bearers->below.end())
+    if (const auto all = programs_by_name->below.find(std::string_view{});
+        all != programs_by_name->below.end())
         site.candidates += all->second.all;
-    if (const auto local = bearers->local.find(&caller.file()); local != bearers->local.end())
+    if (const auto local = programs_by_name->local.find(&caller.file());
+        local != programs_by_name->local.end())
         site.candidates += local->second.all;
     if (site.equally_near.size() == 1 && site.equally_near.front()->programs.size() == 1) {
         site.target = site.equally_near.front()->programs.front();

@@ -27,20 +27,20 @@ class CallResolver {
     struct Nearest {
         std::size_t steps = static_cast<std::size_t>(-1);
         std::size_t all = 0; ///< programs looked at, near or far
-        std::shared_ptr<Namesakes> programs;
+        std::shared_ptr<Candidates> programs;
 
         void consider(ProgramIndex program, std::size_t steps_to_it);
     };
     /// All programs of a number or a name.
-    struct Bearers {
+    struct ProgramsByName {
         std::unordered_map<std::string_view, Nearest> below; ///< a folder, as seen from it; no local programs
         std::unordered_map<const ProgramFile*, Nearest> in_file, local; ///< only the file sees local ones
     };
     template<class Name>
-    using Index = std::map<std::pair<std::string_view, Name>, Bearers>; // by language too
+    using Index = std::map<std::pair<std::string_view, Name>, ProgramsByName>; // by language too
 
-    void add(Bearers& bearers, const ProgramAnalysis& analysis);
-    [[nodiscard]] const Bearers* bearers_for(const ProgramAnalysis& caller, const Call& call) const;
+    void add(ProgramsByName& programs_by_name, const ProgramAnalysis& analysis);
+    [[nodiscard]] const ProgramsByName* programs_named(const ProgramAnalysis& caller, const Call& call) const;
 
     Index<std::int64_t> by_number_;
     Index<std::string> by_name_;

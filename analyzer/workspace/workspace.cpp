@@ -27,8 +27,8 @@ class WorkspaceBuilder {
                 programs_.emplace_back(workspace_, static_cast<ProgramIndex>(programs_.size()), file,
                                        program);
         resolve_calls();
-        components_ = flow::find_components(arrows_);
-        for (const auto& layer : flow::layers_of(arrows_, components_)) analyse_layer(layer);
+        components_ = flow::find_components(adjacency_);
+        for (const auto& layer : flow::layers_of(adjacency_, components_)) analyse_layer(layer);
         mark_cycles();
         measure_depth();
     }
@@ -44,35 +44,35 @@ class WorkspaceBuilder {
             });
             std::ranges::sort(analysis.calls_, {}, &CallSite::effect);
         });
-        std::vector<Namesakes*> called;
+        std::vector<Candidates*> called;
         for (ProgramAnalysis& analysis : programs_) {
             for (const CallSite& site : analysis.calls_) {
                 const Caller caller{analysis.index(), site.effect};
-                for (const auto& namesakes : site.equally_near) {
-                    if (namesakes->callers.empty()) {
-                        called.push_back(namesakes.get());
-                        for (const ProgramIndex possible : namesakes->programs)
-                            programs_[possible].namesakes_.push_back(namesakes);
+                for (const auto& same_name : site.equally_near) {
+                    if (same_name->callers.empty()) {
+                        called.push_back(same_name.get());
+                        for (const ProgramIndex possible : same_name->programs)
+                            programs_[possible].same_name_.push_back(same_name);
                     }
-                    namesakes->callers.push_back(caller);
+                    same_name->callers.push_back(caller);
                 }
                 if (CallResolver::is_computed(analysis.program(), call_of(caller)))
                     computing_.insert(analysis.control().language);
                 if (!site.target) continue;
-                arrows_.add(*site.target);
+                adjacency_.add(*site.target);
                 programs_[*site.target].callers_.push_back(caller);
             }
-            arrows_.end_list();
+            adjacency_.end_list();
         }
-        for (Namesakes* namesakes : called) {
-            namesakes->passed = passed_by(namesakes->callers);
-            namesakes->locals_shared = some_share_locals(namesakes->callers);
+        for (Candidates* same_name : called) {
+            same_name->passed = passed_by(same_name->callers);
+            same_name->locals_shared = some_share_locals(same_name->callers);
         }
     }
 
     /// Arguments that some of the callers pass, sorted.
-    [[nodiscard]] std::vector<Place> passed_by(const std::vector<Caller>& callers) const {
-        std::vector<Place> passed;
+    [[nodiscard]] std::vector<Variable> passed_by(const std::vector<Caller>& callers) const {
+        std::vector<Variable> passed;
         for (const Caller& caller : callers)
             for (const Argument& argument : programs_[caller.program].program().arguments_of(call_of(caller)))
                 passed.push_back(argument.formal);
@@ -80,10 +80,11 @@ class WorkspaceBuilder {
         return passed;
     }
 
-    static void sort(std::vector<Place>& places) {
-        std::ranges::sort(places, {}, [](Place place) { return std::pair(place.space, place.number); });
-        places.erase(std::ranges::unique(places).begin(), places.end());
-        places.shrink_to_fit();
+    static void sort(std::vector<Variable>& variables) {
+        std::ranges::sort(variables, {},
+                          [](Variable variable) { return std::pair(variable.space, variable.number); });
+        variables.erase(std::ranges::unique(variables).begin(), variables.end());
+        variables.shrink_to_fit();
     }
 
     [[nodiscard]] bool some_share_locals(const std::vector<Caller>& callers) const {
@@ -107,7 +108,7 @@ class WorkspaceBuilder {
         const Program& program = analysis.program();
         const std::uint32_t own = components_.of[analysis.index()];
         analysis.recursive_ = components_.members[own].size() > 1 ||
-                              std::ranges::count(arrows_[analysis.index()], analysis.index()) != 0;
+                              std::ranges::count(adjacency_[analysis.index()], analysis.index()) != 0;
         for (CallSite& site : analysis.calls_)
             site.in_cycle = site.target && components_.of[*site.target] == own;
         const dataflow::Callees callees = [&analysis,
@@ -118,18 +119,18 @@ class WorkspaceBuilder {
             if (site == nullptr || !site->target || site->in_cycle) return unknown;
             return programs[*site->target].summary();
         };
-        analysis.structures_ = flow::pair_structures(program);
-        analysis.graph_ = flow::build_graph(program, analysis.structures_, [&](EffectId call) {
+        analysis.regions_ = flow::pair_regions(program);
+        analysis.graph_ = flow::build_graph(program, analysis.regions_, [&](EffectId call) {
             const dataflow::Summary& summary = callees(call);
-            return flow::WaysBack{summary.returns, summary.resume_labels};
+            return flow::ReturnTargets{summary.returns, summary.resume_labels};
         });
         const bool main = runs_on_its_own(analysis);
         analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
         if (const auto cycles = dataflow::find_cycles(analysis.graph_, *analysis.data_)) {
-            analysis.loops_ = dataflow::find_loops(program, analysis.structures_, analysis.graph_,
-                                                   *analysis.data_, *cycles);
-            analysis.traps_ = dataflow::find_traps(program, analysis.structures_, analysis.graph_,
-                                                   *analysis.data_, *cycles);
+            analysis.loops_ =
+                dataflow::find_loops(program, analysis.regions_, analysis.graph_, *analysis.data_, *cycles);
+            analysis.inescapable_cycles_ = dataflow::find_inescapable_cycles(
+                program, analysis.regions_, analysis.graph_, *analysis.data_, *cycles);
         }
         analysis.is_macro_ = !main && takes_arguments(analysis);
     }
@@ -153,12 +154,12 @@ class WorkspaceBuilder {
         auto& passed = entry.passed_somewhere;
         passed = passed_by(analysis.callers_);
         entry.locals_are_callers = some_share_locals(analysis.callers_);
-        for (const auto& namesakes : analysis.namesakes_) {
-            passed.insert(passed.end(), namesakes->passed.begin(), namesakes->passed.end());
-            entry.locals_are_callers |= namesakes->locals_shared;
+        for (const auto& same_name : analysis.same_name_) {
+            passed.insert(passed.end(), same_name->passed.begin(), same_name->passed.end());
+            entry.locals_are_callers |= same_name->locals_shared;
         }
         sort(passed);
-        if (!analysis.callers_.empty() && analysis.namesakes_.empty() &&
+        if (!analysis.callers_.empty() && analysis.same_name_.empty() &&
             !computing_.contains(analysis.control().language)) {
             if (workspace_.complete())
                 entry.arguments = what_all_pass(analysis);
@@ -171,12 +172,12 @@ class WorkspaceBuilder {
 
     /// All callers of a local program are there. What they leave out may still be asked for in it: such
     /// blocks count as reached.
-    std::optional<std::vector<std::pair<Place, dataflow::Vacancy>>>
+    std::optional<std::vector<std::pair<Variable, dataflow::Vacancy>>>
     what_callers_in_the_file_pass(const ProgramAnalysis& analysis) const {
         auto arguments = what_all_pass(analysis);
         if (!arguments) return arguments;
-        for (const Place formal : analysis.control().formals)
-            if (std::ranges::find(*arguments, formal, &std::pair<Place, dataflow::Vacancy>::first) ==
+        for (const Variable formal : analysis.control().formals)
+            if (std::ranges::find(*arguments, formal, &std::pair<Variable, dataflow::Vacancy>::first) ==
                 arguments->end())
                 arguments->emplace_back(formal, dataflow::Vacancy::maybe);
         return arguments;
@@ -184,45 +185,45 @@ class WorkspaceBuilder {
 
     /// What the programs from which this one is called, directly or through others, hand down to it; nothing
     /// when no caller is there to be asked.
-    std::optional<std::vector<Place>> handed_down_to(const ProgramAnalysis& analysis) const {
+    std::optional<std::vector<Variable>> handed_down_to(const ProgramAnalysis& analysis) const {
         if (analysis.callers_.empty()) return std::nullopt;
         const Program& own = analysis.program();
         const auto& spaces = own.control->spaces;
-        if (std::ranges::none_of(spaces, &VariableSpace::handed_down)) return std::vector<Place>{};
-        std::vector<Place> places;
+        if (std::ranges::none_of(spaces, &VariableSpace::handed_down)) return std::vector<Variable>{};
+        std::vector<Variable> variables;
         std::vector<bool> seen(programs_.size(), false);
         std::vector<ProgramIndex> above{analysis.index()};
         seen[analysis.index()] = true;
         while (!above.empty()) {
             const ProgramAnalysis& at = programs_[above.back()];
             above.pop_back();
-            if (&at != &analysis) take_over(at.program(), own, places);
+            if (&at != &analysis) take_over(at.program(), own, variables);
             for (const Caller& caller : at.callers_) {
                 if (seen[caller.program]) continue;
                 seen[caller.program] = true;
                 above.push_back(caller.program);
             }
         }
-        return places;
+        return variables;
     }
 
     /// Adds what `giver` hands down, as `taker` numbers it: names have their own numbers in every program.
-    static void take_over(const Program& giver, const Program& taker, std::vector<Place>& places) {
-        for (const Place place : giver.handed_down) {
-            if (!giver.control->spaces[place.space].named) {
-                places.push_back(place);
+    static void take_over(const Program& giver, const Program& taker, std::vector<Variable>& variables) {
+        for (const Variable variable : giver.handed_down) {
+            if (!giver.control->spaces[variable.space].named) {
+                variables.push_back(variable);
                 continue;
             }
-            if (const auto number = taker.names.find(giver.names[place.number]))
-                places.push_back({place.space, *number});
+            if (const auto number = taker.names.find(giver.names[variable.number]))
+                variables.push_back({variable.space, *number});
         }
     }
 
     /// Arguments that all callers pass and those that some leave out. A call that shares its locals passes
     /// nobody knows what.
-    std::optional<std::vector<std::pair<Place, dataflow::Vacancy>>>
+    std::optional<std::vector<std::pair<Variable, dataflow::Vacancy>>>
     what_all_pass(const ProgramAnalysis& analysis) const {
-        std::vector<std::pair<Place, std::size_t>> counts;
+        std::vector<std::pair<Variable, std::size_t>> counts;
         for (const Caller& caller : analysis.callers_) {
             const Program& program = programs_[caller.program].program();
             const Call& call = call_of(caller);
@@ -234,18 +235,18 @@ class WorkspaceBuilder {
                     argument)
                     continue;
                 const auto known =
-                    std::ranges::find(counts, argument->formal, &std::pair<Place, std::size_t>::first);
+                    std::ranges::find(counts, argument->formal, &std::pair<Variable, std::size_t>::first);
                 if (known == counts.end())
                     counts.emplace_back(argument->formal, 1);
                 else
                     ++known->second;
             }
         }
-        std::vector<std::pair<Place, dataflow::Vacancy>> result;
-        for (const auto& [place, count] : counts) {
+        std::vector<std::pair<Variable, dataflow::Vacancy>> result;
+        for (const auto& [variable, count] : counts) {
             // Passed by all: a variable that is passed on may still be vacant itself.
-            result.emplace_back(place, count < analysis.callers_.size() ? dataflow::Vacancy::maybe
-                                                                        : dataflow::Vacancy::unknown);
+            result.emplace_back(variable, count < analysis.callers_.size() ? dataflow::Vacancy::maybe
+                                                                           : dataflow::Vacancy::unknown);
         }
         return result;
     }
@@ -258,9 +259,9 @@ class WorkspaceBuilder {
         if (!analysis.callers_.empty()) return false;
         const auto& formals = analysis.control().formals;
         return std::ranges::any_of(analysis.facts().reads, [&](const dataflow::Read& read) {
-            const auto symbol = analysis.data().pool().symbols[read.value.symbol];
+            const auto symbol = analysis.data().table().symbols[read.value.symbol];
             return symbol.kind == dataflow::Symbol::Kind::entry &&
-                   std::ranges::find(formals, read.place) != formals.end();
+                   std::ranges::find(formals, read.variable) != formals.end();
         });
     }
 
@@ -310,7 +311,7 @@ class WorkspaceBuilder {
             if (!site.target || components_.of[*site.target] == components_.of[caller.index()]) continue;
             ProgramAnalysis& callee = programs_[*site.target];
             const auto& call = std::get<Call>(caller.program().effects[site.effect].what);
-            const bool macro = caller.control().calls[call.kind].counted == Counted::macro;
+            const bool macro = caller.control().calls[call.kind].counts_against == NestingLimit::macro;
             const int macros = caller.depth_.macro + (macro ? 1 : 0);
             const int subprograms = caller.depth_.subprogram + (macro ? 0 : 1);
             if (macros > callee.depth_.macro) {
@@ -327,7 +328,7 @@ class WorkspaceBuilder {
     Workspace& workspace_;
     std::deque<ProgramAnalysis>& programs_;
     unsigned jobs_;
-    flow::Arrows arrows_;
+    flow::Adjacency adjacency_;
     flow::Components components_;
     std::set<std::string_view> computing_; ///< languages with a call that may mean any of their programs
 };
@@ -337,7 +338,7 @@ const CallSite* ProgramAnalysis::call_at(EffectId effect) const {
     return found != calls_.end() && found->effect == effect ? &*found : nullptr;
 }
 
-std::vector<Caller> ProgramAnalysis::way_to(ProgramIndex program) const {
+std::vector<Caller> ProgramAnalysis::path_to(ProgramIndex program) const {
     std::unordered_map<ProgramIndex, Caller> reached_by;
     std::deque<ProgramIndex> queue{index_};
     while (!queue.empty() && !reached_by.contains(program)) {
@@ -349,19 +350,19 @@ std::vector<Caller> ProgramAnalysis::way_to(ProgramIndex program) const {
                 queue.push_back(*site.target);
         }
     }
-    std::vector<Caller> way;
-    for (ProgramIndex at = program; at != index_ && reached_by.contains(at); at = way.back().program)
-        way.push_back(reached_by.at(at));
-    std::ranges::reverse(way);
-    return way;
+    std::vector<Caller> path;
+    for (ProgramIndex at = program; at != index_ && reached_by.contains(at); at = path.back().program)
+        path.push_back(reached_by.at(at));
+    std::ranges::reverse(path);
+    return path;
 }
 
-std::vector<Caller> ProgramAnalysis::chain_to(Counted counted) const {
+std::vector<Caller> ProgramAnalysis::chain_to(NestingLimit nesting) const {
     std::vector<Caller> chain;
     const ProgramAnalysis* at = this;
     while (true) {
         const auto& caller =
-            counted == Counted::macro ? at->deepest_macro_caller_ : at->deepest_subprogram_caller_;
+            nesting == NestingLimit::macro ? at->deepest_macro_caller_ : at->deepest_subprogram_caller_;
         if (!caller) break;
         chain.push_back(*caller);
         at = &workspace_->programs()[caller->program];

@@ -2,8 +2,8 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/show_config.hpp"
 #include "cli/lint.hpp"
+#include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
-#include "cli/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -70,17 +70,17 @@ void collect_notices(const std::vector<ReadFile>& files, std::vector<Notice>& no
 }
 
 bool fails(const Report& report, std::optional<Severity> fail_on) {
-    return fail_on && std::ranges::any_of(report.findings, [&](const JudgedFinding& judged) {
-               return !judged.suppressed && judged.finding.severity >= *fail_on;
+    return fail_on && std::ranges::any_of(report.findings, [&](const FilteredFinding& filtered) {
+               return !filtered.suppressed && filtered.finding.severity >= *fail_on;
            });
 }
 
 void cut(Report& report, std::size_t most) {
-    std::vector<JudgedFinding> all = std::exchange(report.findings, {});
+    std::vector<FilteredFinding> all = std::exchange(report.findings, {});
     std::size_t shown = 0;
-    for (JudgedFinding& judged : all) {
-        const bool kept = judged.suppressed || ++shown <= most;
-        (kept ? report.findings : report.not_shown).push_back(std::move(judged));
+    for (FilteredFinding& filtered : all) {
+        const bool kept = filtered.suppressed || ++shown <= most;
+        (kept ? report.findings : report.not_shown).push_back(std::move(filtered));
     }
 }
 

@@ -1,9 +1,9 @@
 //! `maclint explain RULE`.
 #include "cli/commands/commands.hpp"
 #include "cli/config/selection.hpp"
-#include "cli/report/page.hpp"
+#include "cli/report/rule_page.hpp"
+#include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
-#include "cli/words.hpp"
 
 namespace maclint::cli {
 

@@ -2,9 +2,9 @@
 #include "analyzer/source/source.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/config/selection.hpp"
-#include "cli/report/page.hpp"
+#include "cli/report/rule_page.hpp"
+#include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
-#include "cli/words.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,7 @@
 //! One paragraph a file.
 #include "cli/commands/show_config.hpp"
 
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <map>
 

@@ -4,7 +4,7 @@
 #include "cli/config/configuration.hpp"
 #include "cli/config/json_tree.hpp"
 #include "cli/config/selection.hpp"
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <array>

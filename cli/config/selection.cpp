@@ -1,7 +1,7 @@
 //! From words to rules, and the state of each.
 #include "cli/config/selection.hpp"
 
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <array>

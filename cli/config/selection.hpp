@@ -36,7 +36,7 @@ class RuleStates {
     void switch_off(const std::vector<const Rule*>& rules, std::string_view reason);
     void set_severity(const std::vector<const Rule*>& rules, Severity severity, std::string_view reason);
 
-    /// Place of a rule in all_rules().
+    /// Variable of a rule in all_rules().
     [[nodiscard]] static std::size_t index_of(const Rule& rule);
 
   private:

@@ -2,7 +2,7 @@
 //! other.
 #include "cli/config/settings.hpp"
 
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include "cli/filter/directive.hpp"
 
 #include "cli/config/selection.hpp"
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -89,7 +89,7 @@ void read_tokens(const ProgramFile& file, Words& words, Directive& directive) {
 
 } // namespace
 
-std::optional<Directive> read_directive(const ProgramFile& file, const Comment& comment) {
+std::optional<Directive> read_directive(const ProgramFile& file, const DirectiveComment& comment) {
     std::string_view text = file.source->bytes(comment.span);
     Offset begin = comment.span.begin;
     const char open = text.empty() ? '(' : text.front();

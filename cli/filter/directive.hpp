@@ -33,7 +33,7 @@ struct DirectiveFault {
 };
 
 struct Directive {
-    const Comment* comment = nullptr;
+    const DirectiveComment* comment = nullptr;
     Verb verb = Verb::allow;
     std::vector<RuleToken> tokens; ///< none: all rules (ON only)
     std::string reason;            ///< UTF-8, may be empty
@@ -42,6 +42,7 @@ struct Directive {
 };
 
 /// Nothing when the comment merely mentions maclint.
-[[nodiscard]] std::optional<Directive> read_directive(const ProgramFile& file, const Comment& comment);
+[[nodiscard]] std::optional<Directive> read_directive(const ProgramFile& file,
+                                                      const DirectiveComment& comment);
 
 } // namespace maclint::cli

@@ -2,7 +2,7 @@
 #include "cli/input/discover.hpp"
 
 #include "cli/input/repository.hpp"
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <array>

@@ -45,7 +45,7 @@ Notice empty(const ReadFile& file) {
 }
 
 /// Why a text without marks of its dialect is likely in another language; nothing for all others.
-std::optional<std::string> find_doubt(const ReadFile& file, const Detection& detection) {
+std::optional<std::string> find_vacancy_origin(const ReadFile& file, const Detection& detection) {
     if (file.settings.dialect != nullptr || detection.certain) return std::nullopt;
     const Readable readable = count_readable(*file.file);
     if (!readable.is_doubtful()) return std::nullopt;
@@ -82,10 +82,10 @@ ReadFile read_source(InputFile input, FileSettings settings, Source bytes) {
     file.settings = std::move(settings);
     auto source = std::make_shared<const Source>(std::move(bytes));
     const Detection detection = detect_dialect(*source);
-    const bool told = file.settings.dialect != nullptr;
-    file.dialect = told ? file.settings.dialect : detection.dialect;
-    file.dialect_reason = told ? file.settings.dialect_reason : detection.reason;
-    const bool not_nc = detection.not_nc_text && (!told || is_no_text(*source));
+    const bool reported = file.settings.dialect != nullptr;
+    file.dialect = reported ? file.settings.dialect : detection.dialect;
+    file.dialect_reason = reported ? file.settings.dialect_reason : detection.reason;
+    const bool not_nc = detection.not_nc_text && (!reported || is_no_text(*source));
     if (not_nc && file.input.named) {
         if (file.dialect == nullptr) file.dialect = &dialects().front();
         file.not_nc = detection.reason;
@@ -99,9 +99,9 @@ ReadFile read_source(InputFile input, FileSettings settings, Source bytes) {
     }
     if (classify(source->bytes()) == Content::empty) file.notice = empty(file);
     file.file = std::make_shared<const ProgramFile>(file.dialect->read(std::move(source), control_of(file)));
-    if (auto doubt = find_doubt(file, detection)) {
-        file.notice = foreign(file, *doubt);
-        file.dialect_reason = *std::move(doubt);
+    if (auto vacancy_origin = find_vacancy_origin(file, detection)) {
+        file.notice = foreign(file, *vacancy_origin);
+        file.dialect_reason = *std::move(vacancy_origin);
         file.dialect = nullptr;
         file.file = nullptr;
     }

@@ -1,20 +1,20 @@
 //! One line a finding: file:line:column: error[MAC303] message.
-#include "cli/report/paint.hpp"
+#include "cli/report/ansi_style.hpp"
 #include "cli/report/report.hpp"
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 namespace maclint::cli {
 
 std::string write_concise(const Report& report, const TextStyle& style) {
-    const Paint paint(style.colour);
+    const AnsiStyle ansi(style.colour);
     std::string out;
     for (const auto& [finding, suppressed] : report.findings) {
         if (suppressed) continue;
         const Source& source = *finding.file->source;
         const Position at = source.position(finding.span.begin);
         out += shown(source.path()) + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": ";
-        out += paint.severity(finding.severity, std::string(name_of(finding.severity)) + "[" +
-                                                    std::string(finding.rule->code) + "]");
+        out += ansi.severity(finding.severity, std::string(name_of(finding.severity)) + "[" +
+                                                   std::string(finding.rule->code) + "]");
         out += " " + printable(finding.message()) + "\n";
     }
     if (style.summary == Summary::at_the_end) out += summary_line(report) + "\n";

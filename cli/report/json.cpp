@@ -1,7 +1,7 @@
 //! The report as JSON of our own; docs/json.md describes it. Keys are added, never changed, within a version.
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/report/report.hpp"
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -25,12 +25,12 @@ std::string path_of(const ProgramFile& file) {
     return to_utf8(path, detect_encoding(path));
 }
 
-Json json_of(const std::vector<Remark>& remarks) {
+Json json_of(const std::vector<RelatedLocation>& related) {
     Json list = Json::array();
-    for (const Remark& remark : remarks)
-        list.push_back({{"file", path_of(*remark.file)},
-                        {"range", json_of(*remark.file->source, remark.span)},
-                        {"text", remark.text}});
+    for (const RelatedLocation& related : related)
+        list.push_back({{"file", path_of(*related.file)},
+                        {"range", json_of(*related.file->source, related.span)},
+                        {"text", related.text}});
     return list;
 }
 
@@ -40,8 +40,8 @@ Json json_of(const Source& source, const std::vector<Edit>& fix) {
     return list;
 }
 
-Json json_of(const JudgedFinding& judged) {
-    const Finding& finding = judged.finding;
+Json json_of(const FilteredFinding& filtered) {
+    const Finding& finding = filtered.finding;
     const Source& source = *finding.file->source;
     Json out = {{"code", finding.rule->code},
                 {"name", finding.rule->name},
@@ -54,9 +54,9 @@ Json json_of(const JudgedFinding& judged) {
                 {"related", json_of(finding.related)},
                 {"path", json_of(finding.path)},
                 {"fix", json_of(source, finding.fix)}};
-    if (judged.suppressed)
-        out["suppressed"] = {{"range", json_of(source, judged.suppressed->comment)},
-                             {"reason", judged.suppressed->reason}};
+    if (filtered.suppressed)
+        out["suppressed"] = {{"range", json_of(source, filtered.suppressed->comment)},
+                             {"reason", filtered.suppressed->reason}};
     return out;
 }
 
@@ -65,8 +65,8 @@ Json json_of(const JudgedFinding& judged) {
 std::string write_json(const Report& report) {
     Json findings = Json::array();
     Json suppressed = Json::array();
-    for (const JudgedFinding& judged : report.findings)
-        (judged.suppressed ? suppressed : findings).push_back(json_of(judged));
+    for (const FilteredFinding& filtered : report.findings)
+        (filtered.suppressed ? suppressed : findings).push_back(json_of(filtered));
     Json notices = Json::array();
     for (const Notice& notice : report.notices)
         notices.push_back({{"severity", notice.is_error() ? "error" : "note"},

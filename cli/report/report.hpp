@@ -1,7 +1,7 @@
 //! What a run found, ready to be written in any format.
 #pragma once
 
-#include "cli/filter/judge.hpp"
+#include "cli/filter/apply_suppressions.hpp"
 #include "cli/notice.hpp"
 
 #include <cstddef>
@@ -18,10 +18,10 @@ struct RunTimes {
 };
 
 struct Report {
-    std::vector<JudgedFinding> findings;   ///< in the order of reports, suppressed ones included
-    std::vector<Notice> notices;           ///< in the order of paths
-    std::vector<const ProgramFile*> files; ///< that were linted because the user asked for them, by path
-    std::vector<JudgedFinding> not_shown;  ///< left out of `findings` because of --max-findings
+    std::vector<FilteredFinding> findings;  ///< in the order of reports, suppressed ones included
+    std::vector<Notice> notices;            ///< in the order of paths
+    std::vector<const ProgramFile*> files;  ///< that were linted because the user asked for them, by path
+    std::vector<FilteredFinding> not_shown; ///< left out of `findings` because of --max-findings
     int exit_status = 0;
     std::optional<RunTimes> times; ///< none with --no-timestamps
 };

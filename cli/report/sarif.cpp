@@ -1,10 +1,10 @@
 //! The report as SARIF 2.1.0 (OASIS standard of 27 March 2020); section numbers below are its.
 #include "analyzer/program/model.hpp"
 #include "cli/report/fingerprint.hpp"
-#include "cli/report/page.hpp"
-#include "cli/report/place.hpp"
 #include "cli/report/report.hpp"
-#include "cli/words.hpp"
+#include "cli/report/rule_page.hpp"
+#include "cli/report/uri.hpp"
+#include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -90,7 +90,7 @@ class SarifWriter {
 
     Json write() {
         Json results = Json::array();
-        for (const JudgedFinding& judged : report_.findings) results.push_back(result_of(judged));
+        for (const FilteredFinding& filtered : report_.findings) results.push_back(result_of(filtered));
         Json run = {
             {"tool", {{"driver", driver()}}},
             {"invocations", Json::array({invocation()})},
@@ -115,18 +115,18 @@ class SarifWriter {
     /// Files that were linted, then those that findings lead to.
     void collect_artifacts() {
         for (const ProgramFile* file : report_.files) add_artifact(*file);
-        for (const JudgedFinding& judged : report_.findings) {
-            add_artifact(*judged.finding.file);
-            for (const Remark& remark : judged.finding.related) add_artifact(*remark.file);
-            for (const Remark& remark : judged.finding.path) add_artifact(*remark.file);
+        for (const FilteredFinding& filtered : report_.findings) {
+            add_artifact(*filtered.finding.file);
+            for (const RelatedLocation& related : filtered.finding.related) add_artifact(*related.file);
+            for (const RelatedLocation& related : filtered.finding.path) add_artifact(*related.file);
         }
     }
 
     void collect_line_hashes() {
         std::map<const ProgramFile*, std::set<std::uint32_t>> wanted;
-        for (const JudgedFinding& judged : report_.findings)
-            wanted[judged.finding.file].insert(
-                judged.finding.file->source->position(judged.finding.span.begin).line);
+        for (const FilteredFinding& filtered : report_.findings)
+            wanted[filtered.finding.file].insert(
+                filtered.finding.file->source->position(filtered.finding.span.begin).line);
         for (const auto& [file, lines] : wanted) line_hashes_[file] = line_hashes(*file->source, lines);
     }
 
@@ -190,10 +190,10 @@ class SarifWriter {
     }
 
     [[nodiscard]] Json physical(const ProgramFile& file, Span span) const {
-        Json place = {{"artifactLocation", artifact_location(file)},
-                      {"region", region_with_snippet(*file.source, span)}};
-        if (auto context = context_of(*file.source, span)) place["contextRegion"] = *std::move(context);
-        return place;
+        Json physical = {{"artifactLocation", artifact_location(file)},
+                         {"region", region_with_snippet(*file.source, span)}};
+        if (auto context = context_of(*file.source, span)) physical["contextRegion"] = *std::move(context);
+        return physical;
     }
 
     /// A place without a context, for all but the finding's own.
@@ -204,8 +204,8 @@ class SarifWriter {
 
     // ---- results
 
-    Json result_of(const JudgedFinding& judged) {
-        const Finding& finding = judged.finding;
+    Json result_of(const FilteredFinding& filtered) {
+        const Finding& finding = filtered.finding;
         Json message = {{"text", without_placeholders(finding.message())}, {"id", finding.message_id}};
         if (!finding.arguments.empty()) message["arguments"] = finding.arguments;
         Json result = {
@@ -218,7 +218,7 @@ class SarifWriter {
         if (!finding.related.empty()) result["relatedLocations"] = related_of(finding);
         if (!finding.path.empty()) result["codeFlows"] = code_flows_of(finding);
         if (!finding.fix.empty()) result["fixes"] = fixes_of(finding);
-        result["suppressions"] = suppressions_of(judged);
+        result["suppressions"] = suppressions_of(filtered);
         return result;
     }
 
@@ -234,19 +234,19 @@ class SarifWriter {
 
     [[nodiscard]] Json related_of(const Finding& finding) const {
         Json list = Json::array();
-        for (const Remark& remark : finding.related)
+        for (const RelatedLocation& related : finding.related)
             list.push_back({{"id", list.size() + 1},
-                            {"physicalLocation", short_physical(*remark.file, remark.span)},
-                            {"message", text_message(sentence(remark.text))}});
+                            {"physicalLocation", short_physical(*related.file, related.span)},
+                            {"message", text_message(sentence(related.text))}});
         return list;
     }
 
     [[nodiscard]] Json code_flows_of(const Finding& finding) const {
         Json steps = Json::array();
-        for (const Remark& remark : finding.path)
+        for (const RelatedLocation& related : finding.path)
             steps.push_back({{"location",
-                              {{"physicalLocation", short_physical(*remark.file, remark.span)},
-                               {"message", text_message(sentence(remark.text))}}},
+                              {{"physicalLocation", short_physical(*related.file, related.span)},
+                               {"message", text_message(sentence(related.text))}}},
                              {"executionOrder", steps.size() + 1}});
         return Json::array({{{"threadFlows", Json::array({{{"locations", std::move(steps)}}})}}});
     }
@@ -263,12 +263,12 @@ class SarifWriter {
     }
 
     /// An empty list says that the finding was looked at and is not suppressed (3.27.23).
-    [[nodiscard]] Json suppressions_of(const JudgedFinding& judged) const {
-        if (!judged.suppressed) return Json::array();
+    [[nodiscard]] Json suppressions_of(const FilteredFinding& filtered) const {
+        if (!filtered.suppressed) return Json::array();
         Json suppression = {{"kind", "inSource"}, {"status", "accepted"}};
-        if (!judged.suppressed->reason.empty()) suppression["justification"] = judged.suppressed->reason;
+        if (!filtered.suppressed->reason.empty()) suppression["justification"] = filtered.suppressed->reason;
         suppression["location"] = {
-            {"physicalLocation", short_physical(*judged.finding.file, judged.suppressed->comment)}};
+            {"physicalLocation", short_physical(*filtered.finding.file, filtered.suppressed->comment)}};
         return Json::array({std::move(suppression)});
     }
 

@@ -1,6 +1,6 @@
 //! Counts findings and says so in one line.
 #include "cli/report/report.hpp"
-#include "cli/words.hpp"
+#include "cli/suggest.hpp"
 
 #include <unordered_set>
 

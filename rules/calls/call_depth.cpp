@@ -8,14 +8,14 @@ namespace maclint::rules {
 namespace {
 
 /// The calls of the program that reach the first level beyond the limit. Deeper ones have the same cause.
-std::vector<CallSite> calls_beyond(const ProgramAnalysis& analysis, Counted counted, int limit) {
+std::vector<CallSite> calls_beyond(const ProgramAnalysis& analysis, NestingLimit nesting, int limit) {
     std::vector<CallSite> calls;
-    const int level = counted == Counted::macro ? analysis.depth().macro : analysis.depth().subprogram;
+    const int level = nesting == NestingLimit::macro ? analysis.depth().macro : analysis.depth().subprogram;
     if (level != limit) return calls;
     for (const CallSite& site : analysis.calls()) {
         const auto& call = std::get<Call>(analysis.program().effects[site.effect].what);
         if (site.closes_cycle || std::holds_alternative<std::monostate>(call.program)) continue;
-        if (analysis.control().calls[call.kind].counted == counted) calls.push_back(site);
+        if (analysis.control().calls[call.kind].counts_against == nesting) calls.push_back(site);
     }
     return calls;
 }
@@ -34,34 +34,35 @@ std::string name_of_callee(const ProgramAnalysis& analysis, const CallSite& site
 namespace {
 
 /// "O1 > O9001 > O9002", from the outermost program over the analysed one to the callee.
-std::string chain_words(const ProgramAnalysis& analysis, const CallSite& last, Counted counted) {
+std::string chain_words(const ProgramAnalysis& analysis, const CallSite& last, NestingLimit nesting) {
     std::string words;
-    for (const Caller& caller : analysis.chain_to(counted))
+    for (const Caller& caller : analysis.chain_to(nesting))
         words += analysis.workspace().programs()[caller.program].program().name + " > ";
     return words + analysis.program().name + " > " + name_of_callee(analysis, last);
 }
 
 /// The calls that lead to the program, outermost first, as steps of the finding's path.
-void add_chain(Finding& finding, const ProgramAnalysis& analysis, Counted counted) {
-    for (const Caller& caller : analysis.chain_to(counted)) {
+void add_chain(Finding& finding, const ProgramAnalysis& analysis, NestingLimit nesting) {
+    for (const Caller& caller : analysis.chain_to(nesting)) {
         const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
         const CallSite* site = calling.call_at(caller.effect);
         const std::string& callee = analysis.workspace().programs()[*site->target].program().name;
-        finding.path.push_back(remark_at_effect(calling, caller.effect, "calls " + callee));
+        finding.path.push_back(related_at_effect(calling, caller.effect, "calls " + callee));
     }
 }
 
 } // namespace
 
-void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, Counted counted, int limit) {
+void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, NestingLimit nesting,
+                         int limit) {
     const ControlModel& control = analysis.control();
-    for (const CallSite& site : calls_beyond(analysis, counted, limit)) {
+    for (const CallSite& site : calls_beyond(analysis, nesting, limit)) {
         const Span span = analysis.program().effects[site.effect].span;
         Finding& finding =
             reporter.report(analysis.file(), span, control.assumed ? "assumed" : "named",
                             {quoted(analysis.program(), span), std::to_string(limit + 1), control.description,
-                             std::to_string(limit), chain_words(analysis, site, counted)});
-        add_chain(finding, analysis, counted);
+                             std::to_string(limit), chain_words(analysis, site, nesting)});
+        add_chain(finding, analysis, nesting);
         finding.path.push_back(
             {&analysis.file(), span, "calls " + name_of_callee(analysis, site) + ", one level too deep"});
     }

@@ -14,6 +14,7 @@ namespace maclint::rules {
 /// The calls of the program that reach the first level beyond the limit: the message "named" or "assumed",
 /// with the call, its level, the control, the limit and the chain of programs. Deeper ones have the same
 /// cause.
-void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, Counted counted, int limit);
+void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, NestingLimit nesting,
+                         int limit);
 
 } // namespace maclint::rules

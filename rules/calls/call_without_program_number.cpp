@@ -25,7 +25,7 @@ extern const Rule call_without_program_number{
                        "M30\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "076", "ADDRESS P NOT DEFINED"}},
     .sources = {"SEED-001:423"},
-    .check = Irregular::call_without_program,
+    .check = SyntaxErrorKind::call_without_program,
 };
 
 } // namespace maclint::rules

@@ -52,12 +52,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto report = [&](dataflow::OriginId call, flow::NodeId node, std::string_view message, Span left) {
         if (std::ranges::find(said, call) != said.end()) return;
         said.push_back(call);
-        const Span span = remark_at(analysis, call, "").span;
+        const Span span = related_at(analysis, call, "").span;
         Finding& finding =
             reporter.report(analysis.file(), span, message,
                             {quoted(analysis.program(), span), line_number(analysis.file(), left.begin)});
         finding.path.push_back({&analysis.file(), span, "the modal call begins here"});
-        for (Remark& step : way_between(analysis, node_of(analysis, call), node))
+        for (RelatedLocation& step : path_between(analysis, node_of(analysis, call), node))
             finding.path.push_back(std::move(step));
         finding.path.push_back({&analysis.file(), left, "it is still active here"});
     };

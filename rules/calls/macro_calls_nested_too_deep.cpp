@@ -65,7 +65,7 @@ extern const Rule macro_calls_nested_too_deep{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    report_calls_beyond(analysis, reporter, Counted::macro, analysis.control().limits.macro_calls);
+    report_calls_beyond(analysis, reporter, NestingLimit::macro, analysis.control().limits.macro_calls);
 }
 
 } // namespace

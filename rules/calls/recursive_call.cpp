@@ -78,7 +78,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!site.closes_cycle) continue;
         const Span span = analysis.program().effects[site.effect].span;
         const ProgramAnalysis& callee = analysis.workspace().programs()[*site.target];
-        const std::vector<Caller> cycle = callee.way_to(analysis.index());
+        const std::vector<Caller> cycle = callee.path_to(analysis.index());
         std::string words = callee.program().name;
         for (const Caller& step : cycle) {
             const CallSite* next = analysis.workspace().programs()[step.program].call_at(step.effect);
@@ -90,7 +90,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         for (const Caller& step : cycle) {
             const ProgramAnalysis& calling = analysis.workspace().programs()[step.program];
             finding.path.push_back(
-                remark_at_effect(calling, step.effect, "calls the next program of the circle"));
+                related_at_effect(calling, step.effect, "calls the next program of the circle"));
         }
         finding.path.push_back({&analysis.file(), span, "calls " + callee.program().name + " again"});
     }

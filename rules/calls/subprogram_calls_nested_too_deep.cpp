@@ -112,7 +112,8 @@ extern const Rule subprogram_calls_nested_too_deep{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    report_calls_beyond(analysis, reporter, Counted::subprogram, analysis.control().limits.subprogram_calls);
+    report_calls_beyond(analysis, reporter, NestingLimit::subprogram,
+                        analysis.control().limits.subprogram_calls);
 }
 
 } // namespace

@@ -56,11 +56,11 @@ extern const Rule assign_vs_compare{
 namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
-    for (const Irregularity& irregularity : file.irregularities) {
-        const bool condition = irregularity.kind == Irregular::assignment_in_condition;
-        if (!condition && irregularity.kind != Irregular::comparison_as_assignment) continue;
-        reporter.report(file, irregularity.span, condition ? "condition" : "assignment",
-                        {irregularity.subject, irregularity.cure});
+    for (const SyntaxError& syntax_error : file.syntax_errors) {
+        const bool condition = syntax_error.kind == SyntaxErrorKind::assignment_in_condition;
+        if (!condition && syntax_error.kind != SyntaxErrorKind::comparison_as_assignment) continue;
+        reporter.report(file, syntax_error.span, condition ? "condition" : "assignment",
+                        {syntax_error.subject, syntax_error.cure});
     }
 }
 

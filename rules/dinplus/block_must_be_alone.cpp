@@ -45,7 +45,7 @@ extern const Rule block_must_be_alone{
 namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::not_alone, reporter);
+    report_syntax_error(file, SyntaxErrorKind::not_alone, reporter);
 }
 
 } // namespace

@@ -57,12 +57,12 @@ extern const Rule case_without_break{
 namespace {
 
 /// The nodes of the effects that divide and close branches.
-std::map<EffectId, flow::NodeId> nodes_of_structures(const ProgramAnalysis& analysis) {
+std::map<EffectId, flow::NodeId> nodes_of_regions(const ProgramAnalysis& analysis) {
     std::map<EffectId, flow::NodeId> nodes;
     for (flow::NodeId node = 0; node < analysis.graph().nodes.size(); ++node) {
         const Slice effects = analysis.graph().nodes[node].effects;
         for (Id id = effects.first; id < effects.first + effects.count; ++id)
-            if (std::holds_alternative<Structure>(analysis.program().effects[id].what))
+            if (std::holds_alternative<RegionMark>(analysis.program().effects[id].what))
                 nodes.emplace(id, node);
     }
     return nodes;
@@ -82,21 +82,21 @@ bool runs_into(const ProgramAnalysis& analysis, flow::NodeId branch, flow::NodeI
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     std::map<EffectId, flow::NodeId> nodes;
-    for (const flow::Paired& paired : analysis.structures().all) {
-        if (paired.construct != Construct::selection || !paired.close || paired.crossed) continue;
-        if (nodes.empty()) nodes = nodes_of_structures(analysis);
+    for (const flow::Region& region : analysis.regions().all) {
+        if (region.region_kind != RegionKind::selection || !region.close || region.crossed) continue;
+        if (nodes.empty()) nodes = nodes_of_regions(analysis);
         std::optional<EffectId> branch;
-        for (const EffectId part : paired.parts) {
-            if (std::get<Structure>(program.effects[part].what).part != Structure::Part::middle) continue;
+        for (const EffectId part : region.parts) {
+            if (std::get<RegionMark>(program.effects[part].what).part != RegionMark::Part::middle) continue;
             const auto before = std::exchange(branch, part);
-            if (!before || !runs_into(analysis, nodes.at(*before), nodes.at(part), nodes.at(*paired.close)))
+            if (!before || !runs_into(analysis, nodes.at(*before), nodes.at(part), nodes.at(*region.close)))
                 continue;
             const Span span = program.effects[*before].span;
             const Span next = program.effects[part].span;
             Finding& finding = reporter.report(
                 analysis.file(), span, "plain",
                 {quoted(program, span), quoted(program, next), line_number(analysis.file(), next.begin)});
-            finding.related.push_back(remark_at_effect(analysis, part, "the branch goes on into this one"));
+            finding.related.push_back(related_at_effect(analysis, part, "the branch goes on into this one"));
         }
     }
 }

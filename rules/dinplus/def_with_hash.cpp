@@ -45,7 +45,7 @@ extern const Rule def_with_hash{
 namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::hash_in_vacancy_test, reporter);
+    report_syntax_error(file, SyntaxErrorKind::hash_in_vacancy_test, reporter);
 }
 
 } // namespace

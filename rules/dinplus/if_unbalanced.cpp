@@ -1,8 +1,8 @@
 //! DIN401: IF and ENDIF do not pair.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
-#include "rules/structure_faults.hpp"
 
 #include <algorithm>
 
@@ -56,14 +56,14 @@ namespace {
 
 /// An IF that lacks its THEN, too, is told by the rule for that.
 bool lacks_then(const ProgramAnalysis& analysis, Span choice) {
-    return std::ranges::any_of(analysis.file().irregularities, [&](const Irregularity& irregularity) {
-        return irregularity.kind == Irregular::then_missing && irregularity.span.begin < choice.end &&
-               choice.begin < irregularity.span.end;
+    return std::ranges::any_of(analysis.file().syntax_errors, [&](const SyntaxError& syntax_error) {
+        return syntax_error.kind == SyntaxErrorKind::then_missing && syntax_error.span.begin < choice.end &&
+               choice.begin < syntax_error.span.end;
     });
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : nesting_faults(analysis, Construct::choice))
+    for (const flow::RegionFault& fault : nesting_faults(analysis, RegionKind::choice))
         if (!lacks_then(analysis, analysis.program().effects[fault.effect].span))
             report_nesting_fault(analysis, fault, reporter);
 }

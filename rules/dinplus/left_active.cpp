@@ -1,7 +1,7 @@
 //! Reads the states in which programs end and return.
 #include "rules/dinplus/left_active.hpp"
 
-#include "analyzer/dataflow/ways.hpp"
+#include "analyzer/dataflow/feasible_paths.hpp"
 #include "rules/trace.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ bool is_left_by_a_caller(const ProgramAnalysis& analysis, GroupId group) {
 
 std::optional<GroupId> find_own_group(const ControlModel& control, std::string_view name) {
     const auto row = std::ranges::find(control.groups, name, &ModalGroup::name);
-    if (row == control.groups.end() || row->concern != Concern::own_rule) return std::nullopt;
+    if (row == control.groups.end() || row->restore_policy != RestorePolicy::own_rule) return std::nullopt;
     return static_cast<GroupId>(row - control.groups.begin());
 }
 
@@ -54,10 +54,10 @@ bool lasts_until(const ProgramAnalysis& analysis, GroupId group, const dataflow:
     return dataflow::can_follow(analysis.program(), analysis.graph(), analysis.data(), set, node, setting);
 }
 
-std::vector<Leftover> left_at_return(const ProgramAnalysis& analysis) {
+std::vector<ModalLeak> left_at_return(const ProgramAnalysis& analysis) {
     if (analysis.is_main()) return {};
-    return find_leftovers(
-        analysis, Concern::own_rule,
+    return find_modal_leaks(
+        analysis, RestorePolicy::own_rule,
         [&](const ModalGroup& group, GroupId id, const dataflow::ExitState& exit, const auto& part) {
             return group.cancel && returns(analysis, exit.exit.kind) &&
                    is_switched_on(analysis, group, part) && lasts_until(analysis, id, part, exit.exit.node) &&
@@ -65,15 +65,15 @@ std::vector<Leftover> left_at_return(const ProgramAnalysis& analysis) {
         });
 }
 
-std::optional<Leftover> left_at_end(const ProgramAnalysis& analysis, std::string_view name) {
-    const auto leftovers = find_leftovers(
-        analysis, Concern::own_rule,
+std::optional<ModalLeak> left_at_end(const ProgramAnalysis& analysis, std::string_view name) {
+    const auto leaks = find_modal_leaks(
+        analysis, RestorePolicy::own_rule,
         [&](const ModalGroup& group, GroupId id, const dataflow::ExitState& exit, const auto& part) {
             return group.name == name && group.cancel && ends(analysis, exit.exit.kind) &&
                    is_switched_on(analysis, group, part) && lasts_until(analysis, id, part, exit.exit.node);
         });
-    if (leftovers.empty()) return std::nullopt;
-    return leftovers.front();
+    if (leaks.empty()) return std::nullopt;
+    return leaks.front();
 }
 
 std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId id, double code) {
@@ -82,10 +82,9 @@ std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId id, d
 }
 
 void report_left_at_end(const ProgramAnalysis& analysis, std::string_view group, Reporter& reporter) {
-    const auto leftover = left_at_end(analysis, group);
-    if (!leftover) return;
-    report_leftover(analysis, reporter, *leftover,
-                    words_of(analysis, leftover->group, *own_code(analysis, leftover->part)));
+    const auto leak = left_at_end(analysis, group);
+    if (!leak) return;
+    report_leak(analysis, reporter, *leak, words_of(analysis, leak->group, *own_code(analysis, leak->part)));
 }
 
 } // namespace maclint::rules

@@ -1,7 +1,7 @@
 //! What acts on every later move until it is switched off: radius compensation, tilted planes and the like.
 #pragma once
 
-#include "rules/modal/leftover.hpp"
+#include "rules/modal/modal_leak.hpp"
 
 #include <optional>
 #include <string_view>
@@ -14,10 +14,10 @@ namespace maclint::rules {
 
 /// What a called program has switched on itself and leaves on when it returns. What a subprogram may switch
 /// on for its caller counts only when a caller is there that leaves it on.
-[[nodiscard]] std::vector<Leftover> left_at_return(const ProgramAnalysis& analysis);
+[[nodiscard]] std::vector<ModalLeak> left_at_return(const ProgramAnalysis& analysis);
 
 /// What the program has switched on itself in the group of this name, and is still on when it ends.
-[[nodiscard]] std::optional<Leftover> left_at_end(const ProgramAnalysis& analysis, std::string_view name);
+[[nodiscard]] std::optional<ModalLeak> left_at_end(const ProgramAnalysis& analysis, std::string_view name);
 
 /// Reports what `left_at_end` finds: the arguments are the code and what cancels it.
 void report_left_at_end(const ProgramAnalysis& analysis, std::string_view group, Reporter& reporter);

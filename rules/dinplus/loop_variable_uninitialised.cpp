@@ -1,5 +1,5 @@
 //! DIN407: a loop counts in a variable that the program has not set.
-#include "analyzer/dataflow/ways.hpp"
+#include "analyzer/dataflow/feasible_paths.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -55,9 +55,9 @@ namespace {
 
 /// Variables that all programs share and that have no value of their own at the start. Those of a call level
 /// are uninitialised-local's.
-bool is_shared_and_unset(const ProgramAnalysis& analysis, Place place) {
-    const VariableSpace& space = analysis.control().spaces[place.space];
-    return space.scope == Scope::workspace && space.unset == Unset::undefined;
+bool is_shared_and_uninitialised(const ProgramAnalysis& analysis, Variable variable) {
+    const VariableSpace& space = analysis.control().spaces[variable.space];
+    return space.scope == Scope::shared && space.initial_value == InitialValue::undefined;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
@@ -65,19 +65,19 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const dataflow::Loop& loop : analysis.loops()) {
         const auto& counter = loop.counter;
-        if (!counter || !is_shared_and_unset(analysis, counter->place)) continue;
-        const auto way = dataflow::way_without_assignment(program, analysis.graph(), analysis.data(),
-                                                          counter->place, loop.head);
-        if (!way) continue;
+        if (!counter || !is_shared_and_uninitialised(analysis, counter->variable)) continue;
+        const auto path = dataflow::path_without_assignment(program, analysis.graph(), analysis.data(),
+                                                            counter->variable, loop.head);
+        if (!path) continue;
         const dataflow::Comparison& test = *counter->tests.front().comparison;
         const Span span = program.expressions[test.expression].span;
         const bool sometimes =
             std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
-                return store.place == counter->place && !loop.holds(store.node);
+                return store.variable == counter->variable && !loop.holds(store.node);
             });
         Finding& finding = reporter.report(analysis.file(), span, sometimes ? "some-ways" : "plain",
-                                           {program.spell(counter->place)});
-        finding.path = steps_along(analysis, *way);
+                                           {program.spell(counter->variable)});
+        finding.path = steps_along(analysis, *path);
         finding.path.push_back({&analysis.file(), span, "the loop begins, and nothing has set its counter"});
     }
 }

@@ -56,7 +56,7 @@ bool is_cut_off(const Program& program) {
 Span last_of(const Program& program) {
     const Item& last = program.items.back();
     if (const auto* block = std::get_if<Block>(&last)) return block->span;
-    Span span = std::get<Run>(last).span;
+    Span span = std::get<PlainRun>(last).span;
     program.for_each_block(span, [&](const PlainBlock& block) {
         span = block.span;
         return true;

@@ -75,10 +75,10 @@ bool changes_plane(const ProgramAnalysis& analysis, const dataflow::PointState& 
     const auto write = std::ranges::find(writes, point.effect, &dataflow::ModalWrite::effect);
     if (write == writes.end() || analysis.control().groups[*write->group].name != plane) return false;
     const dataflow::ModalValue& value = analysis.data().modal(point.state, *write->group);
-    const auto& pool = analysis.data().pool();
+    const auto& table = analysis.data().table();
     return !value.unknown && write->value.constant() &&
            std::ranges::all_of(value.parts, [&](const auto& part) {
-               const auto code = pool.number_of(part.symbol);
+               const auto code = table.number_of(part.symbol);
                return code && *code != *write->value.constant();
            });
 }
@@ -94,7 +94,7 @@ std::vector<dataflow::PointState> find_points(const ProgramAnalysis& analysis) {
 
 void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part,
                     const dataflow::PointState& change, Reporter& reporter) {
-    const Span span = remark_at(analysis, part.origin, {}).span;
+    const Span span = related_at(analysis, part.origin, {}).span;
     const Span there = analysis.program().effects[change.effect].span;
     auto words = words_of(analysis, group, *own_code(analysis, part));
     words.push_back(quoted(analysis.program(), there));
@@ -102,29 +102,29 @@ void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const datafl
     Finding& finding = reporter.report(analysis.file(), span, "tool", std::move(words));
     const flow::NodeId set = node_of(analysis, part.origin);
     trace(finding, analysis, set, "the compensation is switched on here");
-    tell_way_on(finding, analysis, set, change.node);
-    finding.related.push_back(remark_at_effect(analysis, change.effect, "it is still active here"));
+    report_path_on(finding, analysis, set, change.node);
+    finding.related.push_back(related_at_effect(analysis, change.effect, "it is still active here"));
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto group = find_own_group(analysis.control(), compensation);
     if (!group) return;
-    std::vector<dataflow::OriginId> told; // one finding for each block that switches it on
-    for (const Leftover& leftover : left_at_return(analysis)) // those are told as such
-        if (leftover.group == *group) told.push_back(leftover.part.origin);
+    std::vector<dataflow::OriginId> reported;              // one finding for each block that switches it on
+    for (const ModalLeak& leak : left_at_return(analysis)) // those are told as such
+        if (leak.group == *group) reported.push_back(leak.part.origin);
     for (const dataflow::PointState& change : find_points(analysis)) {
         const dataflow::ModalValue& value = analysis.data().modal(change.state, *group);
         if (value.unknown) continue;
         for (const dataflow::ModalPart& part : value.parts) {
             if (!is_switched_on(analysis, analysis.control().groups[*group], part)) continue;
-            if (std::ranges::find(told, part.origin) != told.end()) continue;
+            if (std::ranges::find(reported, part.origin) != reported.end()) continue;
             if (!lasts_until(analysis, *group, part, change.node)) continue;
-            told.push_back(part.origin);
+            reported.push_back(part.origin);
             report_at_tool(analysis, *group, part, change, reporter);
         }
     }
-    const auto leftover = left_at_end(analysis, compensation);
-    if (leftover && std::ranges::find(told, leftover->part.origin) == told.end())
+    const auto leak = left_at_end(analysis, compensation);
+    if (leak && std::ranges::find(reported, leak->part.origin) == reported.end())
         report_left_at_end(analysis, compensation, reporter);
 }
 

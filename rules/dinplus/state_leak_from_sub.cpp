@@ -50,9 +50,8 @@ extern const Rule state_leak_from_sub{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const Leftover& leftover : left_at_return(analysis))
-        report_leftover(analysis, reporter, leftover,
-                        words_of(analysis, leftover.group, *own_code(analysis, leftover.part)));
+    for (const ModalLeak& leak : left_at_return(analysis))
+        report_leak(analysis, reporter, leak, words_of(analysis, leak.group, *own_code(analysis, leak.part)));
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 //! DIN409: SWITCH and ENDSWITCH do not pair, or a branch stands outside.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
-#include "rules/structure_faults.hpp"
 
 namespace maclint::rules {
 
@@ -59,7 +59,7 @@ extern const Rule switch_unbalanced{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : nesting_faults(analysis, Construct::selection))
+    for (const flow::RegionFault& fault : nesting_faults(analysis, RegionKind::selection))
         report_nesting_fault(analysis, fault, reporter);
 }
 

@@ -32,7 +32,7 @@ extern const Rule then_missing{
                          "END\n"}},
     .alarms = {},
     .sources = {"SEED-003:19643-19645"},
-    .check = Irregular::then_missing,
+    .check = SyntaxErrorKind::then_missing,
 };
 
 } // namespace maclint::rules

@@ -69,7 +69,7 @@ extern const Rule transfer_value_unchecked{
 namespace {
 
 /// The first call of the workspace that does not pass the value.
-const Caller* caller_without(const ProgramAnalysis& analysis, Place formal) {
+const Caller* caller_without(const ProgramAnalysis& analysis, Variable formal) {
     for (const Caller& caller : analysis.callers()) {
         const Program& program = analysis.workspace().programs()[caller.program].program();
         const auto& call = std::get<Call>(program.effects[caller.effect].what);
@@ -84,11 +84,11 @@ const Caller* caller_without(const ProgramAnalysis& analysis, Place formal) {
 /// 0 in every comparison have rules of their own.
 bool is_unchecked(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     const auto& formals = analysis.control().formals;
-    return analysis.control().spaces[read.place.space].unset == Unset::undefined &&
+    return analysis.control().spaces[read.variable.space].initial_value == InitialValue::undefined &&
            read.use != dataflow::Use::vacancy_test && read.value.vacancy == dataflow::Vacancy::maybe &&
-           std::ranges::find(formals, read.place) != formals.end() &&
+           std::ranges::find(formals, read.variable) != formals.end() &&
            !dataflow::asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node,
-                                       read.place);
+                                       read.variable);
 }
 
 /// The comparison with 0 that the read is a side of.
@@ -111,25 +111,26 @@ void report(const ProgramAnalysis& analysis, const dataflow::Read& read, const C
     const Span call = calling.program().effects[caller.effect].span;
     const dataflow::Comparison* test = zero_test_of(analysis, read);
     const Span span = program.expressions[test != nullptr ? test->expression : read.expression].span;
-    std::string place = "line " + line_number(calling.file(), call.begin);
-    if (&calling.file() != &analysis.file()) place += " of " + calling.program().name;
+    std::string variable = "line " + line_number(calling.file(), call.begin);
+    if (&calling.file() != &analysis.file()) variable += " of " + calling.program().name;
     Finding& finding = reporter.report(analysis.file(), span, test != nullptr ? "zero-test" : "unchecked",
-                                       {program.spell(read.place), place, quoted(program, span)});
-    finding.path.push_back(
-        remark_at_effect(calling, caller.effect, "this call leaves " + program.spell(read.place) + " out"));
+                                       {program.spell(read.variable), variable, quoted(program, span)});
+    finding.path.push_back(related_at_effect(calling, caller.effect,
+                                             "this call leaves " + program.spell(read.variable) + " out"));
     trace(finding, analysis, read.node, "and nothing has asked for it before it is used");
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     // Nobody knows what an IF without its ENDIF guards.
-    const flow::Structures& structures = analysis.structures();
-    if (structures.balance_in_doubt || !structures.faults.empty()) return;
-    std::vector<Place> told;
+    const flow::Regions& regions = analysis.regions();
+    if (regions.balance_unknown || !regions.faults.empty()) return;
+    std::vector<Variable> reported;
     for (const dataflow::Read& read : analysis.facts().reads) {
-        if (!is_unchecked(analysis, read) || std::ranges::find(told, read.place) != told.end()) continue;
-        const Caller* caller = caller_without(analysis, read.place);
+        if (!is_unchecked(analysis, read) || std::ranges::find(reported, read.variable) != reported.end())
+            continue;
+        const Caller* caller = caller_without(analysis, read.variable);
         if (caller == nullptr) continue;
-        told.push_back(read.place);
+        reported.push_back(read.variable);
         report(analysis, read, *caller, reporter);
     }
 }

@@ -27,7 +27,7 @@ extern const Rule transfer_value_unknown{
                          "RETURN\n"}},
     .alarms = {},
     .sources = {"SEED-003:19937", "SEED-003:8527-8554"},
-    .check = Irregular::unknown_transfer_value,
+    .check = SyntaxErrorKind::unknown_transfer_value,
 };
 
 } // namespace maclint::rules

@@ -1,8 +1,8 @@
 //! DIN015: UNIT and END_OF_UNIT do not pair.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
-#include "rules/structure_faults.hpp"
 
 namespace maclint::rules {
 
@@ -62,7 +62,7 @@ extern const Rule unit_unbalanced{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : nesting_faults(analysis, Construct::unit))
+    for (const flow::RegionFault& fault : nesting_faults(analysis, RegionKind::unit))
         report_nesting_fault(analysis, fault, reporter);
 }
 

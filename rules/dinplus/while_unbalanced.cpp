@@ -1,8 +1,8 @@
 //! DIN404: WHILE and ENDWHILE do not pair.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
-#include "rules/structure_faults.hpp"
 
 namespace maclint::rules {
 
@@ -53,7 +53,7 @@ extern const Rule while_unbalanced{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : nesting_faults(analysis, Construct::while_loop))
+    for (const flow::RegionFault& fault : nesting_faults(analysis, RegionKind::while_loop))
         report_nesting_fault(analysis, fault, reporter);
 }
 

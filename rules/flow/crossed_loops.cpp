@@ -1,8 +1,8 @@
 //! MAC316: loops that overlap.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
-#include "rules/structure_faults.hpp"
 
 #include <string>
 
@@ -55,7 +55,7 @@ extern const Rule crossed_loops{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : numbered_loop_faults(analysis, flow::Imbalance::crossed)) {
+    for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::crossed)) {
         const Span span = analysis.program().effects[fault.effect].span;
         Finding& finding = reporter.report(
             analysis.file(), span, "plain",
@@ -63,7 +63,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
              fault.other ? quoted(analysis.program(), analysis.program().effects[*fault.other].span)
                          : std::string()});
         if (fault.other)
-            finding.related.push_back(remark_at_effect(analysis, *fault.other, "the inner loop begins here"));
+            finding.related.push_back(
+                related_at_effect(analysis, *fault.other, "the inner loop begins here"));
     }
 }
 

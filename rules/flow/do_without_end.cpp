@@ -1,8 +1,8 @@
 //! MAC312: a loop that is never closed.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
-#include "rules/structure_faults.hpp"
 
 namespace maclint::rules {
 
@@ -45,7 +45,7 @@ extern const Rule do_without_end{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : numbered_loop_faults(analysis, flow::Imbalance::never_closed)) {
+    for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::never_closed)) {
         const Program& program = analysis.program();
         const Span span = program.effects[fault.effect].span;
         if (!fault.other) {
@@ -56,7 +56,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         Finding& finding = reporter.report(
             analysis.file(), span, "other-number",
             {quoted(program, span), quoted(program, stray), line_number(analysis.file(), stray.begin)});
-        finding.related.push_back(remark_at_effect(analysis, *fault.other, "this closes no loop"));
+        finding.related.push_back(related_at_effect(analysis, *fault.other, "this closes no loop"));
     }
 }
 

@@ -46,14 +46,14 @@ extern const Rule do_without_while{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const dataflow::Loop& trap : analysis.traps()) {
-        if (!trap.structure || !trap.ways_out.empty()) continue;
-        const flow::Paired& paired = analysis.structures().all[*trap.structure];
-        if (paired.construct != Construct::endless_loop) continue;
-        const Span span = analysis.program().effects[paired.open].span;
+    for (const dataflow::Loop& cycle : analysis.inescapable_cycles()) {
+        if (!cycle.region || !cycle.exit_edges.empty()) continue;
+        const flow::Region& region = analysis.regions().all[*cycle.region];
+        if (region.region_kind != RegionKind::endless_loop) continue;
+        const Span span = analysis.program().effects[region.open].span;
         Finding& finding =
             reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});
-        trace_round(finding, analysis, trap, "no condition ends the loop");
+        trace_round(finding, analysis, cycle, "no condition ends the loop");
     }
 }
 

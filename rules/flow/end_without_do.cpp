@@ -1,8 +1,8 @@
 //! MAC313: an END that closes nothing.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
-#include "rules/structure_faults.hpp"
 
 namespace maclint::rules {
 
@@ -42,7 +42,7 @@ extern const Rule end_without_do{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : numbered_loop_faults(analysis, flow::Imbalance::never_opened)) {
+    for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::never_opened)) {
         const Span span = analysis.program().effects[fault.effect].span;
         reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});
     }

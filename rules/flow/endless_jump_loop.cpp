@@ -48,15 +48,16 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const flow::Graph& graph = analysis.graph();
-    for (const dataflow::Loop& trap : analysis.traps()) {
-        const auto& jump = graph.edges[trap.back].jump;
+    for (const dataflow::Loop& cycle : analysis.inescapable_cycles()) {
+        const auto& jump = graph.edges[cycle.back].jump;
         // Loops of the text and conditions that never hold are told by their own rules.
-        if (trap.structure || !jump || !trap.ways_out.empty()) continue;
+        if (cycle.region || !jump || !cycle.exit_edges.empty()) continue;
         const Span span = analysis.program().effects[*jump].span;
-        Finding& finding = reporter.report(analysis.file(), span, "plain",
-                                           {quoted(analysis.program(), span),
-                                            line_number(analysis.file(), graph.nodes[trap.head].part.begin)});
-        trace_round(finding, analysis, trap, "jumps back");
+        Finding& finding =
+            reporter.report(analysis.file(), span, "plain",
+                            {quoted(analysis.program(), span),
+                             line_number(analysis.file(), graph.nodes[cycle.head].part.begin)});
+        trace_round(finding, analysis, cycle, "jumps back");
     }
 }
 

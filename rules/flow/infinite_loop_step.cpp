@@ -90,12 +90,13 @@ bool leads_away(const dataflow::Counter& counter, const dataflow::Step& step, do
 Fault fault_of(const ProgramAnalysis& analysis, const dataflow::Counter& counter,
                const dataflow::Step& step) {
     const dataflow::Value& amount = step.amount;
-    if (amount.doubt != 0 && amount.can_be(0)) {
+    if (amount.vacancy_origin != 0 && amount.can_be(0)) {
         // A local that nothing can have set is MAC209's.
-        const dataflow::Origin& doubt = analysis.data().origin(amount.doubt);
-        if (doubt.kind != dataflow::Origin::Kind::entry) return Fault::vacant;
-        const Place place{static_cast<SpaceId>(doubt.node), static_cast<std::int32_t>(doubt.id)};
-        return analysis.data().is_vacant_at_entry(place) ? Fault::none : Fault::vacant;
+        const dataflow::Origin& vacancy_origin = analysis.data().origin(amount.vacancy_origin);
+        if (vacancy_origin.kind != dataflow::Origin::Kind::entry) return Fault::vacant;
+        const Variable variable{static_cast<SpaceId>(vacancy_origin.node),
+                                static_cast<std::int32_t>(vacancy_origin.id)};
+        return analysis.data().is_vacant_at_entry(variable) ? Fault::none : Fault::vacant;
     }
     const auto constant = amount.constant();
     if (!constant) return Fault::none;
@@ -103,11 +104,11 @@ Fault fault_of(const ProgramAnalysis& analysis, const dataflow::Counter& counter
     return leads_away(counter, step, *constant) ? Fault::wrong_sign : Fault::none;
 }
 
-std::string name_of_doubt(const ProgramAnalysis& analysis, const dataflow::Step& step) {
-    const dataflow::Origin& doubt = analysis.data().origin(step.amount.doubt);
-    if (doubt.kind == dataflow::Origin::Kind::entry)
+std::string name_of_vacancy_origin(const ProgramAnalysis& analysis, const dataflow::Step& step) {
+    const dataflow::Origin& vacancy_origin = analysis.data().origin(step.amount.vacancy_origin);
+    if (vacancy_origin.kind == dataflow::Origin::Kind::entry)
         return analysis.program().spell(
-            {static_cast<SpaceId>(doubt.node), static_cast<std::int32_t>(doubt.id)});
+            {static_cast<SpaceId>(vacancy_origin.node), static_cast<std::int32_t>(vacancy_origin.id)});
     return "'" + quoted(analysis.program(), analysis.program().expressions[step.expression].span) + "'";
 }
 
@@ -117,10 +118,10 @@ Finding& report(const ProgramAnalysis& analysis, Reporter& reporter, const dataf
     const Span span = program.effects[store.effect].span;
     const std::string text = quoted(program, span);
     if (fault == Fault::vacant) {
-        const std::string name = name_of_doubt(analysis, *store.step);
+        const std::string name = name_of_vacancy_origin(analysis, *store.step);
         Finding& finding = reporter.report(analysis.file(), span, "vacant", {text, name});
-        trace(finding, analysis, store.step->amount.doubt, name + " may be vacant from here on", store.node,
-              "a vacant " + name + " counts as 0 in arithmetic");
+        trace(finding, analysis, store.step->amount.vacancy_origin, name + " may be vacant from here on",
+              store.node, "a vacant " + name + " counts as 0 in arithmetic");
         return finding;
     }
     Finding& finding =

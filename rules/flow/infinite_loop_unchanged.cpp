@@ -77,7 +77,7 @@ namespace {
 
 /// What decides over the loop's ways out, when nothing of it can change in the loop.
 struct Deciders {
-    std::vector<Place> places;
+    std::vector<Variable> variables;
     bool fixed = true;
 };
 
@@ -85,7 +85,7 @@ struct Deciders {
 bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     for (const flow::NodeId node : loop.body) {
         const flow::Node& n = analysis.graph().nodes[node];
-        if (n.is_run && std::get<Run>(analysis.program().items[n.item]).moves) return false;
+        if (n.is_run && std::get<PlainRun>(analysis.program().items[n.item]).moves) return false;
         for (const Effect& effect : analysis.program().effects_in(n.effects))
             if (std::holds_alternative<Motion>(effect.what) || std::holds_alternative<Assign>(effect.what))
                 return false;
@@ -96,69 +96,69 @@ bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
 Deciders deciders_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     Deciders deciders;
     const bool others_may = loop.has_unknown_effects || waits(analysis, loop);
-    const auto can_change = [&](Place place) {
-        const bool own = analysis.control().spaces[place.space].scope == Scope::frame;
-        return (!own && others_may) || loop.changes.may_change(place);
+    const auto can_change = [&](Variable variable) {
+        const bool own = analysis.control().spaces[variable.space].scope == Scope::frame;
+        return (!own && others_may) || loop.changes.may_change(variable);
     };
-    for (const flow::EdgeId id : loop.ways_out) {
+    for (const flow::EdgeId id : loop.exit_edges) {
         const auto& condition = analysis.graph().edges[id].condition;
         if (!condition) return {{}, false};
         const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), *condition);
         if (!set.closed) return {{}, false};
-        for (const Place place : set.places) {
-            if (can_change(place)) return {{}, false};
-            if (std::ranges::find(deciders.places, place) == deciders.places.end())
-                deciders.places.push_back(place);
+        for (const Variable variable : set.variables) {
+            if (can_change(variable)) return {{}, false};
+            if (std::ranges::find(deciders.variables, variable) == deciders.variables.end())
+                deciders.variables.push_back(variable);
         }
     }
     return deciders;
 }
 
-std::string list(const Program& program, const std::vector<Place>& places) {
+std::string list(const Program& program, const std::vector<Variable>& variables) {
     std::string text;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (i != 0) text += i + 1 == places.size() ? " or " : ", ";
-        text += program.spell(places[i]);
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+        if (i != 0) text += i + 1 == variables.size() ? " or " : ", ";
+        text += program.spell(variables[i]);
     }
     return text;
 }
 
 /// WHILE … DO, DO, or the jump that closes the loop.
-Span place_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+Span variable_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     const auto& effects = analysis.program().effects;
-    if (loop.structure) return effects[analysis.structures().all[*loop.structure].open].span;
+    if (loop.region) return effects[analysis.regions().all[*loop.region].open].span;
     const flow::Edge& back = analysis.graph().edges[loop.back];
     return back.jump ? effects[*back.jump].span : analysis.graph().nodes[loop.latch].part;
 }
 
 /// MAC336 tells of cycles of jumps that nothing leaves, once for all ways back.
 bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
-    return std::ranges::any_of(analysis.traps(), [&](const dataflow::Loop& trap) {
-        return !trap.structure && trap.ways_out.empty() && trap.holds(loop.head);
+    return std::ranges::any_of(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
+        return !cycle.region && cycle.exit_edges.empty() && cycle.holds(loop.head);
     });
 }
 
 bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
-    return loop.structure && analysis.structures().all[*loop.structure].construct == Construct::endless_loop;
+    return loop.region && analysis.regions().all[*loop.region].region_kind == RegionKind::endless_loop;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Loop& loop : analysis.loops()) {
         if (loop.can_stop) continue;
         // A jump back without a condition and a way out repeats a program on purpose, as M99 does.
-        if (!loop.structure && loop.ways_out.empty()) continue;
+        if (!loop.region && loop.exit_edges.empty()) continue;
         if (has_no_condition(analysis, loop)) continue; // MAC318 owns DO without WHILE
         if (is_in_endless_jumps(analysis, loop)) continue;
         const Deciders deciders = deciders_of(analysis, loop);
         if (!deciders.fixed) continue;
         // MAC718 tells of a condition without variables, where nothing but the condition can end a loop.
-        if (deciders.places.empty() && !analysis.control().loops_left_by_jump) continue;
-        const Span span = place_of(analysis, loop);
+        if (deciders.variables.empty() && !analysis.control().loops_left_by_jump) continue;
+        const Span span = variable_of(analysis, loop);
         const std::string text = quoted(analysis.program(), span);
-        Finding& finding = deciders.places.empty()
+        Finding& finding = deciders.variables.empty()
                                ? reporter.report(analysis.file(), span, "no-way-out", {text})
                                : reporter.report(analysis.file(), span, "unchanged",
-                                                 {text, list(analysis.program(), deciders.places)});
+                                                 {text, list(analysis.program(), deciders.variables)});
         trace_round(finding, analysis, loop, "and nothing has changed");
     }
 }

@@ -54,11 +54,11 @@ extern const Rule jump_into_loop{
 namespace {
 
 /// The loop that every possible target of the jump lies in, and the jump itself does not.
-std::optional<flow::StructureId> entered_by(const ProgramAnalysis& analysis, Offset jump,
-                                            const std::vector<flow::Label>& targets) {
-    std::optional<flow::StructureId> entered;
+std::optional<flow::RegionId> entered_by(const ProgramAnalysis& analysis, Offset jump,
+                                         const std::vector<flow::Label>& targets) {
+    std::optional<flow::RegionId> entered;
     for (const flow::Label& target : targets) {
-        const auto loop = analysis.structures().entered(analysis.program(), jump, target.block.begin);
+        const auto loop = analysis.regions().entered(analysis.program(), jump, target.block.begin);
         if (!loop) return std::nullopt;
         if (!entered) entered = loop;
     }
@@ -68,13 +68,13 @@ std::optional<flow::StructureId> entered_by(const ProgramAnalysis& analysis, Off
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     // A block that cannot be read may be the END before the label.
-    if (analysis.structures().balance_in_doubt) return;
+    if (analysis.regions().balance_unknown) return;
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
         const Span span = program.effects[jump.jump].span;
         const std::vector<flow::Label> targets = analysis.targets_of(jump);
         const auto loop = entered_by(analysis, span.begin, targets);
         if (!loop) continue;
-        const Span open = program.effects[analysis.structures().all[*loop].open].span;
+        const Span open = program.effects[analysis.regions().all[*loop].open].span;
         Finding& finding = reporter.report(
             analysis.file(), span, "plain",
             {quoted(program, span), quoted(program, open), line_number(analysis.file(), open.begin)});

@@ -1,8 +1,8 @@
 //! MAC314: a loop number that the control does not have.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
-#include "rules/structure_faults.hpp"
 
 #include <string>
 
@@ -44,7 +44,7 @@ extern const Rule loop_number_out_of_range{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault :
+    for (const flow::RegionFault& fault :
          numbered_loop_faults(analysis, flow::Imbalance::number_out_of_range)) {
         const Span span = analysis.program().effects[fault.effect].span;
         reporter.report(analysis.file(), span, "plain",

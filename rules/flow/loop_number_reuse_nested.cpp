@@ -1,8 +1,8 @@
 //! MAC317: a loop number that is in use.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
-#include "rules/structure_faults.hpp"
 
 namespace maclint::rules {
 
@@ -52,13 +52,13 @@ extern const Rule loop_number_reuse_nested{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault : numbered_loop_faults(analysis, flow::Imbalance::number_reused)) {
+    for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::number_reused)) {
         const Span span = analysis.program().effects[fault.effect].span;
         Finding& finding =
             reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});
         if (fault.other)
             finding.related.push_back(
-                remark_at_effect(analysis, *fault.other, "the loop with this number is open since here"));
+                related_at_effect(analysis, *fault.other, "the loop with this number is open since here"));
     }
 }
 

@@ -1,8 +1,8 @@
 //! MAC315: one loop level too many.
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
-#include "rules/structure_faults.hpp"
 
 #include <string>
 
@@ -68,8 +68,7 @@ extern const Rule loops_nested_too_deep{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::StructureFault& fault :
-         numbered_loop_faults(analysis, flow::Imbalance::nested_too_deep)) {
+    for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::nested_too_deep)) {
         const Span span = analysis.program().effects[fault.effect].span;
         reporter.report(analysis.file(), span, "plain",
                         {quoted(analysis.program(), span),

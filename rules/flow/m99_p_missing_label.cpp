@@ -88,7 +88,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             reporter.report(analysis.file(), effect.span, "plain",
                             {quoted(program, effect.span), quoted(program, program.expressions[*label].span),
                              calling.program().name});
-        finding.path.push_back(remark_at_effect(calling, caller->effect, "calls " + program.name));
+        finding.path.push_back(related_at_effect(calling, caller->effect, "calls " + program.name));
         trace(finding, analysis, exit.exit.node, "returns to a sequence number that the caller lacks");
     }
 }

@@ -30,7 +30,7 @@ extern const Rule while_without_do{
     .alarms = {{"FANUC 16i/18i/21i", "125", "FORMAT ERROR IN MACRO"},
                {"FANUC 30i/0i-D", "1138", "WHILE STATEMENT FORMAT ERROR"}},
     .sources = {"SEED-001:395"},
-    .check = Irregular::loop_without_do,
+    .check = SyntaxErrorKind::loop_without_do,
 };
 
 } // namespace maclint::rules

@@ -45,9 +45,9 @@ extern const Rule oversized_block{
 namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
-    for (const Irregularity& irregularity : file.irregularities)
-        if (irregularity.kind == Irregular::oversized_block)
-            reporter.report(file, irregularity.span, "oversized", {});
+    for (const SyntaxError& syntax_error : file.syntax_errors)
+        if (syntax_error.kind == SyntaxErrorKind::oversized_block)
+            reporter.report(file, syntax_error.span, "oversized", {});
 }
 
 } // namespace

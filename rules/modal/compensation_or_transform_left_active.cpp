@@ -1,6 +1,6 @@
 //! MAC502: what acts on every later move is still switched on when the program is left.
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/leftover.hpp"
+#include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -51,26 +51,27 @@ namespace {
 /// A canned cycle ends with the program that is over; a rotation or compensation need not.
 bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
               const dataflow::ModalPart& part) {
-    if (group.concern == Concern::cycle && exit.exit.kind != flow::ExitKind::returns) return false;
+    if (group.restore_policy == RestorePolicy::cycle && exit.exit.kind != flow::ExitKind::returns)
+        return false;
     return is_switched_on(analysis, group, part);
 }
 
-std::string cure(const ControlModel& control, const Leftover& leftover) {
-    const ModalGroup& group = control.groups[leftover.group];
+std::string cure(const ControlModel& control, const ModalLeak& leak) {
+    const ModalGroup& group = control.groups[leak.group];
     if (!group.cancel_words.empty() || !group.cancel) return std::string(group.cancel_words);
-    return control.spell(leftover.group, *group.cancel);
+    return control.spell(leak.group, *group.cancel);
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const Concern concern : {Concern::operation, Concern::cycle}) {
-        const auto leftovers = find_leftovers(
-            analysis, concern, [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-                return is_fault(analysis, group, exit, part);
-            });
-        for (const Leftover& leftover : leftovers) {
-            const std::string code =
-                analysis.control().spell(leftover.group, *own_code(analysis, leftover.part));
-            report_leftover(analysis, reporter, leftover, {code, cure(analysis.control(), leftover)});
+    for (const RestorePolicy restore_policy : {RestorePolicy::operation, RestorePolicy::cycle}) {
+        const auto leaks =
+            find_modal_leaks(analysis, restore_policy,
+                             [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+                                 return is_fault(analysis, group, exit, part);
+                             });
+        for (const ModalLeak& leak : leaks) {
+            const std::string code = analysis.control().spell(leak.group, *own_code(analysis, leak.part));
+            report_leak(analysis, reporter, leak, {code, cure(analysis.control(), leak)});
         }
     }
 }

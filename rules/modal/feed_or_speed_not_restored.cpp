@@ -1,6 +1,6 @@
 //! MAC503: a macro leaves another feed or speed than it found.
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/leftover.hpp"
+#include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -49,7 +49,7 @@ namespace {
 bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
               const dataflow::ModalPart& part) {
     if (exit.exit.kind != flow::ExitKind::returns) return false;
-    const dataflow::Symbol& symbol = analysis.data().pool().symbols[part.symbol];
+    const dataflow::Symbol& symbol = analysis.data().table().symbols[part.symbol];
     using Kind = dataflow::Symbol::Kind;
     if (symbol.kind == Kind::entry) return group.letter == 'F';
     return symbol.kind == Kind::constant || symbol.kind == Kind::result;
@@ -57,15 +57,16 @@ bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const da
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.is_macro()) return;
-    const auto leftovers = find_leftovers(
-        analysis, Concern::value, [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-            return is_fault(analysis, group, exit, part);
-        });
-    for (const Leftover& leftover : leftovers) {
-        const ModalGroup& group = analysis.control().groups[leftover.group];
-        report_leftover(analysis, reporter, leftover,
-                        {word_of(analysis, leftover.group, leftover.part), std::string(group.name),
-                         analysis.control().variable_of(leftover.group).value_or("it")});
+    const auto leaks =
+        find_modal_leaks(analysis, RestorePolicy::value,
+                         [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+                             return is_fault(analysis, group, exit, part);
+                         });
+    for (const ModalLeak& leak : leaks) {
+        const ModalGroup& group = analysis.control().groups[leak.group];
+        report_leak(analysis, reporter, leak,
+                    {word_of(analysis, leak.group, leak.part), std::string(group.name),
+                     analysis.control().variable_of(leak.group).value_or("it")});
     }
 }
 

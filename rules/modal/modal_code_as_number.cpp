@@ -130,9 +130,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto source = copy_source(analysis, read.expression, read.value);
         const auto name = source ? code_name(analysis, *source) : std::nullopt;
         if (!name) continue;
-        Finding& finding =
-            reporter.report(analysis.file(), program.expressions[*calculation].span, "copy",
-                            {text(*calculation), program.spell(read.place), text(source->expression), *name});
+        Finding& finding = reporter.report(
+            analysis.file(), program.expressions[*calculation].span, "copy",
+            {text(*calculation), program.spell(read.variable), text(source->expression), *name});
         trace(finding, analysis, store_of(analysis, read.value)->node,
               {&analysis.file(), program.expressions[source->expression].span, "the G code is read here"},
               read.node, "and used as a number here");

@@ -1,6 +1,6 @@
 //! MAC518: a called program ends in the customary code without asking for the caller's.
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/leftover.hpp"
+#include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -58,15 +58,16 @@ bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const da
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
-    const auto leftovers = find_leftovers(
-        analysis, Concern::state, [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-            return is_fault(analysis, group, exit, part);
-        });
-    for (const Leftover& leftover : leftovers) {
-        if (!leftover.on_every_way || saves(analysis, leftover.group)) continue;
-        report_leftover(analysis, reporter, leftover, "forced",
-                        {analysis.control().spell(leftover.group, *own_code(analysis, leftover.part)),
-                         std::string(analysis.control().groups[leftover.group].name)});
+    const auto leaks =
+        find_modal_leaks(analysis, RestorePolicy::state,
+                         [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+                             return is_fault(analysis, group, exit, part);
+                         });
+    for (const ModalLeak& leak : leaks) {
+        if (!leak.on_every_path || saves(analysis, leak.group)) continue;
+        report_leak(analysis, reporter, leak, "forced",
+                    {analysis.control().spell(leak.group, *own_code(analysis, leak.part)),
+                     std::string(analysis.control().groups[leak.group].name)});
     }
 }
 

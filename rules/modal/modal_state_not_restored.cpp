@@ -1,6 +1,6 @@
 //! MAC501: a called program leaves a modal group at a code that callers do not expect.
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/leftover.hpp"
+#include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -56,14 +56,15 @@ bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const da
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
-    const auto leftovers = find_leftovers(
-        analysis, Concern::state, [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-            return is_fault(analysis, group, exit, part);
-        });
-    for (const Leftover& leftover : leftovers) {
-        const std::string code = analysis.control().spell(leftover.group, *own_code(analysis, leftover.part));
-        report_leftover(analysis, reporter, leftover,
-                        {code, std::string(analysis.control().groups[leftover.group].name)});
+    const auto leaks =
+        find_modal_leaks(analysis, RestorePolicy::state,
+                         [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+                             return is_fault(analysis, group, exit, part);
+                         });
+    for (const ModalLeak& leak : leaks) {
+        const std::string code = analysis.control().spell(leak.group, *own_code(analysis, leak.part));
+        report_leak(analysis, reporter, leak,
+                    {code, std::string(analysis.control().groups[leak.group].name)});
     }
 }
 

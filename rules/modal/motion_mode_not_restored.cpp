@@ -1,6 +1,6 @@
 //! MAC504: a called program leaves another motion mode than it found.
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/leftover.hpp"
+#include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -46,13 +46,13 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
-    const auto leftovers = find_leftovers(
-        analysis, Concern::motion, [&](const ModalGroup&, GroupId, const auto& exit, const auto& part) {
+    const auto leaks = find_modal_leaks(
+        analysis, RestorePolicy::motion, [&](const ModalGroup&, GroupId, const auto& exit, const auto& part) {
             return exit.exit.kind == flow::ExitKind::returns && own_code(analysis, part).has_value();
         });
-    for (const Leftover& leftover : leftovers)
-        report_leftover(analysis, reporter, leftover,
-                        {analysis.control().spell(leftover.group, *own_code(analysis, leftover.part))});
+    for (const ModalLeak& leak : leaks)
+        report_leak(analysis, reporter, leak,
+                    {analysis.control().spell(leak.group, *own_code(analysis, leak.part))});
 }
 
 } // namespace

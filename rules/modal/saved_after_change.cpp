@@ -1,7 +1,7 @@
 //! MAC517: a modal value is saved when the program has already changed it.
 #include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/leftover.hpp"
+#include "rules/modal/modal_leak.hpp"
 #include "rules/modal/saved_state.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -54,7 +54,7 @@ std::optional<dataflow::ModalPart> own_part(const ProgramAnalysis& analysis,
                                             const dataflow::ModalRead& read) {
     if (read.value.unknown || read.value.parts.empty()) return std::nullopt;
     for (const dataflow::ModalPart& part : read.value.parts)
-        if (part.origin == 0 || analysis.data().pool().entry_group_of(part.symbol) == read.group)
+        if (part.origin == 0 || analysis.data().table().entry_group_of(part.symbol) == read.group)
             return std::nullopt;
     return read.value.parts.front();
 }
@@ -101,7 +101,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const std::vector<EffectId> effective = effective_at_return(analysis);
     std::vector<EffectId> known;
     for (const dataflow::ModalWrite& write : analysis.facts().modal_writes) {
-        if (!dataflow::plain_place(program, write.expression) ||
+        if (!dataflow::plain_variable(program, write.expression) ||
             !std::ranges::binary_search(effective, write.effect))
             continue;
         const dataflow::Store* store = store_of(analysis, write.value);

@@ -70,13 +70,13 @@ bool would_restore(const ProgramAnalysis& analysis, const dataflow::ModalWrite& 
 /// A new feed may be computed from the saved one; a new G code may not.
 bool is_computed_from(const ProgramAnalysis& analysis, const dataflow::Store& store) {
     const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), store.expression);
-    return std::ranges::find(set.places, store.place) != set.places.end();
+    return std::ranges::find(set.variables, store.variable) != set.variables.end();
 }
 
 /// The saved value has served already: some word put it back.
-bool is_put_back(const ProgramAnalysis& analysis, Place place, ExpressionId saved) {
+bool is_put_back(const ProgramAnalysis& analysis, Variable variable, ExpressionId saved) {
     return std::ranges::any_of(analysis.facts().modal_writes, [&](const dataflow::ModalWrite& write) {
-        if (dataflow::plain_place(analysis.program(), write.expression) != place) return false;
+        if (dataflow::plain_variable(analysis.program(), write.expression) != variable) return false;
         const auto source = copy_source(analysis, write.expression, write.value);
         return source && source->expression == saved;
     });
@@ -85,21 +85,21 @@ bool is_put_back(const ProgramAnalysis& analysis, Place place, ExpressionId save
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const dataflow::ModalWrite& write : analysis.facts().modal_writes) {
-        const auto place = dataflow::plain_place(program, write.expression);
+        const auto variable = dataflow::plain_variable(program, write.expression);
         const dataflow::Store* store = store_of(analysis, write.value);
-        if (!place || store == nullptr || !(store->place == *place)) continue;
+        if (!variable || store == nullptr || !(store->variable == *variable)) continue;
         const auto source = copy_source(analysis, store->expression, store->value);
         if (source && source->group) continue; // saved anew
         const auto saved = saved_before(analysis, *store);
         if (!saved || !would_restore(analysis, write, *saved->source.group)) continue;
         if (write.stated && is_computed_from(analysis, *store)) continue;
-        if (is_put_back(analysis, *place, saved->source.expression)) continue;
+        if (is_put_back(analysis, *variable, saved->source.expression)) continue;
         const Span span = program.effects[store->effect].span;
         const Span word = program.effects[write.effect].span;
         Finding& finding = reporter.report(analysis.file(), span, "overwritten",
                                            {quoted(program, span),
                                             std::string(analysis.control().groups[*saved->source.group].name),
-                                            program.spell(*place), quoted(program, word)});
+                                            program.spell(*variable), quoted(program, word)});
         trace(finding, analysis, saved->node,
               {&analysis.file(), program.expressions[saved->source.expression].span, "it is saved here"},
               store->node, "and overwritten here");

@@ -1,6 +1,6 @@
 //! MAC515: single block, feed hold or override are still switched off when the program is left.
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/leftover.hpp"
+#include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -47,15 +47,16 @@ extern const Rule single_block_suppression_not_restored{
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const auto leftovers = find_leftovers(
-        analysis, Concern::suppression, [&](const ModalGroup& group, GroupId, const auto&, const auto& part) {
-            const auto code = own_code(analysis, part);
-            return code && std::ranges::find(group.customary, *code) == group.customary.end();
-        });
-    for (const Leftover& leftover : leftovers)
-        report_leftover(analysis, reporter, leftover,
-                        {word_of(analysis, leftover.group, leftover.part),
-                         std::string(analysis.control().groups[leftover.group].name)});
+    const auto leaks = find_modal_leaks(analysis, RestorePolicy::suppression,
+                                        [&](const ModalGroup& group, GroupId, const auto&, const auto& part) {
+                                            const auto code = own_code(analysis, part);
+                                            return code && std::ranges::find(group.customary, *code) ==
+                                                               group.customary.end();
+                                        });
+    for (const ModalLeak& leak : leaks)
+        report_leak(analysis, reporter, leak,
+                    {word_of(analysis, leak.group, leak.part),
+                     std::string(analysis.control().groups[leak.group].name)});
 }
 
 } // namespace

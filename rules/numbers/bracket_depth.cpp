@@ -43,7 +43,7 @@ extern const Rule bracket_depth{
     .alarms = {{"FANUC 16i/18i/21i", "118", "PARENTHESIS NESTING ERROR"},
                {"FANUC 30i/0i-D", "118", "TOO MANY BRACKET NESTING"}},
     .sources = {"MAN-16C287", "NCT-188", "SEED-003:18887"},
-    .check = Irregular::bracket_depth,
+    .check = SyntaxErrorKind::bracket_depth,
 };
 
 } // namespace maclint::rules

@@ -92,7 +92,7 @@ extern const Rule constant_condition{
 namespace {
 
 bool is_loop(const Program& program, EffectId effect) {
-    return std::holds_alternative<Structure>(program.effects[effect].what);
+    return std::holds_alternative<RegionMark>(program.effects[effect].what);
 }
 
 /// What the condition guards: IF[#1GT#2]THEN#1=#2 makes sure, whether it is needed or not.
@@ -103,8 +103,8 @@ bool only_clamps(const ProgramAnalysis& analysis, const dataflow::Condition& con
     if (guarded == nullptr) return false;
     return std::ranges::any_of(program.effects_in(guarded->effects), [&](const Effect& effect) {
         const auto* assign = std::get_if<Assign>(&effect.what);
-        const auto* place = assign == nullptr ? nullptr : std::get_if<Place>(&assign->target);
-        return place != nullptr && std::ranges::find(reads.places, *place) != reads.places.end();
+        const auto* variable = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+        return variable != nullptr && std::ranges::find(reads.variables, *variable) != reads.variables.end();
     });
 }
 
@@ -134,10 +134,9 @@ Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condi
 bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     const Program& program = analysis.program();
     const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
-    if (analysis.control().loops_left_by_jump || !reads.closed || !reads.places.empty()) return false;
+    if (analysis.control().loops_left_by_jump || !reads.closed || !reads.variables.empty()) return false;
     return std::ranges::any_of(analysis.loops(), [&](const dataflow::Loop& loop) {
-        return loop.structure && analysis.structures().all[*loop.structure].open == condition.effect &&
-               !loop.can_stop;
+        return loop.region && analysis.regions().all[*loop.region].open == condition.effect && !loop.can_stop;
     });
 }
 
@@ -160,8 +159,8 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    if (analysis.structures().balance_in_doubt) return; // a loop that cannot be read may repeat the block
-    std::optional<DeliberateConditions> deliberate;     // most programs have no such condition
+    if (analysis.regions().balance_unknown) return; // a loop that cannot be read may repeat the block
+    std::optional<DeliberateConditions> deliberate; // most programs have no such condition
     for (const dataflow::Condition& condition : analysis.facts().conditions) {
         const dataflow::Truth truth = condition.truth;
         if (truth.can_hold == truth.can_fail) continue;

@@ -19,7 +19,7 @@ std::optional<std::int64_t> jump_target(const Program& program, EffectId effect)
 DeliberateConditions::DeliberateConditions(const ProgramAnalysis& analysis)
     : program_(analysis.program()) {
     for (const dataflow::Store& store : analysis.facts().stores) {
-        Assigned& assigned = assigned_[dataflow::key_of(store.place)];
+        Assigned& assigned = assigned_[dataflow::key_of(store.variable)];
         ++assigned.count;
         assigned.literal &= std::holds_alternative<Literal>(program_.expressions[store.expression].node);
     }
@@ -29,13 +29,15 @@ DeliberateConditions::DeliberateConditions(const ProgramAnalysis& analysis)
 }
 
 bool DeliberateConditions::depends_on_settings(const dataflow::ReadSet& reads) const {
-    return reads_setting(reads) ||
-           std::ranges::all_of(reads.places, [this](Place place) { return assigned(place).count <= 1; });
+    return reads_setting(reads) || std::ranges::all_of(reads.variables, [this](Variable variable) {
+               return assigned(variable).count <= 1;
+           });
 }
 
 bool DeliberateConditions::reads_setting(const dataflow::ReadSet& reads) const {
-    return std::ranges::any_of(
-        reads.places, [this](Place place) { return assigned(place).count == 1 && assigned(place).literal; });
+    return std::ranges::any_of(reads.variables, [this](Variable variable) {
+        return assigned(variable).count == 1 && assigned(variable).literal;
+    });
 }
 
 bool DeliberateConditions::repeats_another(const dataflow::Condition& condition) const {
@@ -43,8 +45,8 @@ bool DeliberateConditions::repeats_another(const dataflow::Condition& condition)
     return target && first_tests_.at(*target) < condition.node;
 }
 
-DeliberateConditions::Assigned DeliberateConditions::assigned(Place place) const {
-    const auto found = assigned_.find(dataflow::key_of(place));
+DeliberateConditions::Assigned DeliberateConditions::assigned(Variable variable) const {
+    const auto found = assigned_.find(dataflow::key_of(variable));
     return found == assigned_.end() ? Assigned{} : found->second;
 }
 

@@ -27,7 +27,7 @@ class DeliberateConditions {
         std::size_t count = 0;
         bool literal = true;
     };
-    [[nodiscard]] Assigned assigned(Place place) const;
+    [[nodiscard]] Assigned assigned(Variable variable) const;
 
     const Program& program_;
     std::unordered_map<dataflow::Key, Assigned> assigned_;

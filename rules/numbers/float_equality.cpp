@@ -78,7 +78,7 @@ using dataflow::Value;
 
 /// The symbol of the operand when the value is FIX, FUP or ROUND of something.
 std::optional<dataflow::SymbolId> rounded_operand(const ProgramAnalysis& analysis, const Value& value) {
-    const dataflow::Symbol& symbol = analysis.data().pool().symbols[value.symbol];
+    const dataflow::Symbol& symbol = analysis.data().table().symbols[value.symbol];
     if (symbol.kind != dataflow::Symbol::Kind::result) return std::nullopt;
     const auto operation = static_cast<Operation>(symbol.a);
     const bool rounds =
@@ -94,7 +94,7 @@ bool asks_for_whole(const ProgramAnalysis& analysis, const Value& left, const Va
 /// Products and quotients are 0 exactly when an operand is.
 bool is_safe_against_zero(const ProgramAnalysis& analysis, const Value& value, const Value& zero) {
     if (zero.constant() != 0.0) return false;
-    const dataflow::Symbol& symbol = analysis.data().pool().symbols[value.symbol];
+    const dataflow::Symbol& symbol = analysis.data().table().symbols[value.symbol];
     if (symbol.kind != dataflow::Symbol::Kind::result) return false;
     const auto operation = static_cast<Operation>(symbol.a);
     return operation == Operation::multiply || operation == Operation::divide;
@@ -104,7 +104,7 @@ bool is_safe_against_zero(const ProgramAnalysis& analysis, const Value& value, c
 bool is_copied_into(const ProgramAnalysis& analysis, ExpressionId expression, const Value& other) {
     const auto* load = std::get_if<Load>(&analysis.program().expressions[expression].node);
     return load != nullptr && std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
-               return store.place == load->place && store.value.symbol == other.symbol;
+               return store.variable == load->variable && store.value.symbol == other.symbol;
            });
 }
 
@@ -150,7 +150,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
     Finding& finding = reporter.report(analysis.file(), span, equal ? "sum-equal" : "sum-not-equal",
                                        {quoted(program, span), side});
     trace(finding, analysis, inexact.sum->node,
-          remark_at_effect(analysis, inexact.sum->effect, "a step is added in every pass"), comparison.node,
+          related_at_effect(analysis, inexact.sum->effect, "a step is added in every pass"), comparison.node,
           "and the sum is compared here");
 }
 

@@ -1,7 +1,7 @@
 //! Which loop counters are inexact, and when that is of no consequence.
 #include "rules/numbers/inexact_counter.hpp"
 
-#include "analyzer/dataflow/ways.hpp"
+#include "analyzer/dataflow/feasible_paths.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,17 @@ namespace {
 bool is_inexact_step(const ProgramAnalysis& analysis, const dataflow::Value& amount) {
     if (!dataflow::is_inexact(amount)) return false;
     if (amount.constant()) return true;
-    const dataflow::Symbol& symbol = analysis.data().pool().symbols[amount.symbol];
+    const dataflow::Symbol& symbol = analysis.data().table().symbols[amount.symbol];
     return symbol.kind == dataflow::Symbol::Kind::result &&
            static_cast<Operation>(symbol.a) == Operation::divide;
 }
 
 /// The numbers that the counter can have before the loop, as far as they are known.
-std::vector<double> starts_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop, Place place) {
+std::vector<double> starts_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop,
+                              Variable variable) {
     std::vector<double> starts;
     for (const dataflow::Store* store :
-         dataflow::last_stores_before(analysis.graph(), analysis.data(), place, loop))
+         dataflow::last_stores_before(analysis.graph(), analysis.data(), variable, loop))
         if (const auto number = store->value.constant()) starts.push_back(*number);
     if (starts.empty()) starts.push_back(0);
     return starts;
@@ -56,7 +57,7 @@ bool is_risky(const ProgramAnalysis& analysis, const dataflow::Loop& loop, const
     if (adds_tolerance(analysis.program(), test.bound, step ? std::abs(*step) : usual_step)) return false;
     const auto bound = test.bound_value->constant();
     if (!bound || !step || *step == 0) return true;
-    return !std::ranges::all_of(starts_of(analysis, loop, counter.place),
+    return !std::ranges::all_of(starts_of(analysis, loop, counter.variable),
                                 [&](double start) { return has_room(*bound, start, *step); });
 }
 

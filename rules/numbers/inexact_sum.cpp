@@ -14,7 +14,7 @@ Sums find_sums(const ProgramAnalysis& analysis) {
         if (!store.step || !repeated[store.node]) continue;
         const dataflow::Value& amount = store.step->amount;
         if (amount.integer || (amount.constant() && !dataflow::is_inexact(amount))) continue;
-        const auto same = [&](const dataflow::Store* other) { return other->place == store.place; };
+        const auto same = [&](const dataflow::Store* other) { return other->variable == store.variable; };
         if (std::ranges::none_of(sums, same)) sums.push_back(&store);
     }
     return sums;
@@ -23,8 +23,8 @@ Sums find_sums(const ProgramAnalysis& analysis) {
 const dataflow::Store* sum_in(const ProgramAnalysis& analysis, const Sums& sums, ExpressionId expression) {
     const auto* load = std::get_if<Load>(&analysis.program().expressions[expression].node);
     if (load == nullptr) return nullptr;
-    const auto found =
-        std::ranges::find_if(sums, [&](const dataflow::Store* sum) { return sum->place == load->place; });
+    const auto found = std::ranges::find_if(
+        sums, [&](const dataflow::Store* sum) { return sum->variable == load->variable; });
     return found == sums.end() ? nullptr : *found;
 }
 

@@ -37,7 +37,7 @@ extern const Rule bracket_mismatch{
                {"FANUC 30i/0i-D", "1132", "MISSING CLOSE BRACKET"},
                {"NCT", "3064", "BAD MACRO STATEMENT"}},
     .sources = {"GH-ALM", "NCT-188"},
-    .check = Irregular::bracket_mismatch,
+    .check = SyntaxErrorKind::bracket_mismatch,
 };
 
 } // namespace maclint::rules

@@ -28,7 +28,7 @@ extern const Rule parenthesis_as_bracket{
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 16i/18i/21i", "005", "NO DATA AFTER ADDRESS"}},
     .sources = {"SEED-001:284", "MAN-16C287", "SINHA-EXP"},
-    .check = Irregular::parenthesis_as_bracket,
+    .check = SyntaxErrorKind::parenthesis_as_bracket,
 };
 
 } // namespace maclint::rules

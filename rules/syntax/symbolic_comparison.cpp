@@ -27,7 +27,7 @@ extern const Rule symbolic_comparison{
                        "N5 M30\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"}},
     .sources = {"IMD-MAXZ"},
-    .check = Irregular::symbolic_comparison,
+    .check = SyntaxErrorKind::symbolic_comparison,
 };
 
 } // namespace maclint::rules

@@ -58,10 +58,10 @@ extern const Rule unknown_keyword{
 namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
-    report_irregular(file, Irregular::unknown_keyword, reporter);
-    for (const Irregularity& irregularity : file.irregularities)
-        if (irregularity.kind == Irregular::missing_construct)
-            reporter.report(file, irregularity.span, "construct", {irregularity.subject, irregularity.cure});
+    report_syntax_error(file, SyntaxErrorKind::unknown_keyword, reporter);
+    for (const SyntaxError& syntax_error : file.syntax_errors)
+        if (syntax_error.kind == SyntaxErrorKind::missing_construct)
+            reporter.report(file, syntax_error.span, "construct", {syntax_error.subject, syntax_error.cure});
 }
 
 } // namespace

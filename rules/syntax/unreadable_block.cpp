@@ -26,7 +26,7 @@ extern const Rule unreadable_block{
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 16i/18i/21i", "004", "ADDRESS NOT FOUND"}},
     .sources = {"CSDN-PS", "GH-ALM"},
-    .check = Irregular::unreadable,
+    .check = SyntaxErrorKind::unreadable,
 };
 
 } // namespace maclint::rules

@@ -37,7 +37,7 @@ extern const Rule unterminated_comment{
                          "END\n"}},
     .alarms = {},
     .sources = {"T: the reaction of the control is not documented"},
-    .check = Irregular::unterminated_comment,
+    .check = SyntaxErrorKind::unterminated_comment,
 };
 
 } // namespace maclint::rules

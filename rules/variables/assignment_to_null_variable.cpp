@@ -24,7 +24,7 @@ extern const Rule assignment_to_null_variable{
                        "M30\n"}},
     .alarms = {{"FANUC 16i/18i/21i", "116", "WRITE PROTECTED VARIABLE"}},
     .sources = {"SEED-001:160", "SEED-001:198"},
-    .check = Irregular::assignment_to_null,
+    .check = SyntaxErrorKind::assignment_to_null,
 };
 
 } // namespace maclint::rules

@@ -1,6 +1,6 @@
 //! MAC228: a variable that every way to the test has set is tested for vacancy.
 #include "analyzer/dataflow/conditions.hpp"
-#include "analyzer/dataflow/ways.hpp"
+#include "analyzer/dataflow/feasible_paths.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -49,10 +49,11 @@ extern const Rule vacancy_test_never_true{
 
 namespace {
 
-const dataflow::Store* last_store_before(const ProgramAnalysis& analysis, Place place, flow::NodeId node) {
+const dataflow::Store* last_store_before(const ProgramAnalysis& analysis, Variable variable,
+                                         flow::NodeId node) {
     const dataflow::Store* last = nullptr;
     for (const dataflow::Store& store : analysis.facts().stores)
-        if (store.place == place && store.node < node) last = &store;
+        if (store.variable == variable && store.node < node) last = &store;
     return last;
 }
 
@@ -62,16 +63,16 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const bool vacant = comparison.operation == Operation::is_vacant;
         if (!vacant && comparison.operation != Operation::is_set) continue;
         if (comparison.left.vacancy != dataflow::Vacancy::set) continue;
-        const auto place = dataflow::plain_place(program, comparison.left_expression);
-        if (!place || !dataflow::may_hold_vacant(program, *place) ||
-            !dataflow::assigned_on_every_way(analysis.graph(), analysis.data(), *place, comparison.node))
+        const auto variable = dataflow::plain_variable(program, comparison.left_expression);
+        if (!variable || !dataflow::may_hold_vacant(program, *variable) ||
+            !dataflow::assigned_on_every_path(analysis.graph(), analysis.data(), *variable, comparison.node))
             continue;
         const Span span = program.expressions[comparison.expression].span;
-        const std::string name = program.spell(*place);
+        const std::string name = program.spell(*variable);
         Finding& finding = reporter.report(analysis.file(), span, vacant ? "never-vacant" : "always-set",
                                            {quoted(program, span), name});
         const std::string ends = name + " is tested for vacancy";
-        if (const dataflow::Store* store = last_store_before(analysis, *place, comparison.node))
+        if (const dataflow::Store* store = last_store_before(analysis, *variable, comparison.node))
             trace(finding, analysis, store->node,
                   {&analysis.file(), program.effects[store->effect].span, name + " is set"}, comparison.node,
                   ends);

@@ -53,12 +53,12 @@ bool is_relational(Operation operation) {
 
 /// A later read of the variable that still may find it vacant.
 const dataflow::Read* later_use(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison,
-                                Place place) {
+                                Variable variable) {
     const auto& reads = analysis.facts().reads;
     const auto found = std::ranges::find_if(reads, [&](const dataflow::Read& read) {
         const bool used = read.use == dataflow::Use::word || read.use == dataflow::Use::arithmetic ||
                           read.use == dataflow::Use::argument || read.use == dataflow::Use::index;
-        return used && read.place == place && read.node > comparison.node &&
+        return used && read.variable == variable && read.node > comparison.node &&
                read.value.vacancy == dataflow::Vacancy::maybe;
     });
     return found == reads.end() ? nullptr : &*found;
@@ -66,25 +66,25 @@ const dataflow::Read* later_use(const ProgramAnalysis& analysis, const dataflow:
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    std::vector<Place> known;
+    std::vector<Variable> known;
     for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
         if (!is_relational(comparison.operation)) continue;
         const bool left = comparison.right.constant().has_value();
         if (!left && !comparison.left.constant()) continue;
         const dataflow::Value& value = left ? comparison.left : comparison.right;
-        const auto place =
-            dataflow::plain_place(program, left ? comparison.left_expression : comparison.right_expression);
-        if (!place || !dataflow::may_hold_vacant(program, *place) ||
-            value.vacancy != dataflow::Vacancy::maybe || value.doubt == 0)
+        const auto variable = dataflow::plain_variable(program, left ? comparison.left_expression
+                                                                     : comparison.right_expression);
+        if (!variable || !dataflow::may_hold_vacant(program, *variable) ||
+            value.vacancy != dataflow::Vacancy::maybe || value.vacancy_origin == 0)
             continue;
-        if (std::ranges::find(known, *place) != known.end()) continue;
-        const dataflow::Read* use = later_use(analysis, comparison, *place);
+        if (std::ranges::find(known, *variable) != known.end()) continue;
+        const dataflow::Read* use = later_use(analysis, comparison, *variable);
         if (use == nullptr) continue;
-        known.push_back(*place);
+        known.push_back(*variable);
         const Span span = program.expressions[comparison.expression].span;
-        const std::string name = program.spell(*place);
+        const std::string name = program.spell(*variable);
         Finding& finding = reporter.report(analysis.file(), span, "passes", {quoted(program, span), name});
-        trace(finding, analysis, value.doubt, name + " may be vacant from here on", comparison.node,
+        trace(finding, analysis, value.vacancy_origin, name + " may be vacant from here on", comparison.node,
               "a vacant " + name + " counts as 0");
         finding.related.push_back({&analysis.file(), program.expressions[use->expression].span,
                                    name + " is used here and may still be vacant"});

@@ -54,47 +54,48 @@ bool is_zero(const dataflow::Value& value) {
 
 /// The author treats both cases: another test of the same variable for vacancy is in the same condition, or
 /// in the IF right before or behind.
-bool tests_both(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison, Place place) {
-    constexpr flow::NodeId near = 3; // nodes between two IF blocks: the condition and what it guards
-    const flow::NodeId first = comparison.node - std::min(comparison.node, near);
-    return dataflow::asks_for_vacancy(analysis.program(), analysis.facts(), first, comparison.node + near,
-                                      place);
+bool tests_both(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison, Variable variable) {
+    constexpr flow::NodeId hash_local = 3; // nodes between two IF blocks: the condition and what it guards
+    const flow::NodeId first = comparison.node - std::min(comparison.node, hash_local);
+    return dataflow::asks_for_vacancy(analysis.program(), analysis.facts(), first,
+                                      comparison.node + hash_local, variable);
 }
 
 /// Variables of IF[#3EQ0]GOTO1, IF[#3EQ1]GOTO2 …: a choice among numbers, whose default a missing argument
 /// takes as well.
-std::vector<Place> find_choices(const ProgramAnalysis& analysis) {
-    std::vector<Place> choices;
+std::vector<Variable> find_choices(const ProgramAnalysis& analysis) {
+    std::vector<Variable> choices;
     for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
         const auto constant = comparison.right.constant();
         if (comparison.operation != Operation::equal || !constant || *constant == 0) continue;
-        const auto place = dataflow::plain_place(analysis.program(), comparison.left_expression);
-        if (place && std::ranges::find(choices, *place) == choices.end()) choices.push_back(*place);
+        const auto variable = dataflow::plain_variable(analysis.program(), comparison.left_expression);
+        if (variable && std::ranges::find(choices, *variable) == choices.end()) choices.push_back(*variable);
     }
     return choices;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    const std::vector<Place> choices = find_choices(analysis);
+    const std::vector<Variable> choices = find_choices(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
         const bool zero_left = is_zero(comparison.left);
         if (!zero_left && !is_zero(comparison.right)) continue;
         const dataflow::Value& value = zero_left ? comparison.right : comparison.left;
-        if (value.vacancy != dataflow::Vacancy::maybe || value.doubt == 0) continue;
-        const auto place = dataflow::plain_place(program, zero_left ? comparison.right_expression
-                                                                    : comparison.left_expression);
-        if (!place || !dataflow::may_hold_vacant(program, *place) ||
-            std::ranges::find(choices, *place) != choices.end() || tests_both(analysis, comparison, *place))
+        if (value.vacancy != dataflow::Vacancy::maybe || value.vacancy_origin == 0) continue;
+        const auto variable = dataflow::plain_variable(program, zero_left ? comparison.right_expression
+                                                                          : comparison.left_expression);
+        if (!variable || !dataflow::may_hold_vacant(program, *variable) ||
+            std::ranges::find(choices, *variable) != choices.end() ||
+            tests_both(analysis, comparison, *variable))
             continue;
         const Span span = program.expressions[comparison.expression].span;
-        const std::string name = program.spell(*place);
+        const std::string name = program.spell(*variable);
         Finding& finding = reporter.report(analysis.file(), span,
                                            comparison.operation == Operation::equal ? "equal" : "not-equal",
                                            {quoted(program, span), name});
-        trace(finding, analysis, value.doubt, name + " may be vacant from here on", comparison.node,
+        trace(finding, analysis, value.vacancy_origin, name + " may be vacant from here on", comparison.node,
               name + " is compared with 0");
     }
 }

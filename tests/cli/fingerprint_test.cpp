@@ -44,7 +44,7 @@ std::vector<std::string> fingerprints(const std::string& text) {
     const auto result = test::lint_text(text);
     Fingerprints prints;
     std::vector<std::string> all;
-    for (const auto& judged : result.findings) all.push_back(prints.of(judged.finding));
+    for (const auto& filtered : result.findings) all.push_back(prints.of(filtered.finding));
     return all;
 }
 

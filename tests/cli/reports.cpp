@@ -26,7 +26,7 @@ Finding& HandMade::add(std::string_view part, Severity severity) {
                     .related = {},
                     .path = {},
                     .fix = {}};
-    return report_.findings.emplace_back(cli::JudgedFinding{std::move(finding), std::nullopt}).finding;
+    return report_.findings.emplace_back(cli::FilteredFinding{std::move(finding), std::nullopt}).finding;
 }
 
 } // namespace maclint::test

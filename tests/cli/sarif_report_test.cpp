@@ -1,5 +1,5 @@
 //! What machines read: SARIF and JSON.
-#include "cli/report/place.hpp"
+#include "cli/report/uri.hpp"
 #include "tests/cli/reports.hpp"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 //! What people read: code frames, notes, paths, the summary.
-#include "cli/report/frame.hpp"
+#include "cli/report/snippet.hpp"
 #include "tests/cli/reports.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 //! What loops tell: counters, what calls change, which ways make sense.
 #include "analyzer/dataflow/conditions.hpp"
-#include "analyzer/dataflow/ways.hpp"
+#include "analyzer/dataflow/feasible_paths.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(LoopCounter, IsTheVariableThatAllWaysOutDependOn) {
                             "IF[#33GT#1]THEN#33=#1\nEND1\nN9 M99\n");
     const auto found = counter(workspace->programs().front());
     ASSERT_TRUE(found);
-    EXPECT_EQ(found->place.number, 33);
+    EXPECT_EQ(found->variable.number, 33);
     EXPECT_EQ(found->tests.size(), 2U);
     EXPECT_EQ(found->steps.size(), 1U);
     EXPECT_EQ(found->clamps.size(), 1U);
@@ -70,14 +70,14 @@ TEST(Entry, ArgumentsMayBeMissingAndOtherLocalsAreVacant) {
     EXPECT_EQ(reads[1].value.vacancy, dataflow::Vacancy::vacant);
 }
 
-TEST(Values, ThatPassNotZeroMayBeVacantAndCountAsZero) {
+TEST(EvaluateWords, ThatPassNotZeroMayBeVacantAndCountAsZero) {
     const auto workspace = test::analyse_fanuc("O1\nIF[#501EQ1]GOTO10\n#1=ROUND[ABS[#5003]]\n"
                                                "N10IF[#1NE0]GOTO20\nM30\nN20IF[#1LT1]GOTO30\nM30\n"
                                                "N30M30\n");
     EXPECT_TRUE(workspace->programs().front().facts().comparisons.back().truth.can_hold);
 }
 
-TEST(Values, ThatAModalCallLeavesDifferFromMoveToMoveAndComeFromTheCall) {
+TEST(EvaluateWords, ThatAModalCallLeavesDifferFromMoveToMoveAndComeFromTheCall) {
     const auto workspace = test::analyse_fanuc("O1\nG66P9010A1.\n#501=7\nX1.Y2.\n#1=#100\nX3.\n#2=#100\n"
                                                "G67\nM30\nO9010\nIF[#501EQ0]GOTO5\n#100=#0\nM99\n"
                                                "N5#100=#1\nM99\n");
@@ -85,7 +85,7 @@ TEST(Values, ThatAModalCallLeavesDifferFromMoveToMoveAndComeFromTheCall) {
     const auto& stores = analysis.facts().stores;
     ASSERT_EQ(stores.size(), 3U);
     EXPECT_NE(stores[1].value.symbol, stores[2].value.symbol);
-    const dataflow::Origin& origin = analysis.data().origin(stores[1].value.doubt);
+    const dataflow::Origin& origin = analysis.data().origin(stores[1].value.vacancy_origin);
     ASSERT_EQ(origin.kind, dataflow::Origin::Kind::effect);
     EXPECT_TRUE(std::holds_alternative<Call>(analysis.program().effects[origin.id].what));
 }
@@ -97,7 +97,7 @@ TEST(Loops, HoldNothingThatTheirHeadDoesNotReach) {
     const auto& loops = workspace->programs().front().loops();
     ASSERT_EQ(loops.size(), 1U);
     EXPECT_EQ(loops.front().body.size(), 4U); // IF and its GOTO are a node each
-    EXPECT_EQ(loops.front().ways_out.size(), 1U);
+    EXPECT_EQ(loops.front().exit_edges.size(), 1U);
 }
 
 TEST(Solver, EndsInALoopThatIsEnteredInItsMiddle) {
@@ -107,10 +107,10 @@ TEST(Solver, EndsInALoopThatIsEnteredInItsMiddle) {
     const auto& loops = workspace->programs().front().loops();
     ASSERT_EQ(loops.size(), 1U);
     ASSERT_TRUE(loops.front().counter);
-    EXPECT_EQ(loops.front().counter->place.number, 100);
+    EXPECT_EQ(loops.front().counter->variable.number, 100);
 }
 
-TEST(Values, OfSumsAreTheSameInEitherOrder) {
+TEST(EvaluateWords, OfSumsAreTheSameInEitherOrder) {
     const auto workspace = test::analyse_fanuc("O9001\n#31=#1+#2\n#32=#2+#1\n#33=#1-#2\nM99\n");
     const auto& stores = workspace->programs().front().facts().stores;
     ASSERT_EQ(stores.size(), 3U);

@@ -219,7 +219,7 @@ void expect_sound(const std::vector<Line>& lines, Dice& dice) {
     for (const dataflow::Read& read : analysis.facts().reads) {
         const std::size_t line = line_of(read.effect);
         for (const auto& [variable, content] : seen[line].read)
-            EXPECT_TRUE(variable != read.place.number || allows(read.value, content))
+            EXPECT_TRUE(variable != read.variable.number || allows(read.value, content))
                 << "N" << line + 1 << " reads " << (content ? std::to_string(*content) : "vacant")
                 << " from #" << variable << "\n"
                 << text;

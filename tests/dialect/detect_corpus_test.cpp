@@ -12,12 +12,12 @@ namespace maclint {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::told;
+using testing::reported;
 
 struct Kind {
     std::string_view folder; ///< beginning of the path
     std::string_view name;   ///< part of the path; empty for all others of the folder
-    std::string_view told;
+    std::string_view reported;
 };
 
 // The first row that fits counts.
@@ -83,7 +83,7 @@ std::size_t expect_kinds(const fs::path& root, const char* folder) {
         if (kind == nullptr) continue;
         const auto source = Source::read_file(entry.path().string());
         const Detection detection = detect_dialect(std::get<Source>(source));
-        EXPECT_EQ(told(detection), kind->told) << path << ": " << detection.reason;
+        EXPECT_EQ(reported(detection), kind->reported) << path << ": " << detection.reason;
         ++files;
     }
     return files;

@@ -13,27 +13,29 @@ namespace maclint {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::told;
+using testing::reported;
 
 Detection detect(std::string path, std::string_view text) {
     return detect_dialect(Source::from_bytes(std::move(path), std::string(text)));
 }
 
-std::string told_of(std::string path, std::string_view text) { return told(detect(std::move(path), text)); }
-std::string told_of(std::string_view text) { return told_of("a.nc", text); }
+std::string reported_of(std::string path, std::string_view text) {
+    return reported(detect(std::move(path), text));
+}
+std::string reported_of(std::string_view text) { return reported_of("a.nc", text); }
 
 TEST(Detection, FanucProgramsAreOursWhateverTheirExtension) {
     for (const char* path : {"O9100.nc", "O9100", "part.txt", "job.tap", "x.cnc", "x.ngc", "x.gcode"})
-        EXPECT_EQ(told_of(path, "%\nO9100(DRILL)\n#1=#2\nM99\n%"), "fanuc") << path;
-    EXPECT_EQ(told_of("(ONLY A COMMENT)\n"), "fanuc");
-    EXPECT_EQ(told_of("#100=5\nG0X#100\nM99\n"), "fanuc");
-    EXPECT_EQ(told_of("G0 X0 Y0\nG1 Z-1. F100.\nM30\n"), "fanuc");
-    EXPECT_EQ(told_of(""), "fanuc");
+        EXPECT_EQ(reported_of(path, "%\nO9100(DRILL)\n#1=#2\nM99\n%"), "fanuc") << path;
+    EXPECT_EQ(reported_of("(ONLY A COMMENT)\n"), "fanuc");
+    EXPECT_EQ(reported_of("#100=5\nG0X#100\nM99\n"), "fanuc");
+    EXPECT_EQ(reported_of("G0 X0 Y0\nG1 Z-1. F100.\nM30\n"), "fanuc");
+    EXPECT_EQ(reported_of(""), "fanuc");
 }
 
 TEST(Detection, SemicolonsThatEndABlockSpeakForNobody) {
-    EXPECT_EQ(told_of("G0 X0 Y0;\nG1 Z-1. F100.;\n;\n;\n(TEXT);\nM30;\n"), "fanuc");
-    EXPECT_EQ(told_of("G0 X0; G1 Z-1. F100.; (DOWN)\n#1=5; IF[#1EQ5]GOTO10\nN10 M30\n"), "fanuc");
+    EXPECT_EQ(reported_of("G0 X0 Y0;\nG1 Z-1. F100.;\n;\n;\n(TEXT);\nM30;\n"), "fanuc");
+    EXPECT_EQ(reported_of("G0 X0; G1 Z-1. F100.; (DOWN)\n#1=5; IF[#1EQ5]GOTO10\nN10 M30\n"), "fanuc");
 }
 
 TEST(Detection, OneSlipDoesNotMakeAFanucProgramForeign) {
@@ -62,50 +64,51 @@ TEST(Detection, OneSlipDoesNotMakeAFanucProgramForeign) {
                              "X?"}) {
         std::string text = head;
         text.append(slip).append(tail);
-        EXPECT_EQ(told_of(text), "fanuc") << slip;
+        EXPECT_EQ(reported_of(text), "fanuc") << slip;
     }
 }
 
 TEST(Detection, NctIsToldByItsForms) {
-    EXPECT_EQ(told_of("%O9601(POCKET)\nG1ZI#23F#9\nM99%"), "nct");
-    EXPECT_EQ(told_of("%O9601(POCKET)\nG1Z#23F#9\nM99%"), "fanuc");
+    EXPECT_EQ(reported_of("%O9601(POCKET)\nG1ZI#23F#9\nM99%"), "nct");
+    EXPECT_EQ(reported_of("%O9601(POCKET)\nG1Z#23F#9\nM99%"), "fanuc");
 }
 
 TEST(Detection, KlartextIsToldByItsWords) {
-    EXPECT_EQ(told_of("a.h", "0 BEGIN PGM DEMO MM\n1 TOOL CALL 5 Z S2000\n"), "HEIDENHAIN Klartext");
-    EXPECT_EQ(told_of("12 TOOL CALL 5 Z S2000\n13 L Z+100 R0 FMAX M3\n"), "HEIDENHAIN Klartext");
-    EXPECT_EQ(told_of("5 FN 0: Q1 = +5\n6 LBL 1\n7 CALL LBL 1 REP 3\n"), "HEIDENHAIN Klartext");
-    EXPECT_EQ(told_of("%PART G71 *\nN10 T1 G17 S2000 *\nN20 G00 G40 G90 Z+100 *\n"), "HEIDENHAIN DIN/ISO");
+    EXPECT_EQ(reported_of("a.h", "0 BEGIN PGM DEMO MM\n1 TOOL CALL 5 Z S2000\n"), "HEIDENHAIN Klartext");
+    EXPECT_EQ(reported_of("12 TOOL CALL 5 Z S2000\n13 L Z+100 R0 FMAX M3\n"), "HEIDENHAIN Klartext");
+    EXPECT_EQ(reported_of("5 FN 0: Q1 = +5\n6 LBL 1\n7 CALL LBL 1 REP 3\n"), "HEIDENHAIN Klartext");
+    EXPECT_EQ(reported_of("%PART G71 *\nN10 T1 G17 S2000 *\nN20 G00 G40 G90 Z+100 *\n"),
+              "HEIDENHAIN DIN/ISO");
 }
 
 TEST(Detection, SinumerikIsToldByItsExtensionOrItsWords) {
-    EXPECT_EQ(told_of("a.MPF", "G0 X10\nM30"), "SINUMERIK");
-    EXPECT_EQ(told_of("DEF REAL DEPTH\nR1=5 R2=R1+3\nMSG(\"HELLO\")\nM17"), "SINUMERIK");
-    EXPECT_EQ(told_of("%_N_PART_MPF\nG0 X10\nM30"), "SINUMERIK");
-    EXPECT_EQ(told_of("; rough\nG0 X=R1\nIF R1>5 GOTOF NEXT\nR3=R1\nNEXT:\nM30 ; done"), "SINUMERIK");
+    EXPECT_EQ(reported_of("a.MPF", "G0 X10\nM30"), "SINUMERIK");
+    EXPECT_EQ(reported_of("DEF REAL DEPTH\nR1=5 R2=R1+3\nMSG(\"HELLO\")\nM17"), "SINUMERIK");
+    EXPECT_EQ(reported_of("%_N_PART_MPF\nG0 X10\nM30"), "SINUMERIK");
+    EXPECT_EQ(reported_of("; rough\nG0 X=R1\nIF R1>5 GOTOF NEXT\nR3=R1\nNEXT:\nM30 ; done"), "SINUMERIK");
 }
 
 TEST(Detection, LinuxCncIsToldByOWordsNamesAndItsExtension) {
-    EXPECT_EQ(told_of("o100 sub\nG1 X#1\no100 endsub\n"), "LinuxCNC");
-    EXPECT_EQ(told_of("o<probe> call [1] [2]\nM2\n"), "LinuxCNC");
-    EXPECT_EQ(told_of("#<depth> = 5\nG1 Z#<depth>\nM2\n"), "LinuxCNC");
-    EXPECT_EQ(told_of("G21 G64 P0.01\nG1 X5 F100\nM2\n"), "LinuxCNC");
-    EXPECT_EQ(told_of("(debug, x is #1)\nG1 X5 F100\n(print, done)\nM2\n"), "LinuxCNC");
-    EXPECT_EQ(told_of("a.ngc", "G1 X5 F100\nM2\n"), "LinuxCNC");
+    EXPECT_EQ(reported_of("o100 sub\nG1 X#1\no100 endsub\n"), "LinuxCNC");
+    EXPECT_EQ(reported_of("o<probe> call [1] [2]\nM2\n"), "LinuxCNC");
+    EXPECT_EQ(reported_of("#<depth> = 5\nG1 Z#<depth>\nM2\n"), "LinuxCNC");
+    EXPECT_EQ(reported_of("G21 G64 P0.01\nG1 X5 F100\nM2\n"), "LinuxCNC");
+    EXPECT_EQ(reported_of("(debug, x is #1)\nG1 X5 F100\n(print, done)\nM2\n"), "LinuxCNC");
+    EXPECT_EQ(reported_of("a.ngc", "G1 X5 F100\nM2\n"), "LinuxCNC");
 }
 
 TEST(Detection, GcodeWithRemarksBehindSemicolonsIsNotOurs) {
-    EXPECT_EQ(told_of("G28 ; home all axes\nM104 S200 ; hot end\nG92 E0\nG1 X5 Y5 E2.5 F1500\n"),
+    EXPECT_EQ(reported_of("G28 ; home all axes\nM104 S200 ; hot end\nG92 E0\nG1 X5 Y5 E2.5 F1500\n"),
               "a 3D printer");
-    EXPECT_EQ(told_of("; pocket for the hinge\nG21 ; metric\nG0 X5\nM5 ; stop\n"),
+    EXPECT_EQ(reported_of("; pocket for the hinge\nG21 ; metric\nG0 X5\nM5 ; stop\n"),
               "G-code for LinuxCNC, GRBL, a 3D printer or the like");
-    EXPECT_EQ(told_of("$H\n$120=50\nG0 X5\n"), "GRBL");
+    EXPECT_EQ(reported_of("$H\n$120=50\nG0 X5\n"), "GRBL");
 }
 
 TEST(Detection, WireErosionAndOkumaAreNamed) {
-    EXPECT_EQ(told_of("//\n//CUTTING CONDITIONS\nE001=10 16 15 09\nE002=09 23 03 07\nG92 X0 Y0\nE1\n"),
+    EXPECT_EQ(reported_of("//\n//CUTTING CONDITIONS\nE001=10 16 15 09\nE002=09 23 03 07\nG92 X0 Y0\nE1\n"),
               "wire erosion");
-    EXPECT_EQ(told_of("$PART.MIN%\nG15 H1\nVC1=5\nCALL O1000\nM02\n"), "OKUMA OSP");
+    EXPECT_EQ(reported_of("$PART.MIN%\nG15 H1\nVC1=5\nCALL O1000\nM02\n"), "OKUMA OSP");
 }
 
 TEST(Detection, DinPlusIsToldBySectionsAndFilesOfSubprograms) {
@@ -114,9 +117,9 @@ TEST(Detection, DinPlusIsToldBySectionsAndFilesOfSubprograms) {
                              "BEARBEITUNG\nN1 G0 X5\nENDE", "CHUCKING EQUIPMENT 2\nH0 D0 Z200\n",
                              "FACE_C Z-25\nN1 G0 X5\n", "AUXIL_CONTOUR ID\"path\"\nN1 G0 X5 Z0\n",
                              "SUBPROGRAM \"1\"\nN1 G0 X5\nRETURN\n", "%851.nc\nN1 G0 X60 Z2\nEND\n"})
-        EXPECT_EQ(told_of(text), din_plus) << text;
-    EXPECT_EQ(told_of("MEASURE.ncs", "N1 G0 X5\nRETURN\n"), din_plus);
-    EXPECT_EQ(told_of("MEASURE.ncs", ""), din_plus);
+        EXPECT_EQ(reported_of(text), din_plus) << text;
+    EXPECT_EQ(reported_of("MEASURE.ncs", "N1 G0 X5\nRETURN\n"), din_plus);
+    EXPECT_EQ(reported_of("MEASURE.ncs", ""), din_plus);
 }
 
 TEST(Detection, FragmentsOfDinPlusAreToldByVariablesAddressesAndCalls) {
@@ -127,20 +130,20 @@ TEST(Detection, FragmentsOfDinPlusAreToldByVariablesAddressesAndCalls) {
           "N9 G1 X50 BR-2\nN10 G1 Zi-5 BR2\n", "N1 G810 NS7 NE12 P5\nN2 G14 Q0\n",
           "$1$2 N1 M97\n$1 N2 M97 H1\n", "[//]\n[la=1; s=diameter]\n[//]\n",
           "N1 UNIT ID\"START\"\nN2 END_OF_UNIT\n", "N10 G13 X? Z? R15\nN20 G12 X?\n"})
-        EXPECT_EQ(told_of(text), din_plus) << text;
+        EXPECT_EQ(reported_of(text), din_plus) << text;
 }
 
 TEST(Detection, ACommentAtTheHeadOfDinPlusIsNoJson) {
     const std::string program = "\nPROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 G0 X5\nEND\n";
     for (const char* comment : {"[Part \"A1\"]", "[{ shaft }]", "[\"A1\"]", "[5]", "[]", "[ {\"A\"} ]"})
-        EXPECT_EQ(told_of(comment + program), testing::din_plus) << comment;
+        EXPECT_EQ(reported_of(comment + program), testing::din_plus) << comment;
     for (const char* json : {"[{\"a\": [1, -2.5e3]}, {\"b\": null}]", "[\n  \"a\\\"b\",\n  true\n]\n",
                              "{\"a\": 1}", "[{\"cut\": \"off"})
-        EXPECT_EQ(told_of(json), "JSON") << json;
+        EXPECT_EQ(reported_of(json), "JSON") << json;
 }
 
 TEST(Detection, VariablesWithNamesAreBlocks) {
-    EXPECT_EQ(told_of("O1\n[#_DEPTH]=1\n[#_WIDTH]=2\nN3[#FEED]=3\n[ #SPEED]=4\n[#_MAX]=5\n"), "fanuc");
+    EXPECT_EQ(reported_of("O1\n[#_DEPTH]=1\n[#_WIDTH]=2\nN3[#FEED]=3\n[ #SPEED]=4\n[#_MAX]=5\n"), "fanuc");
 }
 
 TEST(Detection, ALineOfManyWordsTakesNoTime) {
@@ -149,8 +152,8 @@ TEST(Detection, ALineOfManyWordsTakesNoTime) {
     const auto start = std::chrono::steady_clock::now();
     (void)detect("a.nc", line);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(500));
-    EXPECT_EQ(told_of("FINISHED PART X5 Z\nN1 G0 X5\n"), testing::din_plus);
-    EXPECT_NE(told_of("FINISHED PARTS LIST\nN1 G0 X5\n"), testing::din_plus);
+    EXPECT_EQ(reported_of("FINISHED PART X5 Z\nN1 G0 X5\n"), testing::din_plus);
+    EXPECT_NE(reported_of("FINISHED PARTS LIST\nN1 G0 X5\n"), testing::din_plus);
 }
 
 TEST(Detection, TheNoteSaysWhatGaveTheLanguageAwayAndWhere) {
@@ -170,7 +173,7 @@ TEST(Detection, OnlyMarksOfFanucMakeItCertain) {
 
 TEST(Detection, EveryLineEndIsOne) {
     for (const char* text : {"%\n\r\rO1\n\r\rG0 X5\n\r\rM30\n\r\r%\n\r\r", "%\rO1\rG0 X5\rM30\r%\r"})
-        EXPECT_EQ(told_of(text), "fanuc");
+        EXPECT_EQ(reported_of(text), "fanuc");
 }
 
 TEST(Detection, WhatIsNoNcTextIsToldSo) {

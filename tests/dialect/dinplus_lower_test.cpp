@@ -78,7 +78,7 @@ TEST(DinBlocks, SkipLevelsAreDigits) {
     EXPECT_EQ(din("$1 / N 12 M0"), "N12 /1 synchronise; pause");
 }
 
-TEST(DinStructures, BranchesLoopsAndUnits) {
+TEST(DinRegions, BranchesLoopsAndUnits) {
     EXPECT_EQ(din("N1 IF (#l1==1) AND (#g2<>0)\nN2 THEN\nN3 ELSE\nN4 ENDIF"),
               "N1 open choice all-of(equal(#l1, 1), not-equal(#g2, 0))\nN2 begin choice\nN3 middle choice\n"
               "N4 close choice");
@@ -86,7 +86,7 @@ TEST(DinStructures, BranchesLoopsAndUnits) {
     EXPECT_EQ(din("N1 UNIT ID\"START\"\nN2 END_OF_UNIT 4711"), "N1 open unit\nN2 close unit");
 }
 
-TEST(DinStructures, ACaseComparesWithTheInnermostSwitch) {
+TEST(DinRegions, ACaseComparesWithTheInnermostSwitch) {
     EXPECT_EQ(din("SWITCH #l1\nCASE 1\nSWITCH #l2\nCASE 2\nENDSWITCH\nBREAK\nCASE -1\nDEFAULT\nENDSWITCH"),
               "values #l1; open selection\nmiddle selection equal(#l1, 1)\n"
               "values #l2; open selection\nmiddle selection equal(#l2, 2)\nclose selection\n"
@@ -151,7 +151,7 @@ TEST(DinVariables, WhatIsHandedDownIsKnown) {
         testing::read_as("dinplus", "p.nc", "CONST\n_a=3\nVAR\n#_d=#l90(5)\n#_e=#l2\nMACHINING\n#l7(1)");
     const Program& program = file.programs.at(0);
     std::vector<std::string> names;
-    for (const Place place : program.handed_down) names.push_back(program.spell(place));
+    for (const Variable variable : program.handed_down) names.push_back(program.spell(variable));
     EXPECT_EQ(names, (std::vector<std::string>{"_a", "#_d", "#l90", "#_e", "#l7"}));
 }
 
@@ -163,14 +163,14 @@ TEST(DinVacancy, TheNameStandsWithoutItsSign) {
                                                  "hash-in-vacancy-test 'DEF(#__la)' -> DEF(__la)");
 }
 
-TEST(DinIrregular, AssignmentAndComparisonAreKeptApart) {
+TEST(DinSyntaxErrors, AssignmentAndComparisonAreKeptApart) {
     EXPECT_EQ(
         din("IF #l1=1\nTHEN\nENDIF"),
         "open choice equal(#l1, 1)\nbegin choice\nclose choice\n! assignment-in-condition '=' -> #l1==1");
     EXPECT_EQ(din("#l1==1"), "#l1 := 1\n! comparison-as-assignment '==' -> #l1=1");
 }
 
-TEST(DinIrregular, ThenMustFollowAndBeAlone) {
+TEST(DinSyntaxErrors, ThenMustFollowAndBeAlone) {
     EXPECT_EQ(din("IF #l1==1\nX5\nENDIF"),
               "open choice equal(#l1, 1)\nmove\nclose choice\n! then-missing 'IF #l1==1' -> THEN");
     EXPECT_EQ(din("IF #l1==1 THEN\nENDIF"),
@@ -181,7 +181,7 @@ TEST(DinIrregular, ThenMustFollowAndBeAlone) {
                                             "close choice\n! unknown-keyword 'THN' -> THEN");
 }
 
-TEST(DinIrregular, ContoursAndListsDoNotMove) {
+TEST(DinSyntaxErrors, ContoursAndListsDoNotMove) {
     EXPECT_EQ(whole("TURRET 1\nT1 ID\"A\"\nBLANK\nN1 G20 X#l1\nN2 #l2=5\nFINISHED\nN3 G0 X0 Z0"),
               "\nN1 values #l1\nN2 #l2 := 5\nN3 ");
 }

@@ -58,8 +58,8 @@ TEST(DinSections, EnglishAndGermanWordsBeginTheSame) {
                                           "END 0 never"};
     EXPECT_EQ(sections_of(english.programs.at(0)), wanted);
     EXPECT_EQ(sections_of(german.programs.at(0)), wanted);
-    EXPECT_THAT(english.irregularities, IsEmpty());
-    EXPECT_THAT(german.irregularities, IsEmpty());
+    EXPECT_THAT(english.syntax_errors, IsEmpty());
+    EXPECT_THAT(german.syntax_errors, IsEmpty());
 }
 
 TEST(DinSections, TwiceAndBehindTheEndAreThereToBeSeen) {
@@ -72,11 +72,11 @@ TEST(DinSections, WordsThatOnlyManualsPrintAreReportedAndUnderstood) {
     const auto file = read_din("VAIPPA Y X118\nKONEISTUS\nN1 M30\nLOPPU\n");
     EXPECT_THAT(sections_of(file.programs.at(0)),
                 ElementsAre("LATERAL_Y 0 at load", "MACHINING 1", "END 0 never"));
-    ASSERT_EQ(file.irregularities.size(), 3U);
-    EXPECT_EQ(file.irregularities[0].subject, "VAIPPA Y");
-    EXPECT_EQ(file.irregularities[0].cure, "LATERAL_Y");
-    EXPECT_EQ(file.irregularities[1].cure, "MACHINING");
-    EXPECT_EQ(file.irregularities[2].cure, "END");
+    ASSERT_EQ(file.syntax_errors.size(), 3U);
+    EXPECT_EQ(file.syntax_errors[0].subject, "VAIPPA Y");
+    EXPECT_EQ(file.syntax_errors[0].cure, "LATERAL_Y");
+    EXPECT_EQ(file.syntax_errors[1].cure, "MACHINING");
+    EXPECT_EQ(file.syntax_errors[2].cure, "END");
 }
 
 TEST(DinSections, LatinOneAndUtf8AreTheSameWord) {
@@ -91,31 +91,31 @@ TEST(DinSections, ANumberBeforeTheWordDoesNotHideIt) {
     EXPECT_THAT(sections_of(file.programs.at(0)),
                 ElementsAre("FACE_C 1 at load", "LATERAL_Y 0 at load", "TURRET 0 never", "MACHINING 1",
                             "END 0 never"));
-    EXPECT_THAT(file.irregularities, IsEmpty());
+    EXPECT_THAT(file.syntax_errors, IsEmpty());
 }
 
 TEST(DinSections, CommandsBehindTheWordAreReported) {
     for (const char* text : {"MACHINING G0 X10 THN\n", "MACHINING N5 X10\n", "N4 MACHINING M3\n",
                              "BLANK\nN1 G20 X5\nMACHINING ENDIF\n", "N5 G0 X10 MACHINING\n"}) {
         const auto file = read_din(text);
-        ASSERT_EQ(file.irregularities.size(), 1U) << text;
-        EXPECT_EQ(file.irregularities[0].kind, Irregular::not_alone) << text;
-        EXPECT_EQ(file.irregularities[0].subject, "MACHINING") << text;
+        ASSERT_EQ(file.syntax_errors.size(), 1U) << text;
+        EXPECT_EQ(file.syntax_errors[0].kind, SyntaxErrorKind::not_alone) << text;
+        EXPECT_EQ(file.syntax_errors[0].subject, "MACHINING") << text;
     }
     for (const char* text :
          {"CONTOUR Q1 X0 Z600\n", "SUBPROGRAM \"G1 N5\"\n", "MACHINING [G0 X10]\n",
           "LATERAL_Y X118 C0 B0 I1 K2 H1\n", "TURRET 1\n", "ASSIGNMENT $1 $2\n", "AUXIL_CONTOUR ID\"M1\"\n"})
-        EXPECT_THAT(read_din(text).irregularities, IsEmpty()) << text;
+        EXPECT_THAT(read_din(text).syntax_errors, IsEmpty()) << text;
 }
 
 TEST(DinSections, AMisspeltWordIsCuredWithTheSpellingOfTheControl) {
-    EXPECT_EQ(read_din("face_c\n").irregularities.at(0).cure, "FACE_C");
-    EXPECT_EQ(read_din("LATERALC X50\n").irregularities.at(0).cure, "LATERAL_C");
-    EXPECT_EQ(read_din("AUXIL CONTOUR\n").irregularities.size(), 0U);
-    EXPECT_EQ(read_din("program head\n").irregularities.at(0).cure, "PROGRAM HEAD");
+    EXPECT_EQ(read_din("face_c\n").syntax_errors.at(0).cure, "FACE_C");
+    EXPECT_EQ(read_din("LATERALC X50\n").syntax_errors.at(0).cure, "LATERAL_C");
+    EXPECT_EQ(read_din("AUXIL CONTOUR\n").syntax_errors.size(), 0U);
+    EXPECT_EQ(read_din("program head\n").syntax_errors.at(0).cure, "PROGRAM HEAD");
 }
 
-TEST(DinIrregularities, WordsThatTheControlRefusesAreToldThoughTheyCanBeParsed) {
+TEST(DinSyntaxErrorsOfExamples, WordsThatTheControlRefusesAreToldThoughTheyCanBeParsed) {
     static constexpr std::pair<const char*, const char*> blocks[] = {
         {"N1 G95 F0,25", "a decimal point in the number"},
         {"N1 G1 X1.2.3", "one decimal point in the number"},
@@ -123,17 +123,17 @@ TEST(DinIrregularities, WordsThatTheControlRefusesAreToldThoughTheyCanBeParsed) 
         {"N#l1 G1 X5", "the digits of a block number"}};
     for (const auto& [block, cure] : blocks) {
         const auto file = read_din("MACHINING\n" + std::string(block));
-        ASSERT_EQ(file.irregularities.size(), 1U) << block;
-        EXPECT_EQ(file.irregularities[0].cure, cure);
+        ASSERT_EQ(file.syntax_errors.size(), 1U) << block;
+        EXPECT_EQ(file.syntax_errors[0].cure, cure);
     }
 }
 
 TEST(DinSections, SmallLettersAreReported) {
     const auto file = read_din("machining\nN1 M30\n");
     EXPECT_THAT(sections_of(file.programs.at(0)), ElementsAre("MACHINING 1"));
-    ASSERT_EQ(file.irregularities.size(), 1U);
-    EXPECT_EQ(file.irregularities[0].kind, Irregular::unknown_keyword);
-    EXPECT_EQ(file.irregularities[0].cure, "MACHINING");
+    ASSERT_EQ(file.syntax_errors.size(), 1U);
+    EXPECT_EQ(file.syntax_errors[0].kind, SyntaxErrorKind::unknown_keyword);
+    EXPECT_EQ(file.syntax_errors[0].cure, "MACHINING");
 }
 
 TEST(DinPrograms, EverySubprogramSectionIsAProgram) {
@@ -161,7 +161,7 @@ TEST(DinPrograms, ASubprogramFileIsOneProgram) {
     ASSERT_EQ(file.programs.size(), 1U);
     EXPECT_EQ(file.programs[0].name, "GROOVE");
     EXPECT_EQ(file.programs[0].started, Program::Started::by_call);
-    EXPECT_THAT(file.irregularities, IsEmpty());
+    EXPECT_THAT(file.syntax_errors, IsEmpty());
 }
 
 TEST(DinPrograms, ASecondProgramLineBeginsASecondProgram) {
@@ -181,32 +181,35 @@ TEST(DinComments, ThoseForMaclintKnowTheirBlocks) {
     EXPECT_TRUE(file.comments[2].next_block.empty());
 }
 
-TEST(DinIrregularities, WrongBlocksOfTheGrammarAreToldTheirCause) {
-    static constexpr std::pair<std::string_view, Irregular> causes[] = {
-        {"MAC102", Irregular::unterminated_comment},   {"MAC117", Irregular::bracket_mismatch},
-        {"MAC118", Irregular::unknown_keyword},        {"DIN008", Irregular::not_alone},
-        {"DIN323", Irregular::hash_in_vacancy_test},   {"DIN331", Irregular::unknown_transfer_value},
-        {"DIN326", Irregular::assignment_in_condition}};
+TEST(DinSyntaxErrorsOfExamples, WrongBlocksOfTheGrammarAreToldTheirCause) {
+    static constexpr std::pair<std::string_view, SyntaxErrorKind> causes[] = {
+        {"MAC102", SyntaxErrorKind::unterminated_comment},
+        {"MAC117", SyntaxErrorKind::bracket_mismatch},
+        {"MAC118", SyntaxErrorKind::unknown_keyword},
+        {"DIN008", SyntaxErrorKind::not_alone},
+        {"DIN323", SyntaxErrorKind::hash_in_vacancy_test},
+        {"DIN331", SyntaxErrorKind::unknown_transfer_value},
+        {"DIN326", SyntaxErrorKind::assignment_in_condition}};
     std::ifstream file(MACLINT_SOURCE_DIR "/grammar/dinplus/test/wrong-blocks.txt");
     ASSERT_TRUE(file);
-    std::size_t judged = 0;
+    std::size_t evaluated = 0;
     for (std::string line; std::getline(file, line);) {
         const std::size_t tab = line.find('\t');
         if (tab == std::string::npos) continue;
         const auto* cause = std::ranges::find(causes, std::string_view(line).substr(tab + 1),
-                                              &std::pair<std::string_view, Irregular>::first);
+                                              &std::pair<std::string_view, SyntaxErrorKind>::first);
         if (cause == std::end(causes)) continue;
-        ++judged;
-        std::set<Irregular> found;
-        for (const Irregularity& irregularity : read_din("MACHINING\n" + line.substr(0, tab)).irregularities)
-            found.insert(irregularity.kind);
-        const bool told =
-            found.contains(cause->second) || (cause->second == Irregular::assignment_in_condition &&
-                                              found.contains(Irregular::comparison_as_assignment));
-        EXPECT_TRUE(told) << line;
-        EXPECT_FALSE(found.contains(Irregular::unreadable)) << "told twice: " << line;
+        ++evaluated;
+        std::set<SyntaxErrorKind> found;
+        for (const SyntaxError& syntax_error : read_din("MACHINING\n" + line.substr(0, tab)).syntax_errors)
+            found.insert(syntax_error.kind);
+        const bool reported =
+            found.contains(cause->second) || (cause->second == SyntaxErrorKind::assignment_in_condition &&
+                                              found.contains(SyntaxErrorKind::comparison_as_assignment));
+        EXPECT_TRUE(reported) << line;
+        EXPECT_FALSE(found.contains(SyntaxErrorKind::unreadable)) << "told twice: " << line;
     }
-    EXPECT_GT(judged, 80U);
+    EXPECT_GT(evaluated, 80U);
 }
 
 TEST(DinManual, ItsExamplesHaveNoIrregularityButTheirPlaceholders) {
@@ -216,10 +219,10 @@ TEST(DinManual, ItsExamplesHaveNoIrregularityButTheirPlaceholders) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const ProgramFile file = read_din(bytes_of(entry.path()));
         ++files;
-        for (const Irregularity& irregularity : file.irregularities) {
-            const auto line = file.source->line_text(file.source->position(irregularity.span.begin).line);
+        for (const SyntaxError& syntax_error : file.syntax_errors) {
+            const auto line = file.source->line_text(file.source->position(syntax_error.span.begin).line);
             EXPECT_NE(line.find(".."), std::string_view::npos)
-                << entry.path() << ": " << name_of(irregularity.kind) << " in " << line;
+                << entry.path() << ": " << name_of(syntax_error.kind) << " in " << line;
         }
     }
     EXPECT_GT(files, 100U);
@@ -238,8 +241,8 @@ TEST(DinBadInput, EveryFileIsReadAndNoSpanLeavesIt) {
                 EXPECT_LE(program.span_of(item).end, bytes.size()) << entry.path();
                 EXPECT_FALSE(program.span_of(item).empty()) << entry.path();
             }
-        for (const Irregularity& irregularity : file.irregularities)
-            EXPECT_LE(irregularity.span.end, bytes.size()) << entry.path();
+        for (const SyntaxError& syntax_error : file.syntax_errors)
+            EXPECT_LE(syntax_error.span.end, bytes.size()) << entry.path();
     }
     EXPECT_GT(files, 50U);
 }
@@ -251,7 +254,7 @@ TEST(DinBlocks, ManyNegativeWordsAreNoNoise) {
     for (const char* word : {"BS-1", "BE-2", "WS-3", "AC-4", "WC-5", "RC-6", "ICi-7", "KC+8"})
         block += ' ' + std::string(word);
     const auto file = read_din("MACHINING\n" + block + "\n");
-    EXPECT_THAT(file.irregularities, IsEmpty());
+    EXPECT_THAT(file.syntax_errors, IsEmpty());
 }
 
 TEST(DinBadInput, NoiseIsReadInLinearTime) {
@@ -294,8 +297,8 @@ TEST(DinBadInput, AnUnclosedCommentOfTenMegabytes) {
     EXPECT_LT(seconds_to_read(filled("MACHINING\n", "[")), patience);
     const std::string blocks = filled("MACHINING\n[never closed\n", "N1 G1 X5\n");
     const ProgramFile file = read_din(blocks);
-    ASSERT_EQ(file.irregularities.size(), 1U);
-    EXPECT_EQ(file.irregularities[0].kind, Irregular::unterminated_comment);
+    ASSERT_EQ(file.syntax_errors.size(), 1U);
+    EXPECT_EQ(file.syntax_errors[0].kind, SyntaxErrorKind::unterminated_comment);
     EXPECT_EQ(file.programs.at(0).items.size(), (blocks.size() - 24) / 9);
 }
 

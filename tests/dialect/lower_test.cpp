@@ -217,24 +217,24 @@ TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
               "unreadable\n! unreadable 'Increment pass counter' -> ( ) around a remark");
 }
 
-TEST(FanucIrregular, OpenCommentSwallowsWhatFollows) {
+TEST(FanucSyntaxErrors, OpenCommentSwallowsWhatFollows) {
     EXPECT_EQ(lower("G0X#1(TO THE EDGE\nG1X#2"), "motion mode=0; values #1; move\nmotion mode=1; values #2; "
                                                  "move\n! unterminated-comment '(TO THE EDGE' -> )");
     EXPECT_EQ(lower("#1=(NOT CLOSED"), "unreadable writes #1\n! unterminated-comment '(NOT CLOSED' -> )");
 }
 
-TEST(FanucIrregular, CommentsThatAreNoBracketsPass) {
+TEST(FanucSyntaxErrors, CommentsThatAreNoBracketsPass) {
     EXPECT_EQ(lower("#1=5(DEPTH)"), "#1 := 5");
     EXPECT_EQ(lower("#1=#2+(STEP)5"), "#1 := add(#2, 5)");
     EXPECT_EQ(lower("T (TOOL 5)M6"), "synchronise; tool change");
 }
 
-TEST(FanucIrregular, BracketsBeyondTheLimitOfTheControl) {
+TEST(FanucSyntaxErrors, BracketsBeyondTheLimitOfTheControl) {
     EXPECT_EQ(lower("#1=[[[[[#2]]]]]"), "#1 := #2");
     EXPECT_EQ(lower("#1=[[[[[[#2]]]]]]"), "#1 := #2\n! bracket-depth '['");
 }
 
-TEST(FanucIrregular, SymbolsInConditions) {
+TEST(FanucSyntaxErrors, SymbolsInConditions) {
     EXPECT_EQ(lower("IF[#1>=2]GOTO5"), "if greater-equal(#1, 2) {jump 5}\n! symbolic-comparison '>=' -> GE");
 }
 

@@ -75,7 +75,7 @@ TEST(PlainLane, DecodesItsBlocksAgain) {
 std::vector<std::int64_t> numbers_in_runs(const Program& program) {
     std::vector<std::int64_t> numbers;
     for (const Item& item : program.items) {
-        const auto* run = std::get_if<Run>(&item);
+        const auto* run = std::get_if<PlainRun>(&item);
         if (run == nullptr) continue;
         program.for_each_block(run->span, [&](const PlainBlock& block) {
             if (block.sequence_number) numbers.push_back(*block.sequence_number);
@@ -123,10 +123,10 @@ Meaning by_grammar(std::string_view text, const ControlModel& control) {
     Program program;
     program.text = text;
     program.control = &control;
-    std::vector<Irregularity> irregularities;
-    BlockLowering(codes_of(control), irregularities)
+    std::vector<SyntaxError> syntax_errors;
+    BlockLowering(codes_of(control), syntax_errors)
         .lower(tree, {0, static_cast<Offset>(text.size())}, program);
-    meaning.other = !irregularities.empty();
+    meaning.other = !syntax_errors.empty();
     if (program.items.empty()) return meaning;
     const auto& block = std::get<Block>(program.items.front());
     meaning.has_block = true;

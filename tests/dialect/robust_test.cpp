@@ -90,8 +90,8 @@ TEST(FanucReader, LineOfTenMegabytesIsOneOversizedBlock) {
     const std::clock_t start = std::clock();
     const ProgramFile file = read(line);
     EXPECT_LT(seconds_since(start), 2.0);
-    ASSERT_EQ(file.irregularities.size(), 1U);
-    EXPECT_EQ(file.irregularities[0].kind, Irregular::oversized_block);
+    ASSERT_EQ(file.syntax_errors.size(), 1U);
+    EXPECT_EQ(file.syntax_errors[0].kind, SyntaxErrorKind::oversized_block);
     EXPECT_LT(seconds_to_read(repeated("X1.Y2. ", 1'500'000)), 1.0) << "a plain block may be of any length";
 }
 
@@ -121,7 +121,7 @@ TEST(FanucReader, GoodBlocksBehindNoiseAreReadAsEver) {
     std::string text;
     for (int i = 0; i < 200; ++i) text += "X=*]" + std::to_string(i) + "\n";
     text += "Z0/M08\nXSIN[30]\nIF[#1EQ#0]GOTON10\nN10 DPRNT[X#1[53]*OUT*OF*RANGE]\n#1=#2/[3]\n";
-    EXPECT_EQ(read(text).irregularities.size(), 200U);
+    EXPECT_EQ(read(text).syntax_errors.size(), 200U);
 }
 
 TEST(FanucReader, BracketsWithoutEndAreNoTrouble) {
@@ -141,7 +141,7 @@ TEST(FanucReader, LongBlocksOfNamesAreRead) {
     for (const char* block : {"[#DEPTH]=[#MAXDEPTH]+[#STEPLEN]-[#FINEPASS]*[#STEPLEN]",
                               "IF[[#DEPTH]GT[#MAXDEPTH]]THEN[#DEPTH]=[#MAXDEPTH]",
                               "IF[[#_ABSMT]EQ[#_ABSOT]]OR[[#A]EQ[#B]]OR[[#C]EQ[#_VERYLONGNAME]]GOTO#_TARGET"})
-        EXPECT_EQ(testing::read(std::string(block) + "\n").irregularities.size(), 0U) << block;
+        EXPECT_EQ(testing::read(std::string(block) + "\n").syntax_errors.size(), 0U) << block;
 }
 
 TEST(FanucReader, UnfinishedOutputStatementAtTheEndOfAFileReturns) {

@@ -74,7 +74,7 @@ TEST(Graph, BlocksThatMayBeSkippedOneBehindAnotherKeepTheGraphSmall) {
         return program.program().slice(to.part) != "/X1.";
     };
     const auto last = static_cast<flow::NodeId>(program.graph().nodes.size() - 1);
-    EXPECT_TRUE(program.graph().way(0, last, past_blocks, last + 1));
+    EXPECT_TRUE(program.graph().path(0, last, past_blocks, last + 1));
 }
 
 TEST(Graph, TheNodeOfAnEffectIsKnown) {

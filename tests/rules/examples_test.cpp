@@ -30,7 +30,7 @@ cli::LintResult lint_example(const Example& example, const std::vector<std::stri
     return lint_texts({{"example.nc", std::string(example.text)}}, std::move(overrides));
 }
 
-std::string told(const cli::LintResult& result) {
+std::string reported(const cli::LintResult& result) {
     std::string text;
     for (const auto& [finding, suppressed] : result.findings)
         text += "line " + std::to_string(finding.file->source->position(finding.span.begin).line) + ": " +
@@ -59,7 +59,7 @@ TEST_P(RuleExamples, BadRaisesExactlyThisRuleWhenItAloneIsSelected) {
     for (const Example& example : GetParam()->bad) {
         const auto result = lint_example(example, {std::string(GetParam()->code)});
         EXPECT_THAT(codes(result), Not(IsEmpty())) << example.text.substr(0, 400);
-        EXPECT_THAT(codes(result), Each(Eq(GetParam()->code))) << told(result);
+        EXPECT_THAT(codes(result), Each(Eq(GetParam()->code))) << reported(result);
     }
 }
 
@@ -67,9 +67,9 @@ TEST_P(RuleExamples, BadRaisesNothingElseUnderTheDefaultSelection) {
     const Rule& rule = *GetParam();
     for (const Example& example : rule.bad) {
         const auto result = lint_example(example, {});
-        EXPECT_THAT(codes(result), Each(Eq(rule.code))) << told(result);
+        EXPECT_THAT(codes(result), Each(Eq(rule.code))) << reported(result);
         if (rule.on_by_default) {
-            EXPECT_THAT(codes(result), Contains(rule.code)) << told(result);
+            EXPECT_THAT(codes(result), Contains(rule.code)) << reported(result);
         }
     }
 }
@@ -77,37 +77,38 @@ TEST_P(RuleExamples, BadRaisesNothingElseUnderTheDefaultSelection) {
 TEST_P(RuleExamples, GoodRaisesNothing) {
     for (const Example& example : GetParam()->good) {
         const auto result = lint_example(example, {});
-        EXPECT_THAT(codes(result), IsEmpty()) << told(result);
+        EXPECT_THAT(codes(result), IsEmpty()) << reported(result);
         const auto alone = lint_example(example, {std::string(GetParam()->code)});
-        EXPECT_THAT(codes(alone), IsEmpty()) << told(alone);
+        EXPECT_THAT(codes(alone), IsEmpty()) << reported(alone);
     }
 }
 
 TEST_P(RuleExamples, FindingsOfDataFlowRulesTellTheWayThatEndsAtThem) {
     if (!GetParam()->data_flow) GTEST_SKIP() << "no data flow in this rule";
     for (const Example& example : GetParam()->bad)
-        for (const auto& judged : lint_example(example, {std::string(GetParam()->code)}).findings)
-            EXPECT_THAT(judged.finding.path, Not(IsEmpty())) << example.text.substr(0, 400);
+        for (const auto& evaluated : lint_example(example, {std::string(GetParam()->code)}).findings)
+            EXPECT_THAT(evaluated.finding.path, Not(IsEmpty())) << example.text.substr(0, 400);
 }
 
 TEST_P(RuleExamples, MessagesHaveAllTheirPlaceholdersFilled) {
     for (const Example& example : GetParam()->bad) {
         const auto result = lint_example(example, {std::string(GetParam()->code)});
-        for (const auto& judged : result.findings) expect_filled(judged.finding);
+        for (const auto& evaluated : result.findings) expect_filled(evaluated.finding);
     }
 }
 
 TEST_P(RuleExamples, SpansLieInTheFile) {
     for (const Example& example : GetParam()->bad) {
         const auto result = lint_example(example, {});
-        for (const auto& judged : result.findings) {
+        for (const auto& evaluated : result.findings) {
             const auto inside = [&](const ProgramFile& file, Span span) {
                 return span.begin <= span.end && span.end <= file.source->size();
             };
-            EXPECT_TRUE(inside(*judged.finding.file, judged.finding.span));
-            for (const Remark& remark : judged.finding.related)
+            EXPECT_TRUE(inside(*evaluated.finding.file, evaluated.finding.span));
+            for (const RelatedLocation& remark : evaluated.finding.related)
                 EXPECT_TRUE(inside(*remark.file, remark.span));
-            for (const Remark& remark : judged.finding.path) EXPECT_TRUE(inside(*remark.file, remark.span));
+            for (const RelatedLocation& remark : evaluated.finding.path)
+                EXPECT_TRUE(inside(*remark.file, remark.span));
         }
     }
 }

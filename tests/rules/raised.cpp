@@ -31,7 +31,7 @@ std::vector<std::string> messages_raised(std::string_view code, std::string text
 std::vector<std::uint32_t> path_raised(std::string_view code, std::string text) {
     const auto paths = each_finding(code, std::move(text), [](const Finding& finding) {
         std::vector<std::uint32_t> lines;
-        for (const Remark& step : finding.path) lines.push_back(line(*step.file, step.span));
+        for (const RelatedLocation& step : finding.path) lines.push_back(line(*step.file, step.span));
         return lines;
     });
     return paths.size() == 1 ? paths.front() : std::vector<std::uint32_t>{};

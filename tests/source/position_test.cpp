@@ -172,7 +172,8 @@ TEST_P(RandomText, HasThePositionsThatPlainCountingGives) {
     std::mt19937 random(GetParam());
     const std::vector<std::string> pieces = {"\n",     "\r\n", "\r",         "\n\r\r",
                                              "G1X1.5", "Ø",    "\U0001F527", std::string(700, 'A')};
-    // Few line ends in some texts, many in others: checkpoints fall inside lines, characters and line ends.
+    // SmallVector line ends in some texts, many in others: checkpoints fall inside lines, characters and line
+    // ends.
     const std::size_t first = GetParam() % 2 == 0 ? 0 : 3;
     std::string text;
     while (text.size() < 12'000) text += pieces[first + random() % (pieces.size() - first)];

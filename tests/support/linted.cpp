@@ -23,8 +23,8 @@ cli::LintResult lint_text(std::string_view text) { return lint_texts({{"O1.nc", 
 
 std::vector<std::string> codes(const cli::LintResult& result) {
     std::vector<std::string> all;
-    for (const cli::JudgedFinding& judged : result.findings)
-        if (!judged.suppressed) all.emplace_back(judged.finding.rule->code);
+    for (const cli::FilteredFinding& evaluated : result.findings)
+        if (!evaluated.suppressed) all.emplace_back(evaluated.finding.rule->code);
     return all;
 }
 

@@ -38,7 +38,7 @@ TEST(Calls, DepthIsCountedAlongTheLongestChain) {
         "O1\nG65P2\nG65P4\nM30\nO2\nG65P3\nM99\nO3\nG65P4\nM99\nO4\nM98P5\nM99\nO5\nM99\n");
     EXPECT_EQ(program(*workspace, "O4", "test.nc").depth().macro, 3);
     EXPECT_EQ(program(*workspace, "O5", "test.nc").depth().subprogram, 1);
-    EXPECT_EQ(program(*workspace, "O4", "test.nc").chain_to(Counted::macro).size(), 3U);
+    EXPECT_EQ(program(*workspace, "O4", "test.nc").chain_to(NestingLimit::macro).size(), 3U);
 }
 
 TEST(Calls, ProgramsThatCallEachOtherAreRecursive) {

@@ -86,12 +86,12 @@ TEST(DinCalls, WhatIsHandedDownMayBeChanged) {
             values.push_back(read.value.constant());
         return values;
     };
-    using Values = std::vector<std::optional<double>>;
-    EXPECT_EQ(read_behind_call("MACHINING\n#l1=7\nRETURN\n"), (Values{1, 2, 4})); // its own #l1
-    EXPECT_EQ(read_behind_call("MACHINING\n#_n=7\nRETURN\n"), (Values{std::nullopt, 2, 4}));
-    EXPECT_EQ(read_behind_call("MACHINING\n#l90=7\nRETURN\n"), (Values{1, 2, std::nullopt}));
+    using EvaluateWords = std::vector<std::optional<double>>;
+    EXPECT_EQ(read_behind_call("MACHINING\n#l1=7\nRETURN\n"), (EvaluateWords{1, 2, 4})); // its own #l1
+    EXPECT_EQ(read_behind_call("MACHINING\n#_n=7\nRETURN\n"), (EvaluateWords{std::nullopt, 2, 4}));
+    EXPECT_EQ(read_behind_call("MACHINING\n#l90=7\nRETURN\n"), (EvaluateWords{1, 2, std::nullopt}));
     EXPECT_EQ(read_behind_call("MACHINING\nL\"UNKNOWN\" V1\nRETURN\n"),
-              (Values{std::nullopt, std::nullopt, std::nullopt}));
+              (EvaluateWords{std::nullopt, std::nullopt, std::nullopt}));
 }
 
 TEST(DinFlow, BranchesJoinAndARestartLeaves) {

@@ -1,8 +1,8 @@
 //! Programs and sections.
 #include "analyzer/dialect/dinplus/collect.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
-#include "analyzer/dialect/words.hpp"
 
 #include <algorithm>
 

@@ -26,9 +26,9 @@ std::string shown(std::string_view text) {
 }
 
 /// The tokens of a block and questions about them.
-class Clues {
+class ErrorExplainer {
   public:
-    Clues(std::string_view text, Span block)
+    ErrorExplainer(std::string_view text, Span block)
         : text_(text)
         , tokens_(tokens_of(text, block)) {}
 
@@ -37,35 +37,36 @@ class Clues {
         return text_.substr(token.span.begin, token.span.length());
     }
 
-    [[nodiscard]] std::optional<Irregularity> unclosed_text() const {
+    [[nodiscard]] std::optional<SyntaxError> unclosed_text() const {
         const auto token = std::ranges::find(tokens_, TokenKind::unclosed_text, &Token::kind);
         if (token == tokens_.end()) return std::nullopt;
-        return make(Irregular::unreadable, *token, "a '\"' at the end of the text");
+        return make(SyntaxErrorKind::unreadable, *token, "a '\"' at the end of the text");
     }
 
     /// `N..`, `X..`: how manuals leave a value to the reader.
-    [[nodiscard]] std::optional<Irregularity> placeholder() const {
+    [[nodiscard]] std::optional<SyntaxError> placeholder() const {
         const auto token = std::ranges::find_if(tokens_, [&](const Token& t) {
             return t.kind == TokenKind::number && text(t).find_first_not_of('.') == std::string_view::npos;
         });
         if (token == tokens_.end()) return std::nullopt;
-        return make(Irregular::unreadable, *token, "a number");
+        return make(SyntaxErrorKind::unreadable, *token, "a number");
     }
 
-    [[nodiscard]] std::optional<Irregularity> bracket_mismatch() const {
+    [[nodiscard]] std::optional<SyntaxError> bracket_mismatch() const {
         std::vector<const Token*> open;
         for (const Token& token : tokens_) {
             if (token.kind == TokenKind::open) open.push_back(&token);
             if (token.kind != TokenKind::close) continue;
-            if (open.empty()) return make(Irregular::bracket_mismatch, token, "a '(' is missing before it");
+            if (open.empty())
+                return make(SyntaxErrorKind::bracket_mismatch, token, "a '(' is missing before it");
             open.pop_back();
         }
         if (open.empty()) return std::nullopt;
-        return make(Irregular::bracket_mismatch, *open.back(), "its ')' is missing");
+        return make(SyntaxErrorKind::bracket_mismatch, *open.back(), "its ')' is missing");
     }
 
     /// Capital words of three or more letters are keywords or nothing; two of them can be addresses.
-    [[nodiscard]] std::optional<Irregularity> unknown_keyword() const {
+    [[nodiscard]] std::optional<SyntaxError> unknown_keyword() const {
         std::vector<bool> selectors; // of the open brackets: behind a variable, as in #w0(WTL)
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
             const Token& token = tokens_[i];
@@ -79,13 +80,13 @@ class Clues {
             if (capitals.front() == '_' || capitals == "HID" || is_keyword(capitals)) continue;
             std::string meant = meant_by(capitals);
             if (meant == capitals) continue; // a section word
-            return make(Irregular::unknown_keyword, token, std::move(meant));
+            return make(SyntaxErrorKind::unknown_keyword, token, std::move(meant));
         }
         return std::nullopt;
     }
 
   private:
-    [[nodiscard]] Irregularity make(Irregular kind, const Token& token, std::string cure) const {
+    [[nodiscard]] SyntaxError make(SyntaxErrorKind kind, const Token& token, std::string cure) const {
         return {kind, token.span, shown(text(token)), std::move(cure)};
     }
 
@@ -95,7 +96,7 @@ class Clues {
 
 } // namespace
 
-Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree) {
+SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tree& tree) {
     Span span = block;
     std::string expected;
     const auto error = std::ranges::find_if(
@@ -106,25 +107,26 @@ Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree&
         else if (!error->span.empty())
             span = {block.begin + error->span.begin, block.begin + error->span.end};
     }
-    return {Irregular::unreadable, span, shown(text.substr(span.begin, span.length())), std::move(expected)};
+    return {SyntaxErrorKind::unreadable, span, shown(text.substr(span.begin, span.length())),
+            std::move(expected)};
 }
 
-std::optional<Irregularity> find_cause(std::string_view text, Span block) {
-    const Clues clues(text, block);
-    for (const auto cause :
-         {&Clues::unclosed_text, &Clues::placeholder, &Clues::bracket_mismatch, &Clues::unknown_keyword})
-        if (std::optional<Irregularity> found = (clues.*cause)()) return found;
+std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
+    const ErrorExplainer explainer(text, block);
+    for (const auto cause : {&ErrorExplainer::unclosed_text, &ErrorExplainer::placeholder,
+                             &ErrorExplainer::bracket_mismatch, &ErrorExplainer::unknown_keyword})
+        if (std::optional<SyntaxError> found = (explainer.*cause)()) return found;
     return std::nullopt;
 }
 
 namespace {
 
 /// The variable that `#l1`, `#_depth`, `#__la` or, as DEF wants it, `__la` names.
-std::optional<Place> place_named(std::string_view written, const Preceding& before) {
+std::optional<Variable> variable_named(std::string_view written, const Preceding& before) {
     const std::size_t begin = written.find_first_not_of("# \t");
     if (begin == std::string_view::npos) return std::nullopt;
     const std::string_view name = written.substr(begin);
-    if (name.starts_with("__")) return transfer_place(name.substr(2));
+    if (name.starts_with("__")) return transfer_variable(name.substr(2));
     if (name.starts_with('_')) {
         const auto alias = before.aliases.find(name);
         return alias == before.aliases.end() ? std::nullopt : std::optional(alias->second);
@@ -134,39 +136,39 @@ std::optional<Place> place_named(std::string_view written, const Preceding& befo
     if (!family || !number || *number > INT32_MAX) return std::nullopt;
     const auto n = static_cast<std::int32_t>(*number);
     const VariableRange* range = control().families[*family].find(n);
-    if (range == nullptr || range->meaning != Meaning::place) return std::nullopt;
-    return Place{range->space, n};
+    if (range == nullptr || range->meaning != Meaning::variable) return std::nullopt;
+    return Variable{range->space, n};
 }
 
-void add_place(const std::optional<Place>& place, UnreadableBlock& names) {
-    if (place && std::ranges::find(names.may_write, *place) == names.may_write.end())
-        names.may_write.push_back(*place);
+void add_variable(const std::optional<Variable>& variable, UnreadableBlock& names) {
+    if (variable && std::ranges::find(names.may_write, *variable) == names.may_write.end())
+        names.may_write.push_back(*variable);
 }
 
 /// A text that is not closed takes in variables that were meant to stand behind it.
-void add_places_in(std::string_view text, const Preceding& before, UnreadableBlock& names) {
+void add_variables_in(std::string_view text, const Preceding& before, UnreadableBlock& names) {
     for (auto at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
         const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", at + 1);
-        add_place(place_named(text.substr(at, end == std::string_view::npos ? end : end - at), before),
-                  names);
+        add_variable(variable_named(text.substr(at, end == std::string_view::npos ? end : end - at), before),
+                     names);
     }
 }
 
 } // namespace
 
 UnreadableBlock names_in(const Program& program, const Preceding& before, Span block) {
-    const Clues clues(program.text, block);
-    const std::span<const Token> tokens = clues.tokens();
+    const ErrorExplainer explainer(program.text, block);
+    const std::span<const Token> tokens = explainer.tokens();
     UnreadableBlock names{{}, {}, false, false};
     constexpr int most_guesses = 16; // in noise every word is a riddle
     int guesses = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const Token& token = tokens[i];
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
-        const std::string_view written = clues.text(token);
+        const std::string_view written = explainer.text(token);
         const bool name = token.kind == TokenKind::variable || written.front() == '_';
-        if (name) add_place(place_named(written, before), names);
-        if (token.kind == TokenKind::unclosed_text) add_places_in(written, before, names);
+        if (name) add_variable(variable_named(written, before), names);
+        if (token.kind == TokenKind::unclosed_text) add_variables_in(written, before, names);
         if (token.kind != TokenKind::letters) continue;
         std::string meant = capitals_of(written);
         if (meant.size() > 2 && !is_keyword(meant) && guesses++ < most_guesses) meant = meant_by(meant);

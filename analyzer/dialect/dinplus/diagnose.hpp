@@ -11,10 +11,10 @@
 namespace maclint::dinplus {
 
 /// The cause of an error in a block that its text shows: a text or bracket left open, a word that is none.
-[[nodiscard]] std::optional<Irregularity> find_cause(std::string_view text, Span block);
+[[nodiscard]] std::optional<SyntaxError> find_cause(std::string_view text, Span block);
 
 /// Where the parser gave up, for a block without an evident cause.
-[[nodiscard]] Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree);
+[[nodiscard]] SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tree& tree);
 
 /// What an unreadable block may do, judged by the words in it.
 [[nodiscard]] UnreadableBlock names_in(const Program& program, const Preceding& before, Span block);

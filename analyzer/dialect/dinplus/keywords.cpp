@@ -1,8 +1,8 @@
 //! Word lists.
 #include "analyzer/dialect/dinplus/keywords.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
-#include "analyzer/dialect/words.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 //! Lowering of blocks and statements.
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
 #include "analyzer/dialect/numbers.hpp"
-#include "analyzer/dialect/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 namespace maclint::dinplus {
 namespace {
 
-using Part = Structure::Part;
+using Part = RegionMark::Part;
 
 /// `/159`: a digit each; a bare `/` is level 1.
 std::uint16_t skip_levels(std::string_view mark) {
@@ -79,8 +79,8 @@ void BlockLowering::lower_statement(const Node& node) {
         const Node* value = child(node, field);
         return value == nullptr ? std::nullopt : std::optional(lower_expression(*value));
     };
-    const auto structure = [&](Construct construct, Part part, std::optional<ExpressionId> test = {}) {
-        lower_structure(node, construct, part, test);
+    const auto mark = [&](RegionKind region_kind, Part part, std::optional<ExpressionId> test = {}) {
+        lower_region_mark(node, region_kind, part, test);
     };
     switch (kind_of(node)) {
     case Kind::assignment: lower_assignment(node); break;
@@ -88,33 +88,31 @@ void BlockLowering::lower_statement(const Node& node) {
         if (const Node* name = child(node, Field::name)) initialise(*name, span(node));
         break;
     case Kind::call: lower_call(node); break;
-    case Kind::if_statement: structure(Construct::choice, Part::open, condition(Field::condition)); break;
-    case Kind::then_statement: structure(Construct::choice, Part::begin); break;
-    case Kind::else_statement: structure(Construct::choice, Part::middle); break;
-    case Kind::endif_statement: structure(Construct::choice, Part::close); break;
-    case Kind::while_statement:
-        structure(Construct::while_loop, Part::open, condition(Field::condition));
-        break;
-    case Kind::endwhile_statement: structure(Construct::while_loop, Part::close); break;
+    case Kind::if_statement: mark(RegionKind::choice, Part::open, condition(Field::condition)); break;
+    case Kind::then_statement: mark(RegionKind::choice, Part::begin); break;
+    case Kind::else_statement: mark(RegionKind::choice, Part::middle); break;
+    case Kind::endif_statement: mark(RegionKind::choice, Part::close); break;
+    case Kind::while_statement: mark(RegionKind::while_loop, Part::open, condition(Field::condition)); break;
+    case Kind::endwhile_statement: mark(RegionKind::while_loop, Part::close); break;
     case Kind::switch_statement: {
         const ExpressionId value = condition(Field::value).value_or(unreadable(span(node)));
         evaluate(value, span(node));
         before_->selections.push_back(value);
-        structure(Construct::selection, Part::open);
+        mark(RegionKind::selection, Part::open);
         break;
     }
     case Kind::case_statement: lower_case(node); break;
-    case Kind::default_statement: structure(Construct::selection, Part::middle); break;
-    case Kind::break_statement: structure(Construct::selection, Part::leave); break;
+    case Kind::default_statement: mark(RegionKind::selection, Part::middle); break;
+    case Kind::break_statement: mark(RegionKind::selection, Part::leave); break;
     case Kind::endswitch_statement:
         if (!before_->selections.empty()) before_->selections.pop_back();
-        structure(Construct::selection, Part::close);
+        mark(RegionKind::selection, Part::close);
         break;
     case Kind::unit_start:
         for_each_child(node, [this](const Node& parameter) { (void)record_word(parameter); });
-        structure(Construct::unit, Part::open);
+        mark(RegionKind::unit, Part::open);
         break;
-    case Kind::unit_end: structure(Construct::unit, Part::close); break;
+    case Kind::unit_end: mark(RegionKind::unit, Part::close); break;
     case Kind::return_statement: effect({Return{condition(Field::value), std::nullopt}, span(node)}); break;
     case Kind::output_statement: lower_output(node); break;
     case Kind::unknown_statement: lower_unknown(node); break;
@@ -122,9 +120,9 @@ void BlockLowering::lower_statement(const Node& node) {
     }
 }
 
-void BlockLowering::lower_structure(const Node& node, Construct construct, Part part,
-                                    std::optional<ExpressionId> condition) {
-    effect({Structure{construct, part, std::nullopt, condition}, span(node)});
+void BlockLowering::lower_region_mark(const Node& node, RegionKind region_kind, Part part,
+                                      std::optional<ExpressionId> condition) {
+    effect({RegionMark{region_kind, part, std::nullopt, condition}, span(node)});
 }
 
 /// A branch is taken when the value of the SWITCH equals that of the CASE.
@@ -135,11 +133,11 @@ void BlockLowering::lower_case(const Node& node) {
         before_->selections.empty() ? unreadable(span(node)) : before_->selections.back();
     const std::array operands{left, right};
     const ExpressionId test = apply(Operation::equal, operands, span(node));
-    lower_structure(node, Construct::selection, Part::middle, test);
+    lower_region_mark(node, RegionKind::selection, Part::middle, test);
 }
 
 void BlockLowering::evaluate(ExpressionId value, Span span) {
-    effect({Values{{static_cast<Id>(program_->operands.size()), 1}}, span});
+    effect({EvaluateWords{{static_cast<Id>(program_->operands.size()), 1}}, span});
     program_->operands.push_back(value);
 }
 
@@ -161,7 +159,7 @@ void BlockLowering::lower_call(const Node& node) {
             if (word.literal && *word.literal != 0) call.kind = calls::external;
         } else if (word.address == "Q") {
             call.repeat = word.value;
-        } else if (const std::optional<Place> formal = transfer_place(word.address)) {
+        } else if (const std::optional<Variable> formal = transfer_variable(word.address)) {
             arguments.push_back({*formal, *word.value, word.address, span(part)});
         }
     });
@@ -182,10 +180,10 @@ void BlockLowering::lower_output(const Node& node) {
     if (target != nullptr) arguments.pop_back();
     Exchange exchange;
     for (const Node* argument : arguments) exchange.out.push_back(lower_expression(*argument));
-    const std::optional<Place> place = target == nullptr ? std::nullopt : place_of(*target);
-    if (place) exchange.in.push_back(*place);
+    const std::optional<Variable> variable = target == nullptr ? std::nullopt : variable_of(*target);
+    if (variable) exchange.in.push_back(*variable);
     effect({std::move(exchange), span(node)});
-    if (target != nullptr && !place) store_elsewhere(*target, unreadable(span(*target)), span(node));
+    if (target != nullptr && !variable) store_elsewhere(*target, unreadable(span(*target)), span(node));
     if (input) effect({Synchronise{}, span(node)});
 }
 
@@ -196,9 +194,9 @@ void BlockLowering::lower_unknown(const Node& node) {
     const std::string capitals = capitals_of(text(*keyword));
     const std::string meant = meant_by(capitals);
     if (meant == capitals) // a section word in the wrong place
-        report(Irregular::not_alone, span(*keyword), "");
+        report(SyntaxErrorKind::not_alone, span(*keyword), "");
     else
-        report(Irregular::unknown_keyword, span(*keyword), meant);
+        report(SyntaxErrorKind::unknown_keyword, span(*keyword), meant);
     UnreadableBlock block{{}, {}, true, meant == "RETURN"};
     effect({std::move(block), span(node)});
 }

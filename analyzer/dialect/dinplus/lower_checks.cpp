@@ -38,10 +38,10 @@ void BlockLowering::check_alone(std::span<const Node* const> items) {
     if (kind_of(**keyword) == Kind::if_statement)
         if (const auto next = std::find_if(std::next(keyword), items.end(), wants); next != items.end())
             keyword = next;
-    Span place = span(**keyword);
+    Span marked = span(**keyword);
     constexpr Offset length_of_if = 2;
-    if (kind_of(**keyword) == Kind::if_statement) place.end = place.begin + length_of_if;
-    report(Irregular::not_alone, place, "");
+    if (kind_of(**keyword) == Kind::if_statement) marked.end = marked.begin + length_of_if;
+    report(SyntaxErrorKind::not_alone, marked, "");
 }
 
 /// An IF is followed by THEN: the next block, unless nobody can tell what that one is.
@@ -50,7 +50,7 @@ void BlockLowering::check_then(std::span<const Node* const> items) {
         const Kind kind = kind_of(*item);
         if (is_aside(kind)) continue;
         if (before_->waiting_if && kind != Kind::then_statement && kind != Kind::unknown_statement)
-            report(Irregular::then_missing, *before_->waiting_if, "THEN");
+            report(SyntaxErrorKind::then_missing, *before_->waiting_if, "THEN");
         before_->waiting_if.reset();
         if (kind == Kind::if_statement) before_->waiting_if = span(*item);
     }
@@ -73,7 +73,8 @@ void BlockLowering::check_tokens() {
             const bool comparison = kind_of(node) == Kind::assignment_sign;
             const Span whole = span(*parent);
             const Span sign = span(node);
-            report(comparison ? Irregular::assignment_in_condition : Irregular::comparison_as_assignment,
+            report(comparison ? SyntaxErrorKind::assignment_in_condition
+                              : SyntaxErrorKind::comparison_as_assignment,
                    sign,
                    std::string(program_->slice({whole.begin, sign.begin})) + (comparison ? "==" : "=") +
                        std::string(program_->slice({sign.end, whole.end})));
@@ -82,39 +83,39 @@ void BlockLowering::check_tokens() {
         case Kind::foreign_operator: {
             const auto* sign = std::ranges::find(signs, upper_text(node),
                                                  &std::pair<std::string_view, std::string_view>::first);
-            report(Irregular::unknown_keyword, span(node),
+            report(SyntaxErrorKind::unknown_keyword, span(node),
                    sign == std::end(signs) ? "" : std::string(sign->second));
             break;
         }
         case Kind::unknown_function:
-            report(Irregular::unknown_keyword, span(node), meant_by(capitals_of(text(node))));
+            report(SyntaxErrorKind::unknown_keyword, span(node), meant_by(capitals_of(text(node))));
             break;
         case Kind::stray_parenthesis:
-            report(Irregular::bracket_mismatch, span(node), "a '(' is missing before it");
+            report(SyntaxErrorKind::bracket_mismatch, span(node), "a '(' is missing before it");
             break;
         case Kind::stray_bracket:
-            report(Irregular::bracket_mismatch, span(node), "no '[' opens a comment before it");
+            report(SyntaxErrorKind::bracket_mismatch, span(node), "no '[' opens a comment before it");
             break;
         case Kind::unclosed_string:
-            report(Irregular::unreadable, span(node), "a '\"' at the end of the text");
+            report(SyntaxErrorKind::unreadable, span(node), "a '\"' at the end of the text");
             break;
         case Kind::typographic_string:
-            report(Irregular::unreadable, span(node), "straight quotation marks '\"'");
+            report(SyntaxErrorKind::unreadable, span(node), "straight quotation marks '\"'");
             break;
         case Kind::malformed_word: // two signs in a row may be meant for a calculation
             if (const std::string_view word = text(node); word.find(',') != std::string_view::npos)
-                report(Irregular::unreadable, span(node), "a decimal point in the number");
+                report(SyntaxErrorKind::unreadable, span(node), "a decimal point in the number");
             else if (word.find_first_of("0123456789") == std::string_view::npos) // G..., of manuals
-                report(Irregular::unreadable, span(node), "a number");
+                report(SyntaxErrorKind::unreadable, span(node), "a number");
             else if (word.find('.') != word.rfind('.'))
-                report(Irregular::unreadable, span(node), "one decimal point in the number");
+                report(SyntaxErrorKind::unreadable, span(node), "one decimal point in the number");
             break;
         case Kind::computed_block_number:
-            report(Irregular::unreadable, span(node), "the digits of a block number");
+            report(SyntaxErrorKind::unreadable, span(node), "the digits of a block number");
             break;
-        case Kind::double_sharp: report(Irregular::unreadable, span(node), "a single '#'"); break;
+        case Kind::double_sharp: report(SyntaxErrorKind::unreadable, span(node), "a single '#'"); break;
         case Kind::foreign_variable:
-            report(Irregular::unreadable, span(node), "a letter behind '#', as in #l1");
+            report(SyntaxErrorKind::unreadable, span(node), "a letter behind '#', as in #l1");
             break;
         default: break;
         }
@@ -129,7 +130,7 @@ void BlockLowering::check_depth() {
         if (opens_bracket(kind_of(node)) && ++depths[i] > program_->control->limits.bracket_levels) {
             const auto bracket = static_cast<Offset>(text(node).find('('));
             const Offset begin = span(node).begin + bracket;
-            return report(Irregular::bracket_depth, {begin, begin + 1}, "");
+            return report(SyntaxErrorKind::bracket_depth, {begin, begin + 1}, "");
         }
         for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_->nodes[c].next_sibling)
             depths[c] = depths[i];

@@ -1,8 +1,8 @@
 //! Lowering of expressions, conditions and variables.
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/dialect/numbers.hpp"
-#include "analyzer/dialect/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -83,7 +83,7 @@ ExpressionId BlockLowering::lower_below(const Node& node) {
     case Kind::constant:
     case Kind::internal_constant: return lower_constant(node);
     case Kind::double_sharp:
-        if (const Node* place = child(node, Field::place)) return lower_expression(*place);
+        if (const Node* variable = child(node, Field::variable)) return lower_expression(*variable);
         return unreadable(span(node));
     case Kind::parenthesis: {
         const Node* inner = only_child(node);
@@ -111,7 +111,7 @@ std::optional<BlockLowering::Numbered> BlockLowering::numbered(const Node& varia
     const VariableRange* range = program_->control->families[*family].find(n);
     if (range == nullptr) return std::nullopt;
     Numbered result{*family, n, std::nullopt};
-    if (range->meaning == Meaning::place) result.place = Place{range->space, n};
+    if (range->meaning == Meaning::variable) result.variable = Variable{range->space, n};
     return result;
 }
 
@@ -119,7 +119,7 @@ std::optional<BlockLowering::Numbered> BlockLowering::numbered(const Node& varia
 ExpressionId BlockLowering::lower_variable(const Node& variable, const Node& whole) {
     const std::optional<Numbered> found = numbered(variable);
     if (!found) return unreadable(span(whole));
-    if (found->place) return add({Load{*found->place}, span(whole)});
+    if (found->variable) return add({Load{*found->variable}, span(whole)});
     const Node* list = child(whole, Field::selectors);
     if (list == nullptr) return add({LoadMachine{found->family, found->number}, span(whole)});
     if (const Node* selector = first_child(*list); selector != nullptr && found->family == families::n)
@@ -163,16 +163,16 @@ ExpressionId BlockLowering::lower_indirect(const Node& node) {
     return load_selected(*family, 0, computed, span(node));
 }
 
-const Place* BlockLowering::alias_of(std::string_view name) const {
+const Variable* BlockLowering::alias_of(std::string_view name) const {
     const auto row = before_->aliases.find(name);
     return row == before_->aliases.end() ? nullptr : &row->second;
 }
 
 /// A name is known by what stands behind `#`, `_` included.
-Place BlockLowering::named_place(const Node& node, SpaceId space) {
+Variable BlockLowering::named_variable(const Node& node, SpaceId space) {
     std::string_view written = text(node);
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
-    if (const Place* alias = alias_of(written)) return *alias;
+    if (const Variable* alias = alias_of(written)) return *alias;
     return {space, program_->names.number_of(written)};
 }
 
@@ -183,16 +183,17 @@ ExpressionId BlockLowering::lower_constant(const Node& node) {
     case Kind::internal_constant: return lower_transfer(node);
     case Kind::constant:
         if (text(node) == "_pi") return literal(pi, span(node));
-        return add({Load{named_place(node, spaces::constant)}, span(node)});
-    default: return add({Load{named_place(node, spaces::named)}, span(node)});
+        return add({Load{named_variable(node, spaces::constant)}, span(node)});
+    default: return add({Load{named_variable(node, spaces::named)}, span(node)});
     }
 }
 
 ExpressionId BlockLowering::lower_transfer(const Node& node) {
     const std::string_view name = bare_name(text(node));
-    if (const std::optional<Place> place = transfer_place(name)) return add({Load{*place}, span(node)});
+    if (const std::optional<Variable> variable = transfer_variable(name))
+        return add({Load{*variable}, span(node)});
     if (is_internal_constant(name)) return lower_internal(name, span(node));
-    report(Irregular::unknown_transfer_value, span(node), "");
+    report(SyntaxErrorKind::unknown_transfer_value, span(node), "");
     return unreadable(span(node));
 }
 
@@ -246,7 +247,7 @@ ExpressionId BlockLowering::lower_vacancy_test(const Node& node) {
     if (kind == Kind::named_variable || kind == Kind::transfer_variable) {
         std::string_view written = text(*argument);
         written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
-        report(Irregular::hash_in_vacancy_test, span(node), name + '(' + std::string(written) + ')');
+        report(SyntaxErrorKind::hash_in_vacancy_test, span(node), name + '(' + std::string(written) + ')');
     }
     const std::array operands{lower_expression(*argument)};
     Operation operation = Operation::unknown; // DVDEF asks for an internal constant

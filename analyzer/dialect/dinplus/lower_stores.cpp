@@ -22,20 +22,20 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value) {
     if (kind != Kind::named_variable && kind != Kind::constant) return false;
     std::string_view written = text(name);
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
-    const bool variable = kind == Kind::named_variable;
-    const Place own = named_place(name, variable ? spaces::named : spaces::constant);
+    const bool writable = kind == Kind::named_variable;
+    const Variable own = named_variable(name, writable ? spaces::named : spaces::constant);
     program_->handed_down.push_back(own);
-    std::optional<Place> place;
-    if (variable && kind_of(value) == Kind::variable) {
-        if (const auto found = numbered(value)) place = found->place;
-    } else if (variable && kind_of(value) == Kind::selected_variable) {
+    std::optional<Variable> variable;
+    if (writable && kind_of(value) == Kind::variable) {
+        if (const auto found = numbered(value)) variable = found->variable;
+    } else if (writable && kind_of(value) == Kind::selected_variable) {
         if (const Node* inner = child(value, Field::variable))
-            if (const auto found = numbered(*inner)) place = found->place;
-        if (place) initialise(value, span(value));
+            if (const auto found = numbered(*inner)) variable = found->variable;
+        if (variable) initialise(value, span(value));
     }
-    if (place) program_->aliases.emplace(own, *place);
-    before_->aliases.emplace(written, place.value_or(own));
-    return place.has_value();
+    if (variable) program_->aliases.emplace(own, *variable);
+    before_->aliases.emplace(written, variable.value_or(own));
+    return variable.has_value();
 }
 
 /// `#l1(200)` stores 200 in a local variable, which the programs called from here see, too [l.18947,
@@ -45,16 +45,16 @@ void BlockLowering::initialise(const Node& variable, Span span) {
     const Node* name = child(variable, Field::variable);
     const Node* list = child(variable, Field::selectors);
     const std::optional<Numbered> found = name == nullptr ? std::nullopt : numbered(*name);
-    if (!found || !found->place || list == nullptr) return;
+    if (!found || !found->variable || list == nullptr) return;
     const Node* value = only_child(*list);
     if (value == nullptr) return;
-    effect({Assign{*found->place, lower_expression(*value)}, span});
-    program_->handed_down.push_back(*found->place);
+    effect({Assign{*found->variable, lower_expression(*value)}, span});
+    program_->handed_down.push_back(*found->variable);
 }
 
 void BlockLowering::store(const Node& target, ExpressionId value, Span span) {
-    if (const std::optional<Place> place = place_of(target))
-        effect({Assign{*place, value}, span});
+    if (const std::optional<Variable> variable = variable_of(target))
+        effect({Assign{*variable, value}, span});
     else
         store_elsewhere(target, value, span);
 }
@@ -68,7 +68,7 @@ void BlockLowering::store_elsewhere(const Node& target, ExpressionId value, Span
         const Expression read = program_->expressions[lower_expression(target)];
         std::visit(overloaded{
                        [&](const Load& load) {
-                           effect({Assign{load.place, value}, span});
+                           effect({Assign{load.variable, value}, span});
                        },
                        [&](const LoadAt& at) {
                            effect({Assign{StoreAt{at.family, at.index}, value}, span});
@@ -82,26 +82,26 @@ void BlockLowering::store_elsewhere(const Node& target, ExpressionId value, Span
         return;
     }
     case Kind::double_sharp:
-        if (const Node* place = child(target, Field::place)) store(*place, value, span);
+        if (const Node* variable = child(target, Field::variable)) store(*variable, value, span);
         return;
     default: evaluate(value, span); return;
     }
 }
 
 /// The variable of the model that the node names, if it names just one.
-std::optional<Place> BlockLowering::place_of(const Node& node) {
+std::optional<Variable> BlockLowering::variable_of(const Node& node) {
     switch (kind_of(node)) {
     case Kind::variable: {
         const auto found = numbered(node);
-        return found ? found->place : std::nullopt;
+        return found ? found->variable : std::nullopt;
     }
-    case Kind::named_variable: return named_place(node, spaces::named);
-    case Kind::constant: return named_place(node, spaces::constant);
+    case Kind::named_variable: return named_variable(node, spaces::named);
+    case Kind::constant: return named_variable(node, spaces::constant);
     case Kind::transfer_variable:
     case Kind::internal_constant: {
         const ExpressionId id = lower_transfer(node);
         const auto* load = std::get_if<Load>(&program_->expressions[id].node);
-        return load == nullptr ? std::nullopt : std::optional(load->place);
+        return load == nullptr ? std::nullopt : std::optional(load->variable);
     }
     default: return std::nullopt;
     }

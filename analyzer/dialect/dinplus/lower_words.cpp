@@ -1,7 +1,7 @@
 //! Lowering of words: what the words of a block do together.
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/dialect/numbers.hpp"
-#include "analyzer/dialect/words.hpp"
 
 #include <algorithm>
 
@@ -56,7 +56,7 @@ void BlockLowering::lower_words(std::span<const Node* const> nodes) {
     const std::span<const NcWord> words(words_);
     const Span all = join(span(*nodes.front()), span(*nodes.back()));
 
-    Values values{{static_cast<Id>(program_->operands.size()), 0}};
+    EvaluateWords values{{static_cast<Id>(program_->operands.size()), 0}};
     for (const NcWord& word : words) {
         if (!word.value || word.literal) continue;
         program_->operands.push_back(*word.value);

@@ -23,7 +23,7 @@ struct Preceding {
     Context context = Context::machining;
     bool effects = true;                  ///< the section does something: it is no list for the operator
     bool declares = false;                ///< the section is VAR or CONST
-    PlacesByName aliases;                 ///< VAR: `#_depth=#l1`
+    VariablesByName aliases;              ///< VAR: `#_depth=#l1`
     std::vector<ExpressionId> selections; ///< values of the open SWITCHes
     std::optional<Span> waiting_if;       ///< an IF whose THEN has not come
 };
@@ -31,8 +31,8 @@ struct Preceding {
 /// Lowers blocks of programs.
 class BlockLowering : private TreeLowering {
   public:
-    explicit BlockLowering(std::vector<Irregularity>& irregularities)
-        : TreeLowering(irregularities, is_remark) {}
+    explicit BlockLowering(std::vector<SyntaxError>& syntax_errors)
+        : TreeLowering(syntax_errors, is_remark) {}
 
     /// Appends the block to the program's items. `block` is where the tree's text stands in the file. The
     /// tree must be free of errors; see diagnose.hpp for the others.
@@ -49,8 +49,8 @@ class BlockLowering : private TreeLowering {
     void initialise(const Node& variable, Span span);
     void store(const Node& target, ExpressionId value, Span span);
     void store_elsewhere(const Node& target, ExpressionId value, Span span);
-    void lower_structure(const Node& node, Construct construct, Structure::Part part,
-                         std::optional<ExpressionId> condition);
+    void lower_region_mark(const Node& node, RegionKind region_kind, RegionMark::Part part,
+                           std::optional<ExpressionId> condition);
     void lower_case(const Node& node);
     void lower_call(const Node& node);
     void lower_output(const Node& node);
@@ -97,12 +97,12 @@ class BlockLowering : private TreeLowering {
     struct Numbered {
         FamilyId family;
         std::int32_t number;
-        std::optional<Place> place;
+        std::optional<Variable> variable;
     };
     [[nodiscard]] std::optional<Numbered> numbered(const Node& variable) const;
-    [[nodiscard]] Place named_place(const Node& node, SpaceId space);
-    [[nodiscard]] const Place* alias_of(std::string_view name) const;
-    [[nodiscard]] std::optional<Place> place_of(const Node& node);
+    [[nodiscard]] Variable named_variable(const Node& node, SpaceId space);
+    [[nodiscard]] const Variable* alias_of(std::string_view name) const;
+    [[nodiscard]] std::optional<Variable> variable_of(const Node& node);
 
     // ---- the tree
     [[nodiscard]] const Node* child(const Node& node, Field field) const;

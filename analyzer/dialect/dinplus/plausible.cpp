@@ -10,11 +10,11 @@ namespace maclint::dinplus {
 using Kind = Token::Kind;
 
 bool is_plausible(std::string_view text, Span block) {
-    constexpr std::size_t most_stumbles = 24;
+    constexpr std::size_t most_parse_errors = 24;
     constexpr std::size_t most_open = 48;
     constexpr std::size_t most_keywords = 64;
     constexpr Offset longest_address = 3; // HID, XKi
-    std::size_t stumbles = 0;
+    std::size_t parse_errors = 0;
     std::size_t open = 0;
     std::size_t keywords = 0;
     bool operand = false; // what stands before ends a value
@@ -31,39 +31,39 @@ bool is_plausible(std::string_view text, Span block) {
             const bool may_begin =
                 first == '-' || first == '+' || first == '>' || first == '=' || first == '/';
             const bool begins_value = after_address && (first == '-' || first == '+');
-            if (!operand && !may_begin) ++stumbles;
-            if (first == '=' || (!operand && may_begin && !begins_value)) ++stumbles;
+            if (!operand && !may_begin) ++parse_errors;
+            if (first == '=' || (!operand && may_begin && !begins_value)) ++parse_errors;
             operand = false;
             sign = first;
             break;
         }
         case Kind::close:
-            if (!operand || open == 0) ++stumbles;
+            if (!operand || open == 0) ++parse_errors;
             open -= open == 0 ? 0 : 1;
             operand = true;
             break;
         case Kind::open:
-            if (operand && after_close) ++stumbles; // `(1)(1)`
+            if (operand && after_close) ++parse_errors; // `(1)(1)`
             ++open;
             operand = false;
             break;
         case Kind::other:
-        case Kind::unclosed_text: ++stumbles; break;
+        case Kind::unclosed_text: ++parse_errors; break;
         case Kind::variable:
-            if (token.span.length() == 1 || operand) ++stumbles;
+            if (token.span.length() == 1 || operand) ++parse_errors;
             operand = true;
             break;
         case Kind::comment: break;
         case Kind::letters:
             // An address where an operand is due.
-            if (before != '\0' && before != ',' && first != '_' && token.span.length() < 3) ++stumbles;
+            if (before != '\0' && before != ',' && first != '_' && token.span.length() < 3) ++parse_errors;
             if (token.span.length() > 2 || text.substr(token.span.begin, 2) == "IF") ++keywords;
             operand = first == '_';
             address = before == '\0' && !operand && token.span.length() <= longest_address;
             break;
         default: operand = true; break;
         }
-        if (stumbles > most_stumbles || open > most_open || keywords > most_keywords) return false;
+        if (parse_errors > most_parse_errors || open > most_open || keywords > most_keywords) return false;
     }
     return true;
 }

@@ -2,6 +2,7 @@
 //! grammar.
 #include "analyzer/dialect/dinplus/read.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/dinplus/collect.hpp"
 #include "analyzer/dialect/dinplus/diagnose.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
@@ -11,9 +12,8 @@
 #include "analyzer/dialect/dinplus/shape.hpp"
 #include "analyzer/dialect/dinplus/split.hpp"
 #include "analyzer/dialect/dinplus/tokens.hpp"
-#include "analyzer/dialect/noise.hpp"
+#include "analyzer/dialect/error_throttle.hpp"
 #include "analyzer/dialect/numbers.hpp"
-#include "analyzer/dialect/words.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/syntax/memory.hpp"
 
@@ -40,7 +40,7 @@ class Reader {
     Reader(std::shared_ptr<const Source> source, const ControlModel& control)
         : text_(source->bytes())
         , programs_(*source, control, file_)
-        , lowering_(file_.irregularities) {
+        , lowering_(file_.syntax_errors) {
         file_.source = std::move(source);
         file_.control = &control;
     }
@@ -53,9 +53,9 @@ class Reader {
         }
         programs_.close();
         index_block_numbers(file_);
-        for (Irregularity& irregularity : file_.irregularities) {
-            irregularity.subject = file_.source->to_utf8(irregularity.subject);
-            irregularity.cure = file_.source->to_utf8(irregularity.cure);
+        for (SyntaxError& syntax_error : file_.syntax_errors) {
+            syntax_error.subject = file_.source->to_utf8(syntax_error.subject);
+            syntax_error.cure = file_.source->to_utf8(syntax_error.cure);
         }
         return std::move(file_);
     }
@@ -64,8 +64,8 @@ class Reader {
     void take() {
         if (raw_.open_comment) {
             const Span open = raw_.comments.back();
-            report(Irregular::unterminated_comment, {open.begin, std::min(open.end, end_of_line(open.begin))},
-                   "]");
+            report(SyntaxErrorKind::unterminated_comment,
+                   {open.begin, std::min(open.end, end_of_line(open.begin))}, "]");
         }
         const bool only_comments = raw_.code == 0;
         if (!only_comments) {
@@ -87,7 +87,7 @@ class Reader {
         const Span words = words_at(text_, head);
         if (!words.empty() && take_section(words, raw_.span)) return;
         if (raw_.code + raw_.comments.size() > longest_block) {
-            report(Irregular::oversized_block, {raw_.span.begin, raw_.span.begin + shown}, "");
+            report(SyntaxErrorKind::oversized_block, {raw_.span.begin, raw_.span.begin + shown}, "");
             return add_unreadable();
         }
         parse();
@@ -111,9 +111,9 @@ class Reader {
         if (!found->capitals && name.end != words.end) return false;
         const bool wrong = !found->capitals || found->word->use == SectionWord::Use::translated;
         if (wrong)
-            report(Irregular::unknown_keyword, name, spelling_of(*found->word));
+            report(SyntaxErrorKind::unknown_keyword, name, spelling_of(*found->word));
         else if (holds_command({name.end, heading.end}))
-            report(Irregular::not_alone, name, "");
+            report(SyntaxErrorKind::not_alone, name, "");
         programs_.open_section(*found->word, heading);
         return true;
     }
@@ -134,16 +134,16 @@ class Reader {
     void parse() {
         static const syntax::Tree nothing{.nodes = {}, .has_error = true};
         const Span block = raw_.span;
-        const bool loud = noise_.is_loud();
-        std::optional<Irregularity> cause;
-        if (loud) cause = find_cause(text_, block);
+        const bool throttling = throttle_.is_throttling();
+        std::optional<SyntaxError> cause;
+        if (throttling) cause = find_cause(text_, block);
         const syntax::Tree& tree = !cause && is_plausible(text_, block)
                                        ? tree_of(text_.substr(block.begin, block.length()))
                                        : nothing;
-        noise_.hear(tree.has_error);
+        throttle_.record(tree.has_error);
         if (tree.has_error) {
-            if (!loud) cause = find_cause(text_, block);
-            file_.irregularities.push_back(cause ? *std::move(cause) : find_stumble(text_, block, tree));
+            if (!throttling) cause = find_cause(text_, block);
+            file_.syntax_errors.push_back(cause ? *std::move(cause) : find_parse_error(text_, block, tree));
             return add_unreadable();
         }
         for (const syntax::Node& node : tree.nodes) {
@@ -175,7 +175,7 @@ class Reader {
         const syntax::Node& name = tree.nodes[section.first_child];
         const Span word{raw_.span.begin + name.span.begin, raw_.span.begin + name.span.end};
         const std::string meant = meant_by(capitals_of(text_.substr(word.begin, word.length())));
-        report(Irregular::unknown_keyword, word, meant);
+        report(SyntaxErrorKind::unknown_keyword, word, meant);
         add_unreadable();
         if (meant != "RETURN") return;
         // Manuals print the word in translation.
@@ -221,8 +221,8 @@ class Reader {
         if (block.sequence_number) block.sequence_number_span = {letter, at};
     }
 
-    void report(Irregular kind, Span span, std::string cure) {
-        file_.irregularities.push_back(
+    void report(SyntaxErrorKind kind, Span span, std::string cure) {
+        file_.syntax_errors.push_back(
             {kind, span, std::string(text_.substr(span.begin, span.length())), std::move(cure)});
     }
 
@@ -246,7 +246,7 @@ class Reader {
     RawBlock raw_;
     std::string code_; ///< of the block, without its comments
     std::string shape_;
-    Noise noise_;
+    ErrorThrottle throttle_;
     std::size_t waiting_ = 0; ///< first comment without a next block
 };
 

@@ -1,7 +1,7 @@
 //! Section words in whatever case and encoding they come.
 #include "analyzer/dialect/dinplus/sections.hpp"
 
-#include "analyzer/dialect/words.hpp"
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/source/encoding.hpp"
 
 #include <algorithm>

@@ -20,9 +20,9 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-VariableRange place(std::int32_t first, std::int32_t last, SpaceId space, std::string_view what,
-                    std::string_view source) {
-    return {first, last, Meaning::place, space, 0, OnWrite::store, false, what, source};
+VariableRange variables(std::int32_t first, std::int32_t last, SpaceId space, std::string_view what,
+                        std::string_view source) {
+    return {first, last, Meaning::variable, space, 0, OnWrite::store, false, what, source};
 }
 
 /// A value that the control owns; `itself`: it may change while a loop waits for it.
@@ -59,10 +59,10 @@ ControlModel make() {
     control.families = variable_families();
     control.groups = modal_groups();
     control.calls = {
-        {"call of a local subprogram", Frame::fresh, Counted::subprogram, When::once, 0, "l.10403, l.20751",
-         Reach::same_file},
-        {"call of an external subprogram", Frame::fresh, Counted::subprogram, When::once, 0,
-         "l.10404, l.19932", Reach::other_files},
+        {"call of a local subprogram", Frame::fresh, NestingLimit::subprogram, CallTrigger::once, 0,
+         "l.10403, l.20751", LookupScope::same_file},
+        {"call of an external subprogram", Frame::fresh, NestingLimit::subprogram, CallTrigger::once, 0,
+         "l.10404, l.19932", LookupScope::other_files},
     };
     for (std::size_t i = 0; i < transfer_letters.size(); ++i)
         control.formals.push_back({spaces::transfer, static_cast<std::int32_t>(i)});
@@ -78,14 +78,14 @@ ControlModel make() {
 std::vector<VariableSpace> variable_spaces() {
     // clang-format off
     std::vector<VariableSpace> rows = {
-        {"local variable",            "#l",  false, Scope::frame,     Unset::undefined, "l.18946, l.19721, l.19941"},
-        {"local text variable",       "#x",  false, Scope::frame,     Unset::undefined, "l.18959"},
-        {"channel variable",          "#c",  false, Scope::workspace, Unset::undefined, "l.18956, l.19721"},
-        {"global variable",           "#g",  false, Scope::retained,  Unset::old_value, "l.18957, l.18995"},
-        {"transfer value",            "#__", false, Scope::frame,     Unset::undefined, "l.19721, l.19742, l.19938"},
-        {"named variable",            "#",   true,  Scope::frame,     Unset::undefined, "l.2978-2997, l.19452"},
-        {"constant",                  "",    true,  Scope::frame,     Unset::undefined, "l.2951-2967"},
-        {"value of the control",      "#",   false, Scope::machine,   Unset::old_value, "l.19032-19387"},
+        {"local variable",            "#l",  false, Scope::frame,     InitialValue::undefined, "l.18946, l.19721, l.19941"},
+        {"local text variable",       "#x",  false, Scope::frame,     InitialValue::undefined, "l.18959"},
+        {"channel variable",          "#c",  false, Scope::shared, InitialValue::undefined, "l.18956, l.19721"},
+        {"global variable",           "#g",  false, Scope::retained,  InitialValue::old_value, "l.18957, l.18995"},
+        {"transfer value",            "#__", false, Scope::frame,     InitialValue::undefined, "l.19721, l.19742, l.19938"},
+        {"named variable",            "#",   true,  Scope::frame,     InitialValue::undefined, "l.2978-2997, l.19452"},
+        {"constant",                  "",    true,  Scope::frame,     InitialValue::undefined, "l.2951-2967"},
+        {"value of the control",      "#",   false, Scope::machine,   InitialValue::old_value, "l.19032-19387"},
     };
     // clang-format on
     // l.18979: #l1(200) is visible in the programs called from there, and so are the names of VAR [l.19491].
@@ -99,10 +99,10 @@ std::vector<VariableSpace> variable_spaces() {
 std::vector<VariableFamily> variable_families() {
     // clang-format off
     return {
-        {"#l", {place(1, 99,   spaces::local,      "local variable",      "l.18946")}},
-        {"#x", {place(1, most, spaces::local_text, "local text variable", "l.18959; l.19408 uses #x30")}},
-        {"#c", {place(1, most, spaces::channel,    "channel variable",    "l.18956")}},
-        {"#g", {place(1, most, spaces::global,     "global variable",     "l.18957, l.2723")}},
+        {"#l", {variables(1, 99,   spaces::local,      "local variable",      "l.18946")}},
+        {"#x", {variables(1, most, spaces::local_text, "local text variable", "l.18959; l.19408 uses #x30")}},
+        {"#c", {variables(1, most, spaces::channel,    "channel variable",    "l.18956")}},
+        {"#g", {variables(1, most, spaces::global,     "global variable",     "l.18957, l.2723")}},
         owned("#i", true,  "information of the control", "l.19327-19387"),
         owned("#n", true,  "current NC state",           "l.19233-19325"),
         owned("#m", false, "machine dimension",          "l.19032"),
@@ -121,13 +121,13 @@ std::optional<FamilyId> family_of(char letter) {
     return static_cast<FamilyId>(row);
 }
 
-std::optional<Place> transfer_place(std::string_view name) {
+std::optional<Variable> transfer_variable(std::string_view name) {
     std::string letters = lower(name);
     if (letters == "id1" || letters == "at1") letters.pop_back(); // l.8544: as the unit form prints them
     for (const std::string& candidate : {letters, "l" + letters}) {
         const auto* row = std::ranges::find(transfer_letters, std::string_view(candidate));
         if (row != transfer_letters.end())
-            return Place{spaces::transfer, static_cast<std::int32_t>(row - transfer_letters.begin())};
+            return Variable{spaces::transfer, static_cast<std::int32_t>(row - transfer_letters.begin())};
     }
     return std::nullopt;
 }

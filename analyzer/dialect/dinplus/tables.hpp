@@ -44,7 +44,7 @@ constexpr ReferenceKindId contour = 0;
 }
 
 /// The words that hand a value to a subprogram, without the leading `L` of `LA` … `LZ`: "la" is read as
-/// `#__la`. Row n is Place{spaces::transfer, n}.
+/// `#__la`. Row n is Variable{spaces::transfer, n}.
 // clang-format off
 inline constexpr auto transfer_letters = std::to_array<std::string_view>({
     "la", "lb", "lc", "ld", "le", "lf", "lh", "li", "lj", "lk", "ln", "lo", "lp", "lr", "ls", "lu", "lw", "lx", "ly",
@@ -52,7 +52,7 @@ inline constexpr auto transfer_letters = std::to_array<std::string_view>({
 // clang-format on
 /// The place of `#__name`; `name` without the underscores, any case: "la", and "id1" for "id". The bare
 /// letters that some lists print ("i" for "li") are taken too.
-[[nodiscard]] std::optional<Place> transfer_place(std::string_view name);
+[[nodiscard]] std::optional<Variable> transfer_variable(std::string_view name);
 
 /// Section words; `kind` is the row of ControlModel::sections that they begin.
 struct SectionWord {

@@ -31,21 +31,21 @@ constexpr StateVariable variables[] = {
 // move until it is switched off has rules of its own. G30 is set by the expert program that hands the part
 // over [l.20066], and taken back by its caller.
 std::vector<ModalGroup> modal_groups() {
-    constexpr auto own_rule = Concern::own_rule;
+    constexpr auto own_rule = RestorePolicy::own_rule;
     // clang-format off
     //   name                          letter concern   members                                     customary    cancel reset source                      cancel words
     return {
-        {"motion mode",                'G', Concern::none, {0, 1, 2, 3, 12, 13},                       {},          unknown,  unknown, "l.10297"},
-        {"plane",                      'G', Concern::none, {17, 18, 19},                               {17, 18, 19},unknown,  18,   "l.23169", "", true},
+        {"motion mode",                'G', RestorePolicy::none, {0, 1, 2, 3, 12, 13},                       {},          unknown,  unknown, "l.10297"},
+        {"plane",                      'G', RestorePolicy::none, {17, 18, 19},                               {17, 18, 19},unknown,  18,   "l.23169", "", true},
         {"radius compensation",        'G', own_rule,      {40, 41, 42},                               {40},        40,    40,   "l.12673-12718",            "G40"},
         {"tilted working plane",       'G', own_rule,      {16},                                       {0},         0,     0,    "l.23185-23218",            "G16 Q0"},
         {"conversion and mirroring",   'G', own_rule,      {30},                                       {0},         0,     0,    "l.20056-20078, l.20957",   "G30 Q0", false, true},
         {"deactivation of zero shifts",'G', own_rule,      {920, 921, 980, 981},                       {980, 981},  980,   980,  "l.12741, l.18155-18163, l.18391-18397", "G980 (G921: with G981)"},
-        {"zero shift",                 'G', Concern::none, {51, 53, 54, 55, 56, 59},                   {51, 53, 54, 55, 56, 59}, unknown, unknown, "l.12750-12837"},
-        {"kind of feed",               'G', Concern::none, {93, 193, 293, 393, 94, 95, 195, 295, 395}, {},          unknown,  unknown, "l.12532-12575"},
-        {"kind of speed",              'G', Concern::none, {96, 196, 296, 396, 97, 197, 297, 397},     {},          unknown,  unknown, "l.12596-12628"},
-        {group_names::feed,            'F', Concern::none, {},                                         {},          unknown,  unknown, "l.12532-12575"},
-        {group_names::speed,           'S', Concern::none, {},                                         {},          unknown,  unknown, "l.12596-12628"},
+        {"zero shift",                 'G', RestorePolicy::none, {51, 53, 54, 55, 56, 59},                   {51, 53, 54, 55, 56, 59}, unknown, unknown, "l.12750-12837"},
+        {"kind of feed",               'G', RestorePolicy::none, {93, 193, 293, 393, 94, 95, 195, 295, 395}, {},          unknown,  unknown, "l.12532-12575"},
+        {"kind of speed",              'G', RestorePolicy::none, {96, 196, 296, 396, 97, 197, 297, 397},     {},          unknown,  unknown, "l.12596-12628"},
+        {group_names::feed,            'F', RestorePolicy::none, {},                                         {},          unknown,  unknown, "l.12532-12575"},
+        {group_names::speed,           'S', RestorePolicy::none, {},                                         {},          unknown,  unknown, "l.12596-12628"},
     };
     // clang-format on
 }

@@ -141,7 +141,7 @@ GroupId CodeTable::m_group(double code) const {
 
 bool is_lathe(const ControlModel& control) {
     const std::optional<GroupId> group = control.group_of('G', 90);
-    return group && control.groups[*group].concern == Concern::motion;
+    return group && control.groups[*group].restore_policy == RestorePolicy::motion;
 }
 
 const CodeTable& codes_of(const ControlModel& control) {

@@ -2,11 +2,11 @@
 //! ran out.
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/fanuc/kinds.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/fanuc/tokens.hpp"
 #include "analyzer/dialect/numbers.hpp"
-#include "analyzer/dialect/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,9 @@ std::string shown(std::string_view text) {
 }
 
 /// The tokens of a block and questions about them.
-class Clues {
+class ErrorExplainer {
   public:
-    Clues(std::string_view text, Span block)
+    ErrorExplainer(std::string_view text, Span block)
         : text_(text)
         , tokens_(tokens_of(text, {block.begin, std::min(block.end, block.begin + longest_looked_at)})) {}
 
@@ -38,12 +38,12 @@ class Clues {
     }
     [[nodiscard]] std::string capitals(const Token& token) const { return in_capitals(text(token)); }
 
-    [[nodiscard]] std::optional<Irregularity> parenthesis_as_bracket() const;
-    [[nodiscard]] std::optional<Irregularity> bracket_mismatch() const;
-    [[nodiscard]] std::optional<Irregularity> unknown_keyword() const;
-    [[nodiscard]] std::optional<Irregularity> symbolic_comparison() const;
-    [[nodiscard]] std::optional<Irregularity> missing_value() const;
-    [[nodiscard]] std::optional<Irregularity> remark() const;
+    [[nodiscard]] std::optional<SyntaxError> parenthesis_as_bracket() const;
+    [[nodiscard]] std::optional<SyntaxError> bracket_mismatch() const;
+    [[nodiscard]] std::optional<SyntaxError> unknown_keyword() const;
+    [[nodiscard]] std::optional<SyntaxError> symbolic_comparison() const;
+    [[nodiscard]] std::optional<SyntaxError> missing_value() const;
+    [[nodiscard]] std::optional<SyntaxError> remark() const;
 
   private:
     [[nodiscard]] const Token* at(std::size_t index) const {
@@ -66,8 +66,8 @@ class Clues {
         return index == 0 || text(tokens_[index - 1]) == "/" ||
                (next != nullptr && next->kind == TokenKind::letters);
     }
-    [[nodiscard]] Irregularity make(Irregular kind, Span span, std::string_view subject,
-                                    std::string cure) const {
+    [[nodiscard]] SyntaxError make(SyntaxErrorKind kind, Span span, std::string_view subject,
+                                   std::string cure) const {
         return {kind, span, shown(subject), std::move(cure)};
     }
 
@@ -75,7 +75,7 @@ class Clues {
     std::vector<Token> tokens_;
 };
 
-std::string Clues::last_keyword(const Token& token) const {
+std::string ErrorExplainer::last_keyword(const Token& token) const {
     if (token.kind != TokenKind::letters) return {};
     const std::string word = capitals(token);
     if (const std::vector<std::string_view> words = split_keywords(word); !words.empty())
@@ -86,7 +86,7 @@ std::string Clues::last_keyword(const Token& token) const {
 }
 
 /// Whether an operand must follow: behind `=`, an operator, a function, IF.
-bool Clues::wants_value(const Token& token) const {
+bool ErrorExplainer::wants_value(const Token& token) const {
     switch (token.kind) {
     case TokenKind::equals:
     case TokenKind::comparison:
@@ -101,7 +101,7 @@ bool Clues::wants_value(const Token& token) const {
     }
 }
 
-bool Clues::gives_value(const Token* token) const {
+bool ErrorExplainer::gives_value(const Token* token) const {
     if (token == nullptr) return false;
     switch (token->kind) {
     case TokenKind::number:
@@ -115,7 +115,7 @@ bool Clues::gives_value(const Token* token) const {
 }
 
 /// Whether the text in ( ) could stand in [ ]: numbers, variables, operators and functions only.
-bool Clues::looks_like_expression(const Token& comment) const {
+bool ErrorExplainer::looks_like_expression(const Token& comment) const {
     Span inside{comment.span.begin + 1, comment.span.end};
     if (inside.end > inside.begin && text_[inside.end - 1] == ')') --inside.end;
     bool operand = false;
@@ -135,7 +135,7 @@ bool Clues::looks_like_expression(const Token& comment) const {
     return operand;
 }
 
-std::optional<Irregularity> Clues::parenthesis_as_bracket() const {
+std::optional<SyntaxError> ErrorExplainer::parenthesis_as_bracket() const {
     for (std::size_t i = 1; i < tokens_.size(); ++i) {
         const Token& comment = tokens_[i];
         if (comment.kind != TokenKind::comment) continue;
@@ -161,7 +161,7 @@ std::optional<Irregularity> Clues::parenthesis_as_bracket() const {
             if (!plain) cure += ']';
         }
         const std::string_view subject = text(before);
-        return make(Irregular::parenthesis_as_bracket, comment.span,
+        return make(SyntaxErrorKind::parenthesis_as_bracket, comment.span,
                     word.empty() ? subject
                                  : subject.substr(subject.size() - std::min(word.size(), subject.size())),
                     cure);
@@ -169,13 +169,14 @@ std::optional<Irregularity> Clues::parenthesis_as_bracket() const {
     return std::nullopt;
 }
 
-std::optional<Irregularity> Clues::bracket_mismatch() const {
+std::optional<SyntaxError> ErrorExplainer::bracket_mismatch() const {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
         if (tokens_[i].kind == TokenKind::open) open.push_back(i);
         if (tokens_[i].kind != TokenKind::close) continue;
         if (open.empty())
-            return make(Irregular::bracket_mismatch, tokens_[i].span, "]", "a '[' is missing before it");
+            return make(SyntaxErrorKind::bracket_mismatch, tokens_[i].span, "]",
+                        "a '[' is missing before it");
         open.pop_back();
     }
     if (open.empty()) return std::nullopt;
@@ -184,13 +185,13 @@ std::optional<Irregularity> Clues::bracket_mismatch() const {
         if (tokens_[i].kind != TokenKind::letters) continue;
         const std::string word = capitals(tokens_[i]);
         if (word.starts_with("GOTO") || word.starts_with("THEN") || word.starts_with("DO"))
-            return make(Irregular::bracket_mismatch, tokens_[open.back()].span, "[",
+            return make(SyntaxErrorKind::bracket_mismatch, tokens_[open.back()].span, "[",
                         "a ']' is missing before '" + shown(text(tokens_[i])) + "'");
     }
-    return make(Irregular::bracket_mismatch, tokens_[open.back()].span, "[", "its ']' is missing");
+    return make(SyntaxErrorKind::bracket_mismatch, tokens_[open.back()].span, "[", "its ']' is missing");
 }
 
-bool Clues::is_known(const Token& token, const Token* next, int depth) const {
+bool ErrorExplainer::is_known(const Token& token, const Token* next, int depth) const {
     std::string word = capitals(token);
     if (word.size() == 1) return true;
     if (!split_keywords(word).empty()) return true;
@@ -208,7 +209,7 @@ bool Clues::is_known(const Token& token, const Token* next, int depth) const {
     return word.size() == 2;
 }
 
-std::optional<Irregularity> Clues::unknown_keyword() const {
+std::optional<SyntaxError> ErrorExplainer::unknown_keyword() const {
     int depth = 0;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
         const Token& token = tokens_[i];
@@ -221,7 +222,7 @@ std::optional<Irregularity> Clues::unknown_keyword() const {
         const Token* next = at(i + 1);
         if (is_operator_word(word) && next != nullptr && next->kind == TokenKind::letters &&
             (capitals(*next) == "THEN" || capitals(*next) == "GOTO"))
-            return make(Irregular::unknown_keyword, join(token.span, next->span),
+            return make(SyntaxErrorKind::unknown_keyword, join(token.span, next->span),
                         text_.substr(token.span.begin, next->span.end - token.span.begin), capitals(*next));
         if (is_known(token, next, depth)) continue;
         return unknown_word(text_, token.span);
@@ -229,7 +230,7 @@ std::optional<Irregularity> Clues::unknown_keyword() const {
     return std::nullopt;
 }
 
-bool Clues::has_word(std::string_view keyword) const {
+bool ErrorExplainer::has_word(std::string_view keyword) const {
     return std::ranges::any_of(tokens_, [&](const Token& token) {
         if (token.kind != TokenKind::letters) return false;
         const std::string word = capitals(token);
@@ -238,17 +239,18 @@ bool Clues::has_word(std::string_view keyword) const {
     });
 }
 
-std::optional<Irregularity> Clues::symbolic_comparison() const {
+std::optional<SyntaxError> ErrorExplainer::symbolic_comparison() const {
     if (!has_word("IF") && !has_word("WHILE")) return std::nullopt;
     for (const Token& token : tokens_) {
         if (token.kind != TokenKind::comparison) continue;
         const std::string_view sign = text(token);
-        return make(Irregular::symbolic_comparison, token.span, sign, std::string(comparison_word(sign)));
+        return make(SyntaxErrorKind::symbolic_comparison, token.span, sign,
+                    std::string(comparison_word(sign)));
     }
     return std::nullopt;
 }
 
-std::optional<Irregularity> Clues::missing_value() const {
+std::optional<SyntaxError> ErrorExplainer::missing_value() const {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
         const Token& token = tokens_[i];
         const Token* next = at(i + 1);
@@ -264,25 +266,25 @@ std::optional<Irregularity> Clues::missing_value() const {
             if ((word == "IF" || word == "WHILE") && !gives_value(next))
                 expected = "a condition in [ ] after '" + word + "'";
             if (!expected.empty())
-                return make(Irregular::unreadable, token.span, text(token), std::move(expected));
+                return make(SyntaxErrorKind::unreadable, token.span, text(token), std::move(expected));
         }
         if (!wants_value(token) || gives_value(next)) continue;
         if (next != nullptr && next->kind == TokenKind::other) continue;
-        return make(Irregular::unreadable, token.span, text(token),
+        return make(SyntaxErrorKind::unreadable, token.span, text(token),
                     "a value after '" + shown(text(token)) + "'");
     }
     return std::nullopt;
 }
 
 /// Words that are no code: somebody wrote a remark without parentheses, or with parentheses in it.
-std::optional<Irregularity> Clues::remark() const {
+std::optional<SyntaxError> ErrorExplainer::remark() const {
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
         if (tokens_[i].kind != TokenKind::comment) continue;
         if (i > 0 && is_function(last_keyword(tokens_[i - 1]))) return std::nullopt; // ATAN(ABS(#1)/#2)
         if (text(tokens_[i]).find('(', 1) == std::string_view::npos) continue;
         const Span tail{tokens_[i + 1].span.begin, tokens_.back().span.end};
         if (text_[tail.end - 1] == ')' && tail.length() > 1)
-            return make(Irregular::unreadable, tail, text_.substr(tail.begin, tail.length()),
+            return make(SyntaxErrorKind::unreadable, tail, text_.substr(tail.begin, tail.length()),
                         "nothing behind the first ')', because comments do not nest");
     }
     std::size_t words = 0;
@@ -299,7 +301,8 @@ std::optional<Irregularity> Clues::remark() const {
     }
     if (words < 2 || words * 2 < code) return std::nullopt;
     const Span all{tokens_.front().span.begin, tokens_.back().span.end};
-    return make(Irregular::unreadable, all, text_.substr(all.begin, all.length()), "( ) around a remark");
+    return make(SyntaxErrorKind::unreadable, all, text_.substr(all.begin, all.length()),
+                "( ) around a remark");
 }
 
 /// The first node of the tree that stands for an error.
@@ -324,27 +327,28 @@ void sort_unique(std::vector<std::int64_t>& numbers) {
 
 } // namespace
 
-Irregularity unknown_word(std::string_view text, Span word) {
+SyntaxError unknown_word(std::string_view text, Span word) {
     const std::string_view written = text.substr(word.begin, word.length());
     Misspelling misspelling = explain(in_capitals(written));
     if (misspelling.advice.empty())
-        return {Irregular::unknown_keyword, word, shown(written), std::move(misspelling.meant)};
-    return {Irregular::missing_construct, word, shown(written), std::string(misspelling.advice)};
+        return {SyntaxErrorKind::unknown_keyword, word, shown(written), std::move(misspelling.meant)};
+    return {SyntaxErrorKind::missing_construct, word, shown(written), std::string(misspelling.advice)};
 }
 
-std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, Span block) {
-    return Clues(text, block).parenthesis_as_bracket();
+std::optional<SyntaxError> find_parenthesis_as_bracket(std::string_view text, Span block) {
+    return ErrorExplainer(text, block).parenthesis_as_bracket();
 }
 
-std::optional<Irregularity> find_cause(std::string_view text, Span block) {
-    const Clues clues(text, block);
-    for (const auto cause : {&Clues::remark, &Clues::parenthesis_as_bracket, &Clues::bracket_mismatch,
-                             &Clues::unknown_keyword, &Clues::symbolic_comparison, &Clues::missing_value})
-        if (std::optional<Irregularity> found = (clues.*cause)()) return found;
+std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
+    const ErrorExplainer explainer(text, block);
+    for (const auto cause : {&ErrorExplainer::remark, &ErrorExplainer::parenthesis_as_bracket,
+                             &ErrorExplainer::bracket_mismatch, &ErrorExplainer::unknown_keyword,
+                             &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value})
+        if (std::optional<SyntaxError> found = (explainer.*cause)()) return found;
     return std::nullopt;
 }
 
-Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree) {
+SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tree& tree) {
     Span span = block;
     std::string expected;
     if (const syntax::Node* error = first_error(tree)) {
@@ -353,12 +357,13 @@ Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree&
         else if (!error->span.empty())
             span = {block.begin + error->span.begin, block.begin + error->span.end};
     }
-    return {Irregular::unreadable, span, shown(text.substr(span.begin, span.length())), std::move(expected)};
+    return {SyntaxErrorKind::unreadable, span, shown(text.substr(span.begin, span.length())),
+            std::move(expected)};
 }
 
 UnreadableBlock names_in(const Program& program, Span block) {
-    const Clues clues(program.text, block);
-    const std::span<const Token> tokens = clues.tokens();
+    const ErrorExplainer explainer(program.text, block);
+    const std::span<const Token> tokens = explainer.tokens();
     const VariableFamily& family = program.control->families[numbered];
     UnreadableBlock names{{}, {}, false, false};
     std::vector<std::int64_t> named;
@@ -366,15 +371,15 @@ UnreadableBlock names_in(const Program& program, Span block) {
         const Token& token = tokens[i];
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
         if (token.kind == TokenKind::variable)
-            if (const std::optional<std::int64_t> number = read_integer(clues.text(token)))
+            if (const std::optional<std::int64_t> number = read_integer(explainer.text(token)))
                 named.push_back(*number);
         if (token.kind != TokenKind::letters) continue;
-        const std::string word = clues.capitals(token);
+        const std::string word = explainer.capitals(token);
         const Token* value = next;
-        if (value != nullptr && (clues.capitals(*value) == "N" || clues.capitals(*value) == "O"))
+        if (value != nullptr && (explainer.capitals(*value) == "N" || explainer.capitals(*value) == "O"))
             value = i + 2 < tokens.size() ? &tokens[i + 2] : nullptr;
         if (word.ends_with("GOTO") && value != nullptr && value->kind == TokenKind::number)
-            if (const std::optional<std::int64_t> label = read_integer(clues.text(*value)))
+            if (const std::optional<std::int64_t> label = read_integer(explainer.text(*value)))
                 names.may_jump.push_back(*label);
         std::vector<std::string_view> words = split_keywords(word);
         const std::string meant = words.empty() ? explain(word).meant : std::string();
@@ -384,7 +389,7 @@ UnreadableBlock names_in(const Program& program, Span block) {
                 keyword == "IF" || keyword == "WHILE" || keyword == "DO" || keyword == "END";
         names.may_open_or_close |= word == "ELSE" || word == "ENDIF";
         if (next == nullptr || next->kind != TokenKind::number) continue;
-        const double code = read_number(clues.text(*next)).value;
+        const double code = read_number(explainer.text(*next)).value;
         if (word.back() == 'G')
             names.may_call_or_return |= std::floor(code) == 65 || std::floor(code) == 66 || code == 67;
         if (word.back() == 'M')
@@ -394,7 +399,7 @@ UnreadableBlock names_in(const Program& program, Span block) {
     sort_unique(named);
     for (const std::int64_t number : named) {
         const VariableRange* range = family.find(number);
-        if (range != nullptr && range->meaning == Meaning::place)
+        if (range != nullptr && range->meaning == Meaning::variable)
             names.may_write.push_back({range->space, static_cast<std::int32_t>(number)});
     }
     return names;

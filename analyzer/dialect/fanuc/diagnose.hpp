@@ -15,15 +15,15 @@ namespace maclint::fanuc {
 
 /// What is wrong with a block that does not parse, told from its text alone; none where only the parser can
 /// say what it stumbled over.
-[[nodiscard]] std::optional<Irregularity> find_cause(std::string_view text, Span block);
+[[nodiscard]] std::optional<SyntaxError> find_cause(std::string_view text, Span block);
 
 /// Where the parser stumbled, for a block without a cause of its own.
-[[nodiscard]] Irregularity find_stumble(std::string_view text, Span block, const syntax::Tree& tree);
+[[nodiscard]] SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tree& tree);
 
 /// What to say of a word that the language does not have.
-[[nodiscard]] Irregularity unknown_word(std::string_view text, Span word);
+[[nodiscard]] SyntaxError unknown_word(std::string_view text, Span word);
 
 /// A comment that stands where only a bracket makes sense: `X(#1+2)`, `SIN(30)`.
-[[nodiscard]] std::optional<Irregularity> find_parenthesis_as_bracket(std::string_view text, Span block);
+[[nodiscard]] std::optional<SyntaxError> find_parenthesis_as_bracket(std::string_view text, Span block);
 
 } // namespace maclint::fanuc

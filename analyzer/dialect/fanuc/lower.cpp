@@ -57,10 +57,10 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, Program& program
     Block lowered{};
     const std::span<const Node* const> content = take_head(lowered, items_);
     if (!content.empty() && kind_of(*content.front()) == Kind::bare_value) { // alarm 004
-        if (std::optional<Irregularity> cause = find_cause(program.text, block))
-            irregularities_.push_back(std::move(*cause));
+        if (std::optional<SyntaxError> cause = find_cause(program.text, block))
+            syntax_errors_.push_back(std::move(*cause));
         else
-            report(Irregular::unreadable, span(*content.front()), "an address before the number");
+            report(SyntaxErrorKind::unreadable, span(*content.front()), "an address before the number");
     }
     lower_items(content);
     end_block(lowered);
@@ -113,8 +113,8 @@ void BlockLowering::lower_statement(const Node& node) {
     case Kind::goto_statement: lower_goto(node); break;
     case Kind::if_statement: lower_if(node); break;
     case Kind::while_statement: lower_while(node); break;
-    case Kind::do_statement: lower_loop_mark(node, Structure::Part::open); break;
-    case Kind::end_statement: lower_loop_mark(node, Structure::Part::close); break;
+    case Kind::do_statement: lower_loop_mark(node, RegionMark::Part::open); break;
+    case Kind::end_statement: lower_loop_mark(node, RegionMark::Part::close); break;
     case Kind::output_statement: lower_output(node); break;
     default: break; // numbers without address, names of variables, words of other dialects: nothing happens
     }
@@ -148,7 +148,7 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span span) {
         for_each_child(target, [&](const Node& inner) { store(inner, value, span); });
         return;
     case Kind::named_variable:
-    case Kind::foreign_variable: effect({Assign{named_place(target), value}, span}); return;
+    case Kind::foreign_variable: effect({Assign{named_variable(target), value}, span}); return;
     default: return;
     }
 }
@@ -160,7 +160,7 @@ void BlockLowering::store_numbered(std::int64_t number, Span target, ExpressionI
         return;
     }
     if (range->meaning == Meaning::null) {
-        report(Irregular::assignment_to_null, target, "");
+        report(SyntaxErrorKind::assignment_to_null, target, "");
         return;
     }
     const auto n = static_cast<std::int32_t>(number);
@@ -171,8 +171,8 @@ void BlockLowering::store_numbered(std::int64_t number, Span target, ExpressionI
     case OnWrite::store:
     case OnWrite::forbidden: break;
     }
-    if (range->meaning == Meaning::place)
-        effect({Assign{Place{range->space, n}, value}, span});
+    if (range->meaning == Meaning::variable)
+        effect({Assign{Variable{range->space, n}, value}, span});
     else
         effect({Assign{StoreMachine{numbered, n}, value}, span});
 }
@@ -199,19 +199,19 @@ void BlockLowering::lower_if(const Node& node) {
 void BlockLowering::lower_while(const Node& node) {
     const Node* condition = child(node, Field::condition);
     const Node* loop = child(node, Field::loop);
-    Structure structure{Construct::while_loop, Structure::Part::open, std::nullopt, std::nullopt};
-    if (condition != nullptr) structure.condition = lower_expression(*condition);
+    RegionMark mark{RegionKind::while_loop, RegionMark::Part::open, std::nullopt, std::nullopt};
+    if (condition != nullptr) mark.condition = lower_expression(*condition);
     if (loop != nullptr)
-        structure.number = loop_number(*loop);
+        mark.number = loop_number(*loop);
     else
-        report(Irregular::loop_without_do, span(node), "DO");
-    effect({structure, span(node)});
+        report(SyntaxErrorKind::loop_without_do, span(node), "DO");
+    effect({mark, span(node)});
 }
 
-void BlockLowering::lower_loop_mark(const Node& node, Structure::Part part) {
-    const Construct construct =
-        part == Structure::Part::open ? Construct::endless_loop : Construct::while_loop;
-    effect({Structure{construct, part, loop_number(node), std::nullopt}, span(node)});
+void BlockLowering::lower_loop_mark(const Node& node, RegionMark::Part part) {
+    const RegionKind region_kind =
+        part == RegionMark::Part::open ? RegionKind::endless_loop : RegionKind::while_loop;
+    effect({RegionMark{region_kind, part, loop_number(node), std::nullopt}, span(node)});
 }
 
 /// m of DOm and ENDm, where it is written out.
@@ -250,17 +250,18 @@ void BlockLowering::check_tokens() {
         case Kind::foreign_keyword: has_foreign_words = true; break;
         case Kind::empty_word: has_empty_words = true; break;
         case Kind::malformed_word: // alarms 006 and 007
-            report(Irregular::unreadable, span(node), "a number with at most one sign and one decimal point");
+            report(SyntaxErrorKind::unreadable, span(node),
+                   "a number with at most one sign and one decimal point");
             break;
         case Kind::computed_sequence_number: // [1.3]
-            report(Irregular::unreadable, span(node), "the digits of a sequence number");
+            report(SyntaxErrorKind::unreadable, span(node), "the digits of a sequence number");
             break;
         case Kind::computed_program_number: // [1.2]
-            report(Irregular::unreadable, span(node), "the digits of a program number");
+            report(SyntaxErrorKind::unreadable, span(node), "the digits of a program number");
             break;
         case Kind::double_sharp: // [2.3]
             if (const Node* index = child(node, Field::index))
-                report(Irregular::unreadable, span(node), "'#[" + std::string(text(*index)) + "]'");
+                report(SyntaxErrorKind::unreadable, span(node), "'#[" + std::string(text(*index)) + "]'");
             break;
         case Kind::bracket:
         case Kind::argument_list:
@@ -284,18 +285,20 @@ void BlockLowering::check_words() {
         for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_->nodes[c].next_sibling)
             in_condition[c] = here;
         if (kind == Kind::symbolic_operator && here)
-            report(Irregular::symbolic_comparison, span(node), std::string(comparison_word(text(node))));
+            report(SyntaxErrorKind::symbolic_comparison, span(node),
+                   std::string(comparison_word(text(node))));
         else if (kind == Kind::symbolic_operator) // [3: comparisons give no value]
-            report(Irregular::unreadable, span(node), "a calculation, because only IF and WHILE compare");
+            report(SyntaxErrorKind::unreadable, span(node),
+                   "a calculation, because only IF and WHILE compare");
         else if (kind == Kind::foreign_keyword)
-            irregularities_.push_back(unknown_word(program_->text, span(node)));
+            syntax_errors_.push_back(unknown_word(program_->text, span(node)));
     }
 }
 
 /// `X(#1+2)`: an address without value, and a comment that would make one. Such a block parses.
 void BlockLowering::check_parenthesis_for_value() {
-    if (std::optional<Irregularity> found = find_parenthesis_as_bracket(program_->text, block_))
-        irregularities_.push_back(std::move(*found));
+    if (std::optional<SyntaxError> found = find_parenthesis_as_bracket(program_->text, block_))
+        syntax_errors_.push_back(std::move(*found));
 }
 
 /// Reports the first bracket of the block that opens one level too many.
@@ -306,7 +309,7 @@ void BlockLowering::check_depth(const Node& node, int depth) {
         if (++depth > program_->control->limits.bracket_levels) {
             depth_reported_ = true;
             const Offset begin = span(node).begin;
-            report(Irregular::bracket_depth, {begin, begin + 1}, "");
+            report(SyntaxErrorKind::bracket_depth, {begin, begin + 1}, "");
             return;
         }
     }

@@ -110,7 +110,7 @@ ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
     const auto n = static_cast<std::int32_t>(number);
     switch (range->meaning) {
     case Meaning::null: return add({Vacant{}, span});
-    case Meaning::place: return add({Load{Place{range->space, n}}, span});
+    case Meaning::variable: return add({Load{Variable{range->space, n}}, span});
     case Meaning::modal: return add({LoadModal{range->group}, span});
     case Meaning::machine:
     case Meaning::absent: break;
@@ -119,7 +119,7 @@ ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
 }
 
 /// A named variable is known by all that is written: `#_ABSKP[1]` is another one than `#_ABSKP[2]`.
-Place BlockLowering::named_place(const Node& node) {
+Variable BlockLowering::named_variable(const Node& node) {
     std::string name = upper_text(node);
     std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
     return {spaces::named, program_->names.number_of(name)};
@@ -128,7 +128,7 @@ Place BlockLowering::named_place(const Node& node) {
 ExpressionId BlockLowering::lower_named(const Node& node) {
     const Node* index = child(node, Field::index);
     if (index == nullptr || kind_of(*index) == Kind::number)
-        return add({Load{named_place(node)}, span(node)});
+        return add({Load{named_variable(node)}, span(node)});
     const std::array operands{lower_expression(*index)};
     return apply(Operation::unknown, operands, span(node));
 }

@@ -24,7 +24,7 @@ std::string_view address_text(char letter, bool comma) {
 /// (5.3, 5.4).
 class SetCounter {
   public:
-    std::optional<std::int32_t> place_of(char letter) {
+    std::optional<std::int32_t> argument_of(char letter) {
         if (letter <= last_) ++set_;
         last_ = letter;
         constexpr int sets = 10;
@@ -111,7 +111,7 @@ void BlockLowering::lower_macro_call(std::span<const NcWord> words, Span span) {
     }
     call.arguments = arguments_from(words.subspan(1));
     if (std::holds_alternative<std::monostate>(call.program))
-        report(Irregular::call_without_program, this->span(*code.node), "P");
+        report(SyntaxErrorKind::call_without_program, this->span(*code.node), "P");
     effect({call, span});
 }
 
@@ -123,12 +123,12 @@ Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
         std::int32_t local = local_of_letter[static_cast<std::size_t>(word.letter - 'A')];
         if (local == 0) continue;
         if (word.letter >= 'I' && word.letter <= 'K') {
-            const std::optional<std::int32_t> place = sets.place_of(word.letter);
-            if (!place) continue;
-            local = *place;
+            const std::optional<std::int32_t> variable = sets.argument_of(word.letter);
+            if (!variable) continue;
+            local = *variable;
         }
-        program_->arguments.push_back(
-            {Place{spaces::local, local}, *word.value, address_text(word.letter, false), span(*word.node)});
+        program_->arguments.push_back({Variable{spaces::local, local}, *word.value,
+                                       address_text(word.letter, false), span(*word.node)});
         ++slice.count;
     }
     return slice;
@@ -144,7 +144,7 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
     }
     const bool own_words = (traits & no_words) != 0;
     bool moves = false;
-    Values computed{{static_cast<Id>(program_->operands.size()), 0}};
+    EvaluateWords computed{{static_cast<Id>(program_->operands.size()), 0}};
     for (const NcWord& word : words) {
         if (word.comma || !word.value) continue;
         const Span here = this->span(*word.node);
@@ -240,7 +240,7 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
         lower_local_call(*label, span);
         return;
     }
-    if (!names_program) report(Irregular::call_without_program, this->span(*code.node), "P");
+    if (!names_program) report(SyntaxErrorKind::call_without_program, this->span(*code.node), "P");
     effect({call, span});
 }
 

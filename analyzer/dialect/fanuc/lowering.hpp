@@ -16,8 +16,8 @@ namespace maclint::fanuc {
 /// Lowers blocks of programs whose control has the codes.
 class BlockLowering : private TreeLowering {
   public:
-    BlockLowering(const CodeTable& codes, std::vector<Irregularity>& irregularities)
-        : TreeLowering(irregularities, is_remark)
+    BlockLowering(const CodeTable& codes, std::vector<SyntaxError>& syntax_errors)
+        : TreeLowering(syntax_errors, is_remark)
         , codes_(codes) {}
 
     /// Appends the block to the program's items; one without nodes (comments only) is left out. `block` is
@@ -35,7 +35,7 @@ class BlockLowering : private TreeLowering {
     void lower_goto(const Node& node);
     void lower_if(const Node& node);
     void lower_while(const Node& node);
-    void lower_loop_mark(const Node& node, Structure::Part part);
+    void lower_loop_mark(const Node& node, RegionMark::Part part);
     [[nodiscard]] std::optional<std::int64_t> loop_number(const Node& mark) const;
     void lower_output(const Node& node);
     void store(const Node& target, ExpressionId value, Span span);
@@ -70,7 +70,7 @@ class BlockLowering : private TreeLowering {
     ExpressionId lower_named(const Node& node);
     ExpressionId load_numbered(std::int64_t number, Span span);
     [[nodiscard]] bool is_logical(ExpressionId id) const;
-    [[nodiscard]] Place named_place(const Node& node);
+    [[nodiscard]] Variable named_variable(const Node& node);
 
     // ---- the tree
     [[nodiscard]] const Node* child(const Node& node, Field field) const;

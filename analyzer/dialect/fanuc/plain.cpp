@@ -1,8 +1,8 @@
 //! The scanner: one pass over the bytes, numbers converted only where their value matters.
 #include "analyzer/dialect/fanuc/plain.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/numbers.hpp"
-#include "analyzer/dialect/words.hpp"
 
 #include <cassert>
 
@@ -40,7 +40,7 @@ class Scanner {
     }
 
   private:
-    [[nodiscard]] Offset offset(const char* place) const { return static_cast<Offset>(place - start_); }
+    [[nodiscard]] Offset offset(const char* variable) const { return static_cast<Offset>(variable - start_); }
 
     Lane finish(Offset next) {
         block_.next = next;
@@ -203,11 +203,11 @@ void RunTotals::close(Program& program) {
         if ((touched_ >> group & 1) != 0)
             program.settings.push_back({static_cast<GroupId>(group), last_[group]});
     const auto count = static_cast<Id>(program.settings.size()) - first;
-    program.items.emplace_back(Run{.span = span_,
-                                   .blocks = blocks_,
-                                   .moves = moves_,
-                                   .has_sequence_numbers = has_sequence_numbers_,
-                                   .net = {first, count}});
+    program.items.emplace_back(PlainRun{.span = span_,
+                                        .blocks = blocks_,
+                                        .moves = moves_,
+                                        .has_sequence_numbers = has_sequence_numbers_,
+                                        .net = {first, count}});
     *this = {};
 }
 

@@ -1,8 +1,8 @@
 //! One pass over the bytes of a block.
 #include "analyzer/dialect/fanuc/plausible.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/fanuc/tokens.hpp"
-#include "analyzer/dialect/words.hpp"
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace maclint::fanuc {
 namespace {
 
 constexpr std::size_t farthest_value = 48;
-constexpr std::size_t most_stumbles = 32;
+constexpr std::size_t most_parse_errors = 32;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
@@ -25,7 +25,7 @@ bool holds_free_text(std::string_view block) {
 
 bool is_plausible(std::string_view block) {
     std::size_t without_value = 0; // digits and names, `[#DEPTH]`
-    std::size_t stumbles = 0;      // commas without a letter behind them, values that follow a value
+    std::size_t parse_errors = 0;  // commas without a letter behind them, values that follow a value
     char before = '\0';
     for (std::size_t at = 0; at < block.size(); ++at) {
         const char c = block[at];
@@ -35,8 +35,8 @@ bool is_plausible(std::string_view block) {
             continue;
         }
         const bool ends_value = before == ']' || is_digit(before);
-        if ((c == '[' || c == '#') && ends_value) ++stumbles;
-        if (before == ',' && !is_letter(c)) ++stumbles;
+        if ((c == '[' || c == '#') && ends_value) ++parse_errors;
+        if (before == ',' && !is_letter(c)) ++parse_errors;
         const bool names =
             c == '#' && at + 1 < block.size() && (is_letter(block[at + 1]) || block[at + 1] == '_');
         if (is_digit(c) || names)
@@ -45,7 +45,7 @@ bool is_plausible(std::string_view block) {
             break;
         before = c;
     }
-    if (stumbles > most_stumbles) return false;
+    if (parse_errors > most_parse_errors) return false;
     return without_value <= farthest_value || holds_free_text(block);
 }
 

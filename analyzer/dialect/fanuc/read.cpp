@@ -2,6 +2,8 @@
 //! programs.
 #include "analyzer/dialect/fanuc/read.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/error_throttle.hpp"
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/machine_type.hpp"
@@ -10,9 +12,7 @@
 #include "analyzer/dialect/fanuc/shape.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
-#include "analyzer/dialect/noise.hpp"
 #include "analyzer/dialect/numbers.hpp"
-#include "analyzer/dialect/words.hpp"
 #include "analyzer/syntax/memory.hpp"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ class Reader {
     Reader(std::shared_ptr<const Source> source, const ControlModel& control)
         : text_(source->bytes())
         , codes_(codes_of(control))
-        , lowering_(codes_, file_.irregularities) {
+        , lowering_(codes_, file_.syntax_errors) {
         file_.source = std::move(source);
         file_.control = &control;
     }
@@ -61,9 +61,9 @@ class Reader {
         tape_open_ = !start.at_mark;
         for (Offset at = start.begin; at < text_.size();) at = read_from(at);
         close_program();
-        for (Irregularity& irregularity : file_.irregularities) {
-            irregularity.subject = file_.source->to_utf8(irregularity.subject);
-            irregularity.cure = file_.source->to_utf8(irregularity.cure);
+        for (SyntaxError& syntax_error : file_.syntax_errors) {
+            syntax_error.subject = file_.source->to_utf8(syntax_error.subject);
+            syntax_error.cure = file_.source->to_utf8(syntax_error.cure);
         }
         return std::move(file_);
     }
@@ -186,25 +186,25 @@ class Reader {
         const bool swallowed = report_open_comment();
         if (block.length() > longest_block) {
             constexpr Offset shown = 60;
-            file_.irregularities.push_back(
-                {Irregular::oversized_block, {block.begin, block.begin + shown}, "", ""});
+            file_.syntax_errors.push_back(
+                {SyntaxErrorKind::oversized_block, {block.begin, block.begin + shown}, "", ""});
             add_unreadable(block);
             return;
         }
         static const syntax::Tree nothing{.nodes = {}, .has_error = true};
         const std::string_view code = text_.substr(block.begin, block.length());
-        const bool loud = noise_.is_loud();
-        std::optional<Irregularity> cause;
-        if (loud) cause = find_cause(text_, block);
+        const bool throttling = throttle_.is_throttling();
+        std::optional<SyntaxError> cause;
+        if (throttling) cause = find_cause(text_, block);
         const syntax::Tree& tree = !cause && is_plausible(code) ? parse(code) : nothing;
-        noise_.hear(tree.has_error);
+        throttle_.record(tree.has_error);
         if (!tree.has_error) {
             lowering_.lower(tree, block, program());
             return;
         }
         if (!swallowed) {
-            if (!loud) cause = find_cause(text_, block);
-            file_.irregularities.push_back(cause ? *std::move(cause) : find_stumble(text_, block, tree));
+            if (!throttling) cause = find_cause(text_, block);
+            file_.syntax_errors.push_back(cause ? *std::move(cause) : find_parse_error(text_, block, tree));
         }
         add_unreadable(block);
     }
@@ -221,8 +221,8 @@ class Reader {
         if (raw_.comments.empty()) return false;
         const Span open = raw_.comments.back();
         if (open.length() > 1 && text_[open.end - 1] == ')') return false;
-        file_.irregularities.push_back({Irregular::unterminated_comment, open,
-                                        std::string(text_.substr(open.begin, open.length())), ")"});
+        file_.syntax_errors.push_back({SyntaxErrorKind::unterminated_comment, open,
+                                       std::string(text_.substr(open.begin, open.length())), ")"});
         return true;
     }
 
@@ -279,7 +279,7 @@ class Reader {
     RawBlock raw_;
     std::string code_; ///< of the block, without its comments
     std::string shape_;
-    Noise noise_;
+    ErrorThrottle throttle_;
     std::size_t waiting_ = 0; ///< first comment without a next block
     bool tape_open_ = true;
     bool program_open_ = false;

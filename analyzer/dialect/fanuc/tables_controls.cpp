@@ -37,11 +37,11 @@ const std::array<ControlRow, 7> rows{{
 std::vector<CallKind> call_kinds() {
     // clang-format off
     return {
-        {"G65 macro call",                       Frame::fresh,  Counted::macro,      When::once,              0,    "SEED-001:423"},
-        {"G66 modal macro call",                 Frame::fresh,  Counted::macro,      When::after_each_motion, 66,   "SEED-001:466"},
-        {"G66.1 modal macro call",               Frame::fresh,  Counted::macro,      When::after_each_block,  66.1, "NCT-171"},
-        {"M98 subprogram call",                  Frame::shared, Counted::subprogram, When::once,              0,    "TENC-G65; CPH-M98"},
-        {"M198 subprogram call",                 Frame::shared, Counted::subprogram, When::once,              0,    "CNCWIKI-SUB"},
+        {"G65 macro call",                       Frame::fresh,  NestingLimit::macro,      CallTrigger::once,              0,    "SEED-001:423"},
+        {"G66 modal macro call",                 Frame::fresh,  NestingLimit::macro,      CallTrigger::after_each_motion, 66,   "SEED-001:466"},
+        {"G66.1 modal macro call",               Frame::fresh,  NestingLimit::macro,      CallTrigger::after_each_block,  66.1, "NCT-171"},
+        {"M98 subprogram call",                  Frame::shared, NestingLimit::subprogram, CallTrigger::once,              0,    "TENC-G65; CPH-M98"},
+        {"M198 subprogram call",                 Frame::shared, NestingLimit::subprogram, CallTrigger::once,              0,    "CNCWIKI-SUB"},
     };
     // clang-format on
 }

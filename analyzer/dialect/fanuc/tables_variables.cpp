@@ -32,11 +32,11 @@ void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::s
 std::vector<VariableSpace> variable_spaces() {
     // clang-format off
     return {
-        {"local variable",           "#", false, Scope::frame,     Unset::vacant,    "SEED-001:161"},
-        {"common variable",          "#", false, Scope::workspace, Unset::vacant,    "SEED-001:162"},
-        {"retained common variable", "#", false, Scope::retained,  Unset::old_value, "SEED-001:162"},
-        {"system variable",          "#", false, Scope::machine,   Unset::old_value, "SEED-001:163"},
-        {"named variable",           "",  true,  Scope::machine,   Unset::old_value, "2.3: names of the 30i"},
+        {"local variable",           "#", false, Scope::frame,     InitialValue::vacant,    "SEED-001:161"},
+        {"common variable",          "#", false, Scope::shared, InitialValue::vacant,    "SEED-001:162"},
+        {"retained common variable", "#", false, Scope::retained,  InitialValue::old_value, "SEED-001:162"},
+        {"system variable",          "#", false, Scope::machine,   InitialValue::old_value, "SEED-001:163"},
+        {"named variable",           "",  true,  Scope::machine,   InitialValue::old_value, "2.3: names of the 30i"},
     };
     // clang-format on
 }
@@ -54,11 +54,11 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     // clang-format off
     //   first    last   meaning  space             group         on write   by itself what                                    source
     add({    0,      0,  null,    here,             0,            forbidden, false, "null variable",                           "SEED-001:160,198"});
-    add({    1,     33,  place,   spaces::local,    0,            store,     false, "local variable",                          "SEED-001:161"});
+    add({    1,     33,  variable,   spaces::local,    0,            store,     false, "local variable",                          "SEED-001:161"});
     add({   34,     99,  absent,  here,             0,            forbidden, false, "no variable",                             "SEED-001:161-162"});
-    add({  100,    199,  place,   spaces::common,   0,            store,     false, "common variable",                         "SEED-001:162"});
-    add({  200,    499,  place,   spaces::common,   0,            store,     false, "common variable (option)",                "T"});
-    add({  500,    999,  place,   spaces::retained, 0,            store,     false, "retained common variable",                "SEED-001:162"});
+    add({  100,    199,  variable,   spaces::common,   0,            store,     false, "common variable",                         "SEED-001:162"});
+    add({  200,    499,  variable,   spaces::common,   0,            store,     false, "common variable (option)",                "T"});
+    add({  500,    999,  variable,   spaces::retained, 0,            store,     false, "retained common variable",                "SEED-001:162"});
     add({ 1000,   1031,  machine, here,             0,            forbidden, true,  "input from the PMC",                      "T", true});
     add({ 1032,   1099,  machine, here,             0,            forbidden, true,  "input word from the PMC",                 "T"});
     add({ 1100,   1131,  machine, here,             0,            store,     false, "output to the PMC",                       "T; HAAS-LA", true});
@@ -104,7 +104,7 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 8000,   9999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
     add({10000,  19999,  machine, here,             0,            store,     false, "tool offset or additional work offset",   "SEED-001:1312-1335; T"});
     add({20000,  97999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
-    add({98000,  98499,  place,   spaces::common,   0,            store,     false, "common variable",                         "T"});
+    add({98000,  98499,  variable,   spaces::common,   0,            store,     false, "common variable",                         "T"});
     add({98500, 999999,  machine, here,             0,            store,     true,  "machine value",                           "T: six-digit numbers of the 30i"});
     // clang-format on
     return {"#", std::move(ranges)};

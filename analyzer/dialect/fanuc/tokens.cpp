@@ -1,8 +1,8 @@
 //! The tokenizer, the word lists, and the search for the word that was meant.
 #include "analyzer/dialect/fanuc/tokens.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/fanuc/functions.hpp"
-#include "analyzer/dialect/words.hpp"
 
 #include <algorithm>
 #include <array>

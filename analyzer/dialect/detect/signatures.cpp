@@ -1,0 +1,312 @@
+//! The table of marks, and the sums over it.
+#include "analyzer/dialect/detect/signatures.hpp"
+
+#include "analyzer/dialect/detect/shapes.hpp"
+
+#include <algorithm>
+
+namespace maclint::detect {
+namespace {
+
+using enum Language;
+
+/// Where a mark is looked for.
+enum class In : std::uint8_t {
+    words,   ///< lines of plain words, by shape
+    code,    ///< any other code, by shape
+    head,    ///< the beginning of the code
+    inside,  ///< anywhere in the code
+    line,    ///< the beginning of a line that does not begin with a letter
+    comment, ///< the beginning of a comment in round brackets
+    remark,  ///< behind `;`
+};
+
+struct Mark {
+    Language language;
+    int points;
+    int most; ///< times that count
+    In in;
+    std::string_view text;
+    bool (*shape)(const Line&);
+    std::string_view called; ///< in the note; empty: `text` in quotes
+};
+
+// clang-format off
+constexpr Mark marks[] = {
+    // FANUC Custom Macro B: what the languages below do not share with it [fanuc-custom-macro.md 1-5]
+    {fanuc,          4, 1, In::words,   "",           program_number,        "a program number"},
+    {fanuc,          4, 1, In::code,    "",           program_number,        "a program number"},
+    {fanuc,          2, 2, In::words,   "",           macro_call,            "a macro call"},
+    {fanuc,          2, 2, In::code,    "",           macro_call,            "a macro call"},
+    {fanuc,          2, 2, In::code,    "",           goto_behind_condition, "IF and GOTO"},
+    {fanuc,          2, 2, In::code,    "",           loop,                  "WHILE and DO"},
+    {fanuc,          2, 1, In::head,    "#3000",      nullptr,               ""},
+    {fanuc,          2, 1, In::head,    "DPRNT[",     nullptr,               ""},
+    {fanuc,          2, 1, In::head,    "POPEN",      nullptr,               ""},
+
+    // HEIDENHAIN DIN PLUS [dinplus.md 1-3, 6]
+    {din_plus,       4, 2, In::code,    "",           section_word,          "a section word"},
+    {din_plus,       1, 1, In::code,    "",           end_of_program_word,   "a section word"},
+    {din_plus,       4, 2, In::line,    "#UNIT",      nullptr,               ""},
+    {din_plus,       4, 2, In::head,    "UNIT ID",    nullptr,               ""},
+    {din_plus,       4, 1, In::head,    "END_OF_UNIT", nullptr,              ""},
+    {din_plus,       4, 1, In::line,    "[//]",       nullptr,               ""},
+    {din_plus,       4, 1, In::line,    "%",          file_name,             "a file name behind %"},
+    {din_plus,       4, 2, In::code,    "",           variable_with_letter,  "a variable like #l1"},
+    {din_plus,       4, 2, In::inside,  "#__",        nullptr,               "a transfer value like #__la"},
+    {din_plus,       4, 2, In::code,    "",           named_variable,        "a variable like #_name"},
+    {din_plus,       4, 2, In::head,    "L\"",        nullptr,               "a call like L\"name\""},
+    {din_plus,       4, 2, In::inside,  "ID\"",       nullptr,               ""},
+    {din_plus,       4, 2, In::inside,  "ID \"",      nullptr,               ""},
+    {din_plus,       4, 1, In::words,   "",           tool_feed_and_speed_in_one_block,
+                                                                             "tool, feed and speed in one block"},
+    {din_plus,       2, 2, In::words,   "",           cycle_of_three_digits, "a cycle of three digits"},
+    {din_plus,       2, 2, In::words,   "",           tool_change_point,     "G14 with Q"},
+    {din_plus,       2, 2, In::words,   "",           c_axis_rapid_alone,    "G110 with C"},
+    {din_plus,       2, 3, In::code,    "",           incremental_address,   "an incremental address like Zi"},
+    {din_plus,       2, 3, In::code,    "",           address_of_two_letters, "an address of two letters"},
+    {din_plus,       2, 2, In::code,    "",           unknown_coordinate,    "a coordinate '?'"},
+    {din_plus,       2, 2, In::code,    "",           slide,                 "a slide code"},
+    {din_plus,       4, 1, In::code,    "",           elided_number,         "a placeholder 'N..'"},
+    {din_plus,       2, 1, In::head,    "THEN",       nullptr,               ""},
+    {din_plus,       2, 1, In::head,    "ENDSWITCH",  nullptr,               ""},
+    {din_plus,       2, 2, In::head,    "WINDOW",     nullptr,               ""},
+    {din_plus,       2, 2, In::head,    "INPUT",      nullptr,               ""},
+    {din_plus,       2, 2, In::head,    "PRINT",      nullptr,               ""},
+    {din_plus,       1, 3, In::code,    "",           bracketed_remark,      "a remark in square brackets"},
+
+    // HEIDENHAIN Klartext and DIN/ISO (TNC)
+    {klartext,       4, 1, In::head,    "BEGIN PGM",  nullptr,               "BEGIN PGM"},
+    {klartext,       4, 1, In::head,    "END PGM",    nullptr,               "END PGM"},
+    {klartext,       2, 2, In::head,    "TOOL CALL",  nullptr,               ""},
+    {klartext,       2, 1, In::head,    "TOOL DEF",   nullptr,               ""},
+    {klartext,       2, 2, In::head,    "CYCL DEF",   nullptr,               ""},
+    {klartext,       2, 1, In::head,    "CYCL CALL",  nullptr,               ""},
+    {klartext,       2, 1, In::head,    "BLK FORM",   nullptr,               ""},
+    {klartext,       2, 2, In::head,    "CALL LBL",   nullptr,               ""},
+    {klartext,       2, 2, In::head,    "CALL PGM",   nullptr,               ""},
+    {klartext,       2, 2, In::head,    "LBL ",       nullptr,               ""},
+    {klartext,       2, 3, In::inside,  " FMAX",      nullptr,               ""},
+    {klartext,       2, 3, In::code,    "",           klartext_function,     "a function FN"},
+    {klartext,       2, 2, In::code,    "",           klartext_line,         "a block like L X+0"},
+    {klartext,       1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+    {heidenhain_iso, 2, 3, In::code,    "",           ends_in_star,          "blocks that end in '*'"},
+
+    // SINUMERIK [sinumerik.md 1-5]
+    {sinumerik,      4, 1, In::line,    "%_N_",       nullptr,               ""},
+    {sinumerik,      4, 1, In::line,    "%MPF",       nullptr,               ""},
+    {sinumerik,      4, 1, In::line,    "%SPF",       nullptr,               ""},
+    {sinumerik,      4, 1, In::line,    ";$PATH",     nullptr,               ""},
+    {sinumerik,      4, 1, In::line,    "; $PATH",    nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "DEF REAL",   nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "DEF INT",    nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "DEF STRING", nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "DEF BOOL",   nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "DEF AXIS",   nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "DEF CHAR",   nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "DEF FRAME",  nullptr,               ""},
+    {sinumerik,      4, 1, In::head,    "PROC ",      nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "ENDPROC",    nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "EXTERN ",    nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "MSG",        nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "WORKPIECE",  nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "STOPRE",     nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "ENDFOR",     nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "ENDLOOP",    nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "REPEATB ",   nullptr,               ""},
+    {sinumerik,      2, 2, In::head,    "SETMS",      nullptr,               ""},
+    {sinumerik,      2, 2, In::inside,  "GOTOF ",     nullptr,               ""},
+    {sinumerik,      2, 2, In::inside,  "GOTOB ",     nullptr,               ""},
+    {sinumerik,      2, 2, In::inside,  "CYCLE8",     nullptr,               ""},
+    {sinumerik,      2, 2, In::inside,  "CYCLE9",     nullptr,               ""},
+    {sinumerik,      1, 4, In::inside,  "$P_",        nullptr,               ""},
+    {sinumerik,      1, 4, In::inside,  "$A_",        nullptr,               ""},
+    {sinumerik,      1, 4, In::inside,  "$AA_",       nullptr,               ""},
+    {sinumerik,      1, 4, In::inside,  "$TC_",       nullptr,               ""},
+    {sinumerik,      1, 4, In::inside,  "$MC_",       nullptr,               ""},
+    {sinumerik,      1, 4, In::inside,  "$MN_",       nullptr,               ""},
+    {sinumerik,      2, 2, In::code,    "",           array_element,         "arrays with names"},
+    {sinumerik,      1, 4, In::inside,  "T=\"",       nullptr,               ""},
+    {sinumerik,      1, 4, In::code,    "",           r_parameter,           "R parameters"},
+    {sinumerik,      1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+
+    // LinuxCNC [linuxcnc.org/docs: G-code overview, O-codes, G-codes, M-codes]
+    {linuxcnc,       4, 2, In::code,    "",           o_word,                "an o-word"},
+    {linuxcnc,       4, 2, In::inside,  "#<",         nullptr,               "a named parameter"},
+    {linuxcnc,       4, 1, In::inside,  "EXISTS[",    nullptr,               ""},
+    {linuxcnc,       4, 1, In::words,   "",           tolerance_of_g64,      "G64 with P"},
+    {linuxcnc,       2, 2, In::words,   "",           probing_move,          "G38 with a digit behind the point"},
+    {linuxcnc,       2, 2, In::words,   "",           offset_by_l20,         "G10 L20"},
+    {linuxcnc,       1, 2, In::words,   "",           digital_output,        "M62 to M68 with P"},
+    {linuxcnc,       2, 2, In::comment, "MSG,",       nullptr,               "an active comment"},
+    {linuxcnc,       2, 2, In::comment, "DEBUG,",     nullptr,               "an active comment"},
+    {linuxcnc,       2, 2, In::comment, "PRINT,",     nullptr,               "an active comment"},
+    {linuxcnc,       2, 2, In::comment, "LOG,",       nullptr,               "an active comment"},
+    {linuxcnc,       2, 2, In::comment, "LOGOPEN,",   nullptr,               "an active comment"},
+    {linuxcnc,       2, 2, In::comment, "PROBEOPEN",  nullptr,               "an active comment"},
+    {linuxcnc,       1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+
+    // 3D printers (Marlin and relatives)
+    {printer,        3, 1, In::words,   "",           extruder_zero,         "G92 with E"},
+    {printer,        2, 3, In::words,   "",           heater,                "a heater"},
+    {printer,        1, 3, In::words,   "",           extrusion,             "moves with E"},
+    {printer,        2, 2, In::remark,  "LAYER",      nullptr,               ""},
+    {printer,        2, 2, In::remark,  "FLAVOR:",    nullptr,               ""},
+    {printer,        1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+
+    {grbl,           3, 2, In::code,    "",           setting,               "a command of the $ kind"},
+    {grbl,           1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+
+    // Wire erosion (AccuteX and relatives)
+    {wire_erosion,   2, 3, In::line,    "//",         nullptr,               "remarks behind '//'"},
+    {wire_erosion,   2, 3, In::code,    "",           condition_row,         "a row of cutting conditions"},
+    {wire_erosion,   1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+
+    // Okuma OSP
+    {okuma,          4, 1, In::code,    "",           osp_file_name,         "a file name $….MIN%"},
+    {okuma,          3, 2, In::head,    "CALL O",     nullptr,               ""},
+    {okuma,          3, 2, In::head,    "MODIN O",    nullptr,               ""},
+    {okuma,          2, 3, In::code,    "",           osp_variable,          "a variable VC"},
+    {okuma,          2, 2, In::inside,  "VZOF",       nullptr,               ""},
+    {okuma,          2, 1, In::head,    "NOEX",       nullptr,               ""},
+    {okuma,          2, 2, In::words,   "",           work_offset_by_g15,    "G15 with H"},
+
+    {hobby,          2, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+};
+// clang-format on
+
+constexpr std::size_t places = static_cast<std::size_t>(In::remark) + 1;
+using Rows = std::array<std::uint8_t, std::size(marks)>;
+
+/// The rows of `marks` that look at one place, so that a plain line is asked for a dozen marks only.
+struct Index {
+    std::array<Rows, places> rows{};
+    std::array<std::size_t, places> counts{};
+
+    constexpr Index() {
+        for (std::size_t i = 0; i < std::size(marks); ++i) {
+            const auto place = static_cast<std::size_t>(marks[i].in);
+            rows[place][counts[place]++] = static_cast<std::uint8_t>(i);
+        }
+    }
+};
+constexpr Index by_place;
+
+struct Extension {
+    std::string_view extension;
+    Language language;
+    int points;
+};
+
+// clang-format off
+constexpr Extension extensions[] = {
+    {"ncs",   din_plus,       6}, // dinplus.md 1.1
+    {"h",     klartext,       2},
+    {"i",     heidenhain_iso, 2},
+    {"mpf",   sinumerik,      6}, // sinumerik.md 1
+    {"spf",   sinumerik,      6},
+    {"arc",   sinumerik,      6},
+    {"ngc",   linuxcnc,       4},
+    {"gcode", printer,        2},
+    {"gcode", hobby,          2},
+    {"min",   okuma,          4},
+};
+
+constexpr std::array<std::string_view, language_count> names = {
+    "FANUC",    "HEIDENHAIN DIN PLUS", "HEIDENHAIN Klartext", "HEIDENHAIN DIN/ISO", "SINUMERIK",
+    "LinuxCNC", "a 3D printer",        "GRBL",                "wire erosion",       "OKUMA OSP",
+    "G-code for LinuxCNC, GRBL, a 3D printer or the like"};
+// clang-format on
+
+bool holds(const Mark& mark, const Line& line) {
+    if (mark.shape != nullptr && mark.text.empty()) return mark.shape(line);
+    switch (mark.in) {
+    case In::head: return line.code().starts_with(mark.text);
+    case In::inside: return line.code().find(mark.text) != std::string_view::npos;
+    case In::line: return line.whole().starts_with(mark.text) && (mark.shape == nullptr || mark.shape(line));
+    case In::comment: return line.comment().starts_with(mark.text);
+    case In::remark: return line.remark().starts_with(mark.text);
+    case In::words:
+    case In::code: break;
+    }
+    return false;
+}
+
+/// Whether a line has what the mark looks at: most lines are plain words and are done with quickly.
+bool concerns(In in, const Line& line) {
+    switch (in) {
+    case In::words: return line.is_plain() && !line.words().empty();
+    case In::code:
+    case In::head:
+    case In::inside: return !line.is_plain();
+    case In::line: return !is_capital(line.whole().front());
+    case In::comment: return !line.comment().empty();
+    case In::remark: return !line.remark().empty();
+    }
+    return false;
+}
+
+int extension_points(std::string_view extension, Language language) {
+    const auto* row = std::ranges::find_if(extensions, [&](const Extension& candidate) {
+        return candidate.extension == extension && candidate.language == language;
+    });
+    return row == std::end(extensions) ? 0 : row->points;
+}
+
+} // namespace
+
+std::string_view name_of(Language language) { return names[static_cast<std::size_t>(language)]; }
+
+Evidence::Evidence(std::string_view extension)
+    : extension_(extension) {
+    static_assert(std::size(marks) <= most_marks);
+}
+
+void Evidence::add(const Line& line, std::size_t number) {
+    for (std::size_t place = 0; place < places; ++place) {
+        if (!concerns(static_cast<In>(place), line)) continue;
+        for (const std::uint8_t row : std::span(by_place.rows[place]).first(by_place.counts[place])) {
+            Sighting& sighting = sightings_[row];
+            if (sighting.times == marks[row].most || !holds(marks[row], line)) continue;
+            if (sighting.times++ == 0) sighting.line = static_cast<std::uint32_t>(number);
+        }
+    }
+}
+
+int Evidence::points(Language language) const {
+    int sum = extension_points(extension_, language);
+    for (std::size_t i = 0; i < std::size(marks); ++i)
+        if (marks[i].language == language) sum += marks[i].points * sightings_[i].times;
+    return sum;
+}
+
+Language Evidence::verdict() const {
+    Language best = fanuc;
+    int most = std::max(points(fanuc), enough - 1);
+    for (std::size_t i = 1; i < language_count; ++i) {
+        const auto language = static_cast<Language>(i);
+        if (points(language) <= most) continue;
+        best = language;
+        most = points(language);
+    }
+    return best;
+}
+
+std::string Evidence::reason(Language language) const {
+    const Mark* best = nullptr;
+    std::uint32_t line = 0;
+    for (std::size_t i = 0; i < std::size(marks); ++i) {
+        const Mark& mark = marks[i];
+        if (mark.language != language || sightings_[i].times == 0) continue;
+        if (best != nullptr && best->points >= mark.points) continue;
+        best = &mark;
+        line = sightings_[i].line;
+    }
+    if (best == nullptr || extension_points(extension_, language) > best->points)
+        return "extension ." + std::string(extension_);
+    const std::string called =
+        best->called.empty() ? "'" + std::string(trim(best->text)) + "'" : std::string(best->called);
+    return called + " in line " + std::to_string(line);
+}
+
+} // namespace maclint::detect

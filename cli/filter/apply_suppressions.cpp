@@ -1,0 +1,269 @@
+//! File by file: drop, suppress, then see which suppressions were not needed.
+#include "cli/filter/apply_suppressions.hpp"
+
+#include "cli/filter/directive.hpp"
+#include "cli/suggest.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <unordered_map>
+#include <utility>
+
+namespace maclint::cli {
+namespace {
+
+constexpr std::string_view unused_suppression = "MAC001";
+constexpr std::string_view unknown_rule = "MAC002";
+
+bool names(const RuleToken& token, const Rule& rule) {
+    return std::ranges::find(token.rules, &rule) != token.rules.end();
+}
+
+/// A token that is ready to suppress.
+struct Allowance {
+    const Directive* directive;
+    const RuleToken* token;
+    bool used = false;
+};
+
+/// The suppressions of one file, asked finding by finding in the order of the text.
+class Suppressions {
+  public:
+    explicit Suppressions(const std::vector<Directive>& directives) {
+        for (const Directive& directive : directives) {
+            if (!directive.valid) continue;
+            for (const RuleToken& token : directive.tokens)
+                if (!token.rules.empty() && directive.verb != Verb::on)
+                    allowances_.push_back({&directive, &token});
+            if (directive.verb == Verb::off || directive.verb == Verb::on) switches_.push_back(&directive);
+        }
+        for (std::size_t i = 0; i < allowances_.size(); ++i) {
+            by_token_.emplace(allowances_[i].token, i);
+            place(i);
+        }
+        std::ranges::stable_sort(blocks_, {}, [](const auto& block) { return block.first.begin; });
+    }
+
+    /// The allowance that the finding falls under; findings come in the order of their places.
+    Allowance* find(const Finding& finding) {
+        pass_switches(finding.span.begin);
+        if (Allowance* block = of_block(finding)) return use(*block);
+        const auto off = off_.find(finding.rule);
+        if (off != off_.end() && off->second != nullptr) return use(*off->second);
+        const auto file = of_file_.find(finding.rule);
+        return file == of_file_.end() ? nullptr : use(allowances_[file->second]);
+    }
+
+    /// The next findings come from the beginning of the file again.
+    void start_over() {
+        next_switch_ = 0;
+        off_.clear();
+    }
+
+    [[nodiscard]] const std::vector<Allowance>& all() const { return allowances_; }
+
+  private:
+    static Allowance* use(Allowance& allowance) {
+        allowance.used = true;
+        return &allowance;
+    }
+
+    void place(std::size_t index) {
+        const Allowance& allowance = allowances_[index];
+        const DirectiveComment& comment = *allowance.directive->comment;
+        switch (allowance.directive->verb) {
+        case Verb::allow:
+            blocks_.emplace_back(comment.alone ? comment.next_block : comment.block, index);
+            break;
+        case Verb::allow_file:
+            for (const Rule* rule : allowance.token->rules) of_file_.emplace(rule, index);
+            break;
+        case Verb::off:
+        case Verb::on: break;
+        }
+    }
+
+    /// Blocks do not overlap: those that begin last before the finding are the ones that can hold it.
+    Allowance* of_block(const Finding& finding) {
+        auto at = std::ranges::upper_bound(blocks_, finding.span.begin, {},
+                                           [](const auto& block) { return block.first.begin; });
+        if (at == blocks_.begin()) return nullptr;
+        const Span span = std::prev(at)->first;
+        const bool inside = span.contains(finding.span.begin);
+        while (inside && at != blocks_.begin() && std::prev(at)->first.begin == span.begin) {
+            --at;
+            if (names(*allowances_[at->second].token, *finding.rule)) return &allowances_[at->second];
+        }
+        return nullptr;
+    }
+
+    void pass_switches(Offset place) {
+        for (; next_switch_ < switches_.size() && switches_[next_switch_]->comment->span.begin <= place;
+             ++next_switch_) {
+            const Directive& directive = *switches_[next_switch_];
+            if (directive.tokens.empty()) off_.clear();
+            for (const RuleToken& token : directive.tokens)
+                for (const Rule* rule : token.rules) off_[rule] = allowance_of(token);
+        }
+    }
+
+    /// nullptr for tokens of an ON.
+    Allowance* allowance_of(const RuleToken& token) {
+        const auto found = by_token_.find(&token);
+        return found == by_token_.end() ? nullptr : &allowances_[found->second];
+    }
+
+    std::vector<Allowance> allowances_;
+    std::unordered_map<const RuleToken*, std::size_t> by_token_;
+    std::vector<std::pair<Span, std::size_t>> blocks_;
+    std::unordered_map<const Rule*, std::size_t> of_file_;
+    std::vector<const Directive*> switches_;
+    std::size_t next_switch_ = 0;
+    std::unordered_map<const Rule*, Allowance*> off_;
+};
+
+/// Whether MAC001 may speak of the token: what it names has run, see rules_in_suppressions.
+bool is_filtered(const RuleToken& token) {
+    const bool only_itself = token.rules.size() == 1 && token.rules.front()->code == unused_suppression;
+    return !token.rules.empty() && !only_itself;
+}
+
+/// The comment with what separates it from its neighbours; the whole line when nothing else stands on it.
+Span removal_of(const Source& source, Span comment) {
+    const std::string_view bytes = source.bytes();
+    const auto blank = [&](Offset at) { return bytes[at] == ' ' || bytes[at] == '\t'; };
+    Offset begin = comment.begin;
+    Offset end = comment.end;
+    while (begin > 0 && blank(begin - 1)) --begin;
+    while (end < bytes.size() && blank(end)) ++end;
+    const bool line_begins = begin == 0 || is_line_end(bytes[begin - 1]);
+    const bool line_ends = end == bytes.size() || is_line_end(bytes[end]);
+    if (line_begins && line_ends) return {begin, end == bytes.size() ? end : after_line_end(bytes, end)};
+    if (line_ends) return {begin, end};
+    return {comment.begin, line_begins ? end : comment.end};
+}
+
+/// The token with the separator behind it, or before it when it is the last one.
+Span removal_of(const Directive& directive, const RuleToken& token) {
+    const auto& tokens = directive.tokens;
+    const auto index = static_cast<std::size_t>(&token - tokens.data());
+    if (index + 1 < tokens.size()) return {token.span.begin, tokens[index + 1].span.begin};
+    if (index > 0) return {tokens[index - 1].span.end, token.span.end};
+    return token.span;
+}
+
+std::string quoted_list(const std::vector<const RuleToken*>& tokens, const Source& source) {
+    std::string list;
+    for (const RuleToken* token : tokens) list += (list.empty() ? "" : ", ") + source.to_utf8(token->word);
+    return list;
+}
+
+/// Judges one file.
+class FileSuppressions {
+  public:
+    FileSuppressions(const ProgramFile& file, const RuleStates& rules)
+        : file_(file)
+        , rules_(rules)
+        , directives_(read_directives(file))
+        , suppressions_(directives_) {}
+
+    std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings) {
+        report_faults(findings);
+        take(std::move(findings));
+        suppressions_.start_over();
+        take(unused());
+        return std::move(evaluated_);
+    }
+
+  private:
+    static std::vector<Directive> read_directives(const ProgramFile& file) {
+        std::vector<Directive> directives;
+        for (const DirectiveComment& comment : file.comments)
+            if (auto directive = read_directive(file, comment)) directives.push_back(*std::move(directive));
+        return directives;
+    }
+
+    void report_faults(std::vector<Finding>& findings) const {
+        Reporter reporter(*find_rule(unknown_rule));
+        for (const Directive& directive : directives_)
+            for (const DirectiveFault& fault : directive.faults)
+                reporter.report(file_, fault.span, fault.message_id, fault.arguments);
+        std::ranges::move(reporter.take(), std::back_inserter(findings));
+    }
+
+    void take(std::vector<Finding> findings) {
+        std::ranges::stable_sort(findings, comes_before);
+        for (Finding& finding : findings) {
+            std::optional<Suppression> suppressed;
+            if (const Allowance* allowance = suppressions_.find(finding))
+                suppressed = Suppression{allowance->directive->comment->span, allowance->directive->reason};
+            const RuleState& state = rules_.of(*finding.rule);
+            if (!state.on) continue; // it ran only to tell whether its suppressions are of use
+            finding.severity = state.severity.value_or(finding.severity);
+            evaluated_.push_back({std::move(finding), std::move(suppressed)});
+        }
+    }
+
+    std::vector<Finding> unused() const {
+        Reporter reporter(*find_rule(unused_suppression));
+        const auto& all = suppressions_.all();
+        for (std::size_t i = 0; i < all.size();) {
+            const Directive& directive = *all[i].directive;
+            std::vector<const RuleToken*> tokens;
+            for (; i < all.size() && all[i].directive == &directive; ++i)
+                if (!all[i].used && is_filtered(*all[i].token)) tokens.push_back(all[i].token);
+            if (!tokens.empty()) report_unused(directive, tokens, reporter);
+        }
+        return reporter.take();
+    }
+
+    void report_unused(const Directive& directive, const std::vector<const RuleToken*>& tokens,
+                       Reporter& reporter) const {
+        if (tokens.size() == directive.tokens.size()) {
+            const Span comment = directive.comment->span;
+            reporter.report(file_, comment, "comment", {quoted_list(tokens, *file_.source)})
+                .fix.push_back({removal_of(*file_.source, comment), ""});
+            return;
+        }
+        for (const RuleToken* token : tokens)
+            reporter.report(file_, token->span, "unused", {file_.source->to_utf8(token->word)})
+                .fix.push_back({removal_of(directive, *token), ""});
+    }
+
+    const ProgramFile& file_;
+    const RuleStates& rules_;
+    std::vector<Directive> directives_;
+    Suppressions suppressions_;
+    std::vector<FilteredFinding> evaluated_;
+};
+
+} // namespace
+
+std::vector<const Rule*> rules_in_suppressions(const ProgramFile& file) {
+    std::vector<const Rule*> rules;
+    for (const DirectiveComment& comment : file.comments) {
+        const auto directive = read_directive(file, comment);
+        if (!directive || !directive->valid) continue;
+        for (const RuleToken& token : directive->tokens)
+            rules.insert(rules.end(), token.rules.begin(), token.rules.end());
+    }
+    return rules;
+}
+
+std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings,
+                                                const std::vector<FileRules>& files) {
+    std::unordered_map<const ProgramFile*, std::vector<Finding>> by_file;
+    for (Finding& finding : findings) by_file[finding.file].push_back(std::move(finding));
+    std::vector<FilteredFinding> filtered;
+    for (const FileRules& file : files) {
+        const auto own = by_file.find(file.file);
+        auto mine = own == by_file.end() ? std::vector<Finding>() : std::move(own->second);
+        if (mine.empty() && file.file->comments.empty()) continue;
+        std::ranges::move(FileSuppressions(*file.file, *file.rules).apply_suppressions(std::move(mine)),
+                          std::back_inserter(filtered));
+    }
+    std::ranges::stable_sort(filtered, comes_before, &FilteredFinding::finding);
+    return filtered;
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,38 @@
+//! What becomes of findings: rules that are off, severities, suppression comments and what is wrong with
+//! those.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+#include "cli/config/selection.hpp"
+#include "rules/rule.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace maclint::cli {
+
+/// The comment that allows a finding.
+struct Suppression {
+    Span comment;
+    std::string reason; ///< UTF-8, may be empty
+};
+
+struct FilteredFinding {
+    Finding finding;
+    std::optional<Suppression> suppressed;
+};
+
+struct FileRules {
+    const ProgramFile* file;
+    const RuleStates* rules;
+};
+
+/// Rules that must run, wanted or not, so that it can be told which suppressions of the file are of use.
+[[nodiscard]] std::vector<const Rule*> rules_in_suppressions(const ProgramFile& file);
+
+/// Judges findings of the files given; others are dropped. In the order of reports.
+[[nodiscard]] std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings,
+                                                              const std::vector<FileRules>& files);
+
+} // namespace maclint::cli

@@ -1,0 +1,174 @@
+//! Pages made from the records of the rules, so that they cannot say anything else.
+#include "cli/report/rule_page.hpp"
+
+#include "analyzer/dialect/dialect.hpp"
+#include "analyzer/source/encoding.hpp"
+#include "cli/config/selection.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint::cli {
+namespace {
+
+struct FamilyRow {
+    std::string_view prefix;
+    std::string_view name;
+};
+
+constexpr std::array<FamilyRow, 10> families{{
+    {"MAC0", "input and suppressions"},
+    {"MAC1", "syntax"},
+    {"MAC2", "variables and data flow"},
+    {"MAC3", "loops and jumps"},
+    {"MAC4", "calls and arguments"},
+    {"MAC5", "modal state and motion safety"},
+    {"MAC6", "look-ahead and timing"},
+    {"MAC7", "numbers and expressions"},
+    {"MAC8", "style"},
+    {"DIN", "DIN PLUS"},
+}};
+
+std::string facts_of(const Rule& rule) {
+    std::string severity(name_of(rule.severity));
+    for (const OtherSeverity& other : rule.severity_elsewhere)
+        severity += ", in " + std::string(other.language) + " " + std::string(name_of(other.severity));
+    std::string facts = "Severity: " + severity + ". Precision: " + std::string(name_of(rule.precision)) +
+                        ". " + (rule.on_by_default ? "On by default." : "Off by default.");
+    if (!rule.off_reason.empty()) {
+        facts += " " + std::string(rule.off_reason);
+        if (!facts.ends_with('.')) facts += '.';
+    }
+    if (!rule.aliases.empty()) facts += " Also known as " + std::string(rule.aliases) + ".";
+    return facts;
+}
+
+std::string indented(std::string_view text, std::string_view indent) {
+    std::string out;
+    while (!text.empty()) {
+        const auto line = text.substr(0, text.find('\n'));
+        const std::string shown = printable(to_utf8(line, detect_encoding(line)));
+        out += (shown.empty() ? "" : std::string(indent) + shown) + "\n";
+        text.remove_prefix(line.size() == text.size() ? line.size() : line.size() + 1);
+    }
+    return out;
+}
+
+/// An example that a page can show: very long ones are cut.
+std::string shown_example(const Example& example, std::string_view indent) {
+    constexpr std::size_t longest = 2000;
+    constexpr std::size_t start = 120;
+    const bool cut = example.text.size() > longest;
+    std::string out = indented(cut ? example.text.substr(0, start) : example.text, indent);
+    if (cut) out += std::string(indent) + "… (" + std::to_string(example.text.size()) + " bytes)\n";
+    return out;
+}
+
+std::string markdown_examples(std::string_view heading, const std::vector<Example>& examples) {
+    std::string out;
+    for (const Example& example : examples)
+        out += "\n## " + std::string(heading) + " (" + std::string(example.dialect) + ")\n\n```\n" +
+               shown_example(example, "") + "```\n";
+    return out;
+}
+
+std::string plain_examples(std::string_view heading, const std::vector<Example>& examples) {
+    std::string out;
+    for (const Example& example : examples)
+        out += "\n" + std::string(heading) + " (" + std::string(example.dialect) + "):\n\n" +
+               shown_example(example, "    ");
+    return out;
+}
+
+std::string alarm_line(const Alarm& alarm) {
+    return std::string(alarm.control) + ": " + std::string(alarm.number) + " " + std::string(alarm.text);
+}
+
+/// The comment that allows the rule, once for every way that the dialects of its examples write comments.
+std::string allowances(const Rule& rule, std::string_view quote) {
+    std::string all;
+    for (const Dialect& dialect : dialects()) {
+        const auto of_dialect = [&](const Example& example) { return example.dialect == dialect.name; };
+        if (std::ranges::none_of(rule.bad, of_dialect) && std::ranges::none_of(rule.good, of_dialect))
+            continue;
+        const std::string comment = std::string(dialect.comment_open) + "MACLINT ALLOW " +
+                                    std::string(rule.code) + " - REASON" + std::string(dialect.comment_close);
+        if (all.find(comment) != std::string::npos) continue;
+        all.append(all.empty() ? "" : " or ").append(quote).append(comment).append(quote);
+        if (!dialect.comment_open.starts_with('(')) all.append(" (").append(dialect.name).append(")");
+    }
+    return all;
+}
+
+/// A source with what its key means where that decides how far to trust it.
+std::string shown_source(std::string_view source) {
+    constexpr std::string_view experience = "T";
+    if (source != experience && !source.starts_with("T:")) return std::string(source);
+    return "T (experience, not confirmed)" + std::string(source.substr(experience.size()));
+}
+
+} // namespace
+
+std::string page_name(const Rule& rule) { return std::string(rule.code) + ".md"; }
+
+std::string_view family_of(const Rule& rule) {
+    for (const FamilyRow& row : families)
+        if (rule.code.starts_with(row.prefix)) return row.name;
+    return "";
+}
+
+std::string_view name_of(Precision precision) {
+    constexpr std::array<std::string_view, 4> names = {"low", "medium", "high", "very-high"};
+    return names.at(static_cast<std::size_t>(precision));
+}
+
+std::string summary_sentence(const Rule& rule) {
+    std::string sentence(rule.summary);
+    if (!sentence.ends_with('.')) sentence += '.';
+    return sentence;
+}
+
+std::string markdown_page(const Rule& rule) {
+    std::string out = "# " + std::string(rule.code) + " " + std::string(rule.name) + "\n\n";
+    out += summary_sentence(rule) + "\n\n" + facts_of(rule) + "\n\n## Why\n\n" + std::string(rule.why) + "\n";
+    out += markdown_examples("Bad", rule.bad) + markdown_examples("Good", rule.good);
+    if (!rule.alarms.empty()) out += "\n## Alarms it prevents\n\n";
+    for (const Alarm& alarm : rule.alarms) out += "- " + alarm_line(alarm) + "\n";
+    out += "\n## To allow it\n\n" + allowances(rule, "`") +
+           " at the end of the block, or alone on the line before it.\n";
+    if (!rule.sources.empty()) out += "\n## Sources\n\n";
+    for (const std::string_view source : rule.sources) out += "- " + shown_source(source) + "\n";
+    return out;
+}
+
+std::string plain_page(const Rule& rule) {
+    std::string out =
+        std::string(rule.code) + " " + std::string(rule.name) + " (" + std::string(family_of(rule)) + ")\n\n";
+    out += summary_sentence(rule) + "\n" + facts_of(rule) + "\n\n" + std::string(rule.why) + "\n";
+    out += plain_examples("Bad", rule.bad) + plain_examples("Good", rule.good);
+    if (!rule.alarms.empty()) out += "\nAlarms it prevents:\n\n";
+    for (const Alarm& alarm : rule.alarms) out += "    " + alarm_line(alarm) + "\n";
+    out += "\nTo allow it, write " + allowances(rule, "") +
+           " at the end of the block, or alone on the line before it.\n";
+    if (!rule.sources.empty()) out += "\nSources:\n\n";
+    for (const std::string_view source : rule.sources) out += "    " + shown_source(source) + "\n";
+    return out;
+}
+
+std::string markdown_index() {
+    std::string out = "# Rules\n\n" + std::string(generated_mark) + "\n";
+    std::string_view family;
+    for (const Rule* rule : all_rules()) {
+        if (family_of(*rule) != family) {
+            family = family_of(*rule);
+            out += "\n## " + std::string(family) +
+                   "\n\n| code | name | severity | default | what it finds |\n|---|---|---|---|---|\n";
+        }
+        out += "| [" + std::string(rule->code) + "](" + page_name(*rule) + ") | " + std::string(rule->name) +
+               " | " + std::string(name_of(rule->severity)) + " | " + (rule->on_by_default ? "on" : "off") +
+               " | " + std::string(rule->summary) + " |\n";
+    }
+    return out;
+}
+
+} // namespace maclint::cli

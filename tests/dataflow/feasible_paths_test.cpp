@@ -1,0 +1,75 @@
+//! A way to a read is one that somebody can go: no more is asked of it, and no less.
+#include "analyzer/dataflow/feasible_paths.hpp"
+#include "tests/support/analysed.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+/// Whether a way is found to the last read of the variable on which nothing sets it.
+bool reaches_uninitialised(const std::string& text, std::int32_t variable) {
+    const auto workspace = test::analyse_fanuc("O1\n" + text + "M30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    std::optional<dataflow::Read> last;
+    for (const dataflow::Read& read : program.facts().reads)
+        if (read.variable.number == variable) last = read;
+    if (!last) throw std::runtime_error("no such read");
+    return dataflow::path_without_assignment(program.program(), program.graph(), program.data(),
+                                             last->variable, last->node)
+        .has_value();
+}
+
+const std::string sets_5_or_not = "IF[#501EQ1]GOTO10\n#5=1\nN10 G0Z#5\n";
+
+TEST(FeasiblePaths, ACountedLoopInFrontIsPassed) {
+    EXPECT_TRUE(reaches_uninitialised("#1=0\nWHILE[#1LT3]DO1\nG0X#1\n#1=#1+1\nEND1\n" + sets_5_or_not, 5));
+    EXPECT_TRUE(reaches_uninitialised("#1=0\nN5 G0X#1\n#1=#1+1\nIF[#1LT3]GOTO5\n" + sets_5_or_not, 5));
+    // What the test in front of the loop told of #1 holds no longer behind it.
+    EXPECT_TRUE(reaches_uninitialised(
+        "#1=#100\nIF[#1GE3]GOTO99\nWHILE[#1LT3]DO1\n#1=#1+1\nEND1\n" + sets_5_or_not + "N99", 5));
+}
+
+TEST(FeasiblePaths, WhatTheRoundsStoreIsNotKnownBehindThem) {
+    const std::string loop = "#1=0\n#2=0\n#3=0\nWHILE[#1LT3]DO1\n#1=#1+1\n#2=#502\nEND1\n";
+    EXPECT_TRUE(reaches_uninitialised(loop + "IF[#2EQ7]GOTO10\n#5=1\nN10 G0Z#5\n", 5));
+    EXPECT_TRUE(reaches_uninitialised(loop + "#4=#2+1\nIF[#4EQ7]GOTO10\n#5=1\nN10 G0Z#5\n", 5));
+    // What they do not store is.
+    EXPECT_FALSE(reaches_uninitialised(loop +
+                                           "#4=#501\n#2=#4\nIF[#501EQ1]GOTO7\n#4=8\nGOTO8\nN7 #4=9\n"
+                                           "N8 IF[#4EQ9]GOTO9\n#5=1\nN9 IF[#501NE1]GOTO10\n#5=2\nN10 G0Z#5\n",
+                                       5));
+}
+
+TEST(FeasiblePaths, ALoopThatSetsTheVariableInItsRoundsIsNotPassedWithoutThem) {
+    EXPECT_FALSE(reaches_uninitialised("#1=0\nWHILE[#1LT3]DO1\n#5=#1\n#1=#1+1\nEND1\nG0Z#5\n", 5));
+    EXPECT_FALSE(
+        reaches_uninitialised("#1=0\nWHILE[#1LT3]DO1\nIF[#1EQ2]THEN #5=#1\n#1=#1+1\nEND1\nG0Z#5\n", 5));
+}
+
+TEST(FeasiblePaths, OfTwoDecisionsThatContradictEachOtherEitherMayBeTaken) {
+    const std::string second = "IF[#501EQ2]GOTO10\n#6=1\nN10 G0Z#6\n";
+    EXPECT_TRUE(reaches_uninitialised("IF[#501EQ1]GOTO5\nG0X5.\nN5 " + second, 6));
+    EXPECT_FALSE(reaches_uninitialised("IF[#501EQ1]GOTO5\n#6=5.\nN5 " + second, 6));
+}
+
+TEST(FeasiblePaths, ADecisionHoldsUntilItsVariableIsStored) {
+    const auto text = [](const std::string& between) {
+        return "IF[#501EQ1]GOTO5\n#6=1\nN5 " + between + "\nIF[#501EQ2]GOTO10\n#6=1\nN10 G0Z#6\n";
+    };
+    EXPECT_TRUE(reaches_uninitialised(text("#501=#5003"), 6));
+    EXPECT_FALSE(reaches_uninitialised(text("#502=#5003"), 6));
+}
+
+TEST(FeasiblePaths, AMoveBehindACountedLoopFollows) {
+    const auto workspace = test::analyse_fanuc("O1\n#1=0\nN2 G4P1\nN5 #1=#1+1\nIF[#1LT3]GOTO5\nG0X1.\nM30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    const auto last = static_cast<flow::NodeId>(program.graph().nodes.size() - 1);
+    EXPECT_TRUE(dataflow::can_follow(program.program(), program.graph(), program.data(), 1, last));
+}
+
+} // namespace
+} // namespace maclint

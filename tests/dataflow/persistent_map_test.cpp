@@ -1,0 +1,63 @@
+//! The maps and short lists that states are made of.
+#include "analyzer/dataflow/persistent_map.hpp"
+#include "analyzer/dataflow/small_vector.hpp"
+
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::dataflow {
+namespace {
+
+TEST(PersistentMap, EqualContentIsEqualHoweverItCameAbout) {
+    PersistentMap trees;
+    const Root forwards = trees.set(trees.set(trees.set(0, 1, 10), 2, 20), 900, 30);
+    const Root backwards = trees.set(trees.set(trees.set(0, 900, 30), 2, 20), 1, 10);
+    ASSERT_NE(forwards, backwards);
+    EXPECT_TRUE(trees.equal(forwards, backwards));
+    EXPECT_FALSE(trees.equal(forwards, trees.set(backwards, 2, 21)));
+    EXPECT_FALSE(trees.equal(forwards, trees.without(backwards, 2, 2)));
+    EXPECT_FALSE(trees.equal(forwards, 0));
+    EXPECT_FALSE(trees.equal(0, forwards));
+}
+
+TEST(PersistentMap, KeptMapsHoldWhatTheyHeld) {
+    PersistentMap trees;
+    Root first = trees.set(trees.set(0, 1, 10), 2, 20);
+    Root second = trees.set(first, 3, 30);
+    Root empty = 0;
+    (void)trees.set(second, 4, 40); // asked for by nobody
+    const std::vector<Root*> asked{&first, &second, &empty};
+    trees.keep_only(asked);
+    EXPECT_EQ(trees.find(first, 1), 10U);
+    EXPECT_EQ(trees.find(first, 3), std::nullopt);
+    EXPECT_EQ(trees.find(second, 2), 20U);
+    EXPECT_EQ(trees.find(second, 3), 30U);
+    EXPECT_EQ(trees.find(second, 4), std::nullopt);
+    EXPECT_EQ(empty, 0U);
+    EXPECT_EQ(trees.find(trees.set(first, 5, 50), 5), 50U);
+}
+
+TEST(SmallVector, KeepsOrderAndContentBeyondItsOwnRoom) {
+    SmallVector<int, 2> few{1, 3};
+    few.insert(few.begin() + 1, 2);
+    few.push_back(5);
+    few.insert(few.end() - 1, 4);
+    EXPECT_THAT(few, testing::ElementsAre(1, 2, 3, 4, 5));
+    const SmallVector<int, 2> copy = few;
+    few.cut_off(few.begin() + 1);
+    EXPECT_THAT(few, testing::ElementsAre(1));
+    EXPECT_THAT(copy, testing::ElementsAre(1, 2, 3, 4, 5));
+    EXPECT_FALSE(few == copy);
+}
+
+TEST(SmallVector, IsEmptyAfterItsContentMovedAway) {
+    SmallVector<int, 2> from{1, 2, 3};
+    const SmallVector<int, 2> to = std::move(from);
+    EXPECT_THAT(to, testing::ElementsAre(1, 2, 3));
+    EXPECT_TRUE(from.empty()); // NOLINT(bugprone-use-after-move): that is what is asked
+}
+
+} // namespace
+} // namespace maclint::dataflow

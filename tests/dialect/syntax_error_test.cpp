@@ -1,0 +1,125 @@
+//! Wrong blocks, and the cause that is told for each.
+#include "analyzer/dialect/fanuc/diagnose.hpp"
+#include "analyzer/dialect/fanuc/split.hpp"
+#include "tests/dialect/reading.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+using testing::lower;
+
+std::set<SyntaxErrorKind> causes_of_rule(std::string_view rule) {
+    static constexpr std::pair<std::string_view, SyntaxErrorKind> causes[] = {
+        {"MAC102", SyntaxErrorKind::unterminated_comment},
+        {"MAC116", SyntaxErrorKind::parenthesis_as_bracket},
+        {"MAC117", SyntaxErrorKind::bracket_mismatch},
+        {"MAC118", SyntaxErrorKind::unknown_keyword},
+        {"MAC118", SyntaxErrorKind::missing_construct},
+        {"MAC119", SyntaxErrorKind::symbolic_comparison},
+        {"MAC401", SyntaxErrorKind::call_without_program},
+        {"MAC701", SyntaxErrorKind::bracket_depth},
+        {"MAC311", SyntaxErrorKind::loop_without_do},
+    };
+    std::set<SyntaxErrorKind> of_rule;
+    for (const auto& [code, cause] : causes)
+        if (code == rule) of_rule.insert(cause);
+    return of_rule;
+}
+
+TEST(SyntaxErrors, WrongBlocksOfTheGrammarAreToldTheirCause) {
+    std::ifstream file(MACLINT_SOURCE_DIR "/grammar/fanuc/test/wrong-blocks.txt");
+    ASSERT_TRUE(file);
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t tab = line.find('\t');
+        if (tab == std::string::npos) continue;
+        const std::set<SyntaxErrorKind> wanted = causes_of_rule(line.substr(tab + 1));
+        if (wanted.empty()) continue;
+        std::set<SyntaxErrorKind> found;
+        for (const SyntaxError& syntax_error : testing::read(line.substr(0, tab)).syntax_errors)
+            found.insert(syntax_error.kind);
+        EXPECT_TRUE(std::ranges::any_of(found, [&](SyntaxErrorKind kind) { return wanted.contains(kind); }))
+            << line << '\n'
+            << lower(line.substr(0, tab));
+        EXPECT_FALSE(found.contains(SyntaxErrorKind::unreadable) && found.size() > 1)
+            << "told twice: " << line;
+    }
+}
+
+TEST(SyntaxErrors, WordsThatTheControlRefusesAreToldThoughTheyCanBeParsed) {
+    static constexpr std::pair<const char*, const char*> blocks[] = {
+        {"G1X--5", "! unreadable 'X--5' -> a number with at most one sign and one decimal point"},
+        {"G1X1..5", "! unreadable 'X1..5' -> a number with at most one sign and one decimal point"},
+        {"N#3G1X1.", "! unreadable 'N#3' -> the digits of a sequence number"},
+        {"O#1", "! unreadable 'O#1' -> the digits of a program number"},
+        {"##1=5", "! unreadable '##1' -> '#[#1]'"},
+        {"N1 21 G40", "! unreadable '21' -> an address before the number"},
+        {"(HOLES (8) / 1.7)",
+         "! unreadable '/ 1.7)' -> nothing behind the first ')', because comments do not nest"},
+        {"#4=#1>2", "! unreadable '>' -> a calculation, because only IF and WHILE compare"},
+        {"IF[#1>2]GOTO5", "! symbolic-comparison '>' -> GT"},
+        {"NEXT", "! unknown-keyword 'NEXT' -> END"},
+        {"ENDIF", "! missing-construct 'ENDIF' -> There is no block IF: delete the word, or let GOTO jump "
+                  "over the blocks"},
+        {"#1=[5 ELSE", "! bracket-mismatch '[' -> its ']' is missing"},
+        {"#1=5 ELSE IF", "! missing-construct 'ELSE' -> There is no block IF: let GOTO jump over the blocks"},
+    };
+    for (const auto& [block, reported] : blocks)
+        EXPECT_THAT(lower(block), ::testing::HasSubstr(reported)) << block;
+    for (const char* fine : {"G1X-#1", "#1=-[-5]", "#[#1]=5", "N1#1=5", "X-.5"})
+        EXPECT_TRUE(testing::read(fine).syntax_errors.empty()) << fine;
+}
+
+TEST(SyntaxErrors, AbbreviatedFunctionsAreWordsOfTheLanguage) {
+    EXPECT_THAT(lower("#1=RO(#2)"), ::testing::EndsWith("! parenthesis-as-bracket 'RO' -> [#2]"));
+    EXPECT_THAT(lower("#1=FI[#2]+AB[#3"),
+                ::testing::EndsWith("! bracket-mismatch '[' -> its ']' is missing"));
+}
+
+TEST(SyntaxErrors, TheNumberOfALoopStandsWithoutBrackets) {
+    EXPECT_EQ(testing::read("WHILE[#1LT5]DO(1)").syntax_errors.at(0).cure, "1");
+    EXPECT_EQ(testing::read("END(1)").syntax_errors.at(0).cure, "1");
+}
+
+TEST(SyntaxErrors, TheCureIsUtf8LikeTheSubject) {
+    EXPECT_EQ(testing::read("#1=SIN(\xE4)").syntax_errors.at(0).cure, "[\xC3\xA4]");
+}
+
+/// Every block of the files below the folder that is read without complaint has no cause of an error in it:
+/// inside noise the cause is looked for first.
+void expect_no_cause_in_good_blocks(const std::filesystem::path& folder) {
+    std::set<std::string> seen;
+    fanuc::RawBlock block;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::string text((std::istreambuf_iterator<char>(file)), {});
+        for (Offset at = 0; at < text.size(); at = std::max(block.next, at + 1)) {
+            fanuc::cut_block(text, at, block);
+            const std::string code = text.substr(block.span.begin, block.span.length());
+            if (code.empty() || !seen.insert(code).second) continue;
+            if (!testing::read(code).syntax_errors.empty()) continue;
+            const auto cause = fanuc::find_cause(code, {0, static_cast<Offset>(code.size())});
+            EXPECT_FALSE(cause) << entry.path() << ": " << code << "\n"
+                                << cause->subject << ": " << cause->cure;
+        }
+    }
+}
+
+TEST(SyntaxErrors, NoCauseIsToldOfAGoodBlock) {
+    expect_no_cause_in_good_blocks(MACLINT_SOURCE_DIR "/corpus/fanuc");
+    const auto outer = std::filesystem::path(MACLINT_SHARED) / "corpus" / "fanuc-macro";
+    if (std::filesystem::is_directory(outer)) expect_no_cause_in_good_blocks(outer);
+}
+
+} // namespace
+} // namespace maclint
