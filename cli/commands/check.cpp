@@ -140,7 +140,7 @@ int run_check(const CheckRequest& request) {
     auto inputs = inputs_of(request, settings, notices);
     const auto files = read_files(std::move(inputs), settings, request.jobs, *progress);
     LintResult result;
-    if (request.show_config == ShowConfig::no) result = lint(files, settings, request.jobs, *progress);
+    if (request.show_config == ShowConfig::no) result = lint(files, request.jobs, *progress);
     std::ranges::move(settings.take_notices(), std::back_inserter(notices));
     collect_notices(files, notices);
     progress.reset();

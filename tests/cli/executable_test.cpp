@@ -232,9 +232,15 @@ TEST_F(Executable, TellsOfAWrongConfigurationOnceAndEndsWith2) {
 }
 
 TEST_F(Executable, PointsIntoTheConfigurationWhenItNamesAnUnknownRule) {
-    folder.write(".maclint.json", "{\n  \"ignore\": [\"MAC30l\"]\n}\n");
-    folder.write("O1000.nc", good);
-    EXPECT_THAT(concise({}), StartsWith(".maclint.json:2:14: warning[MAC002] There is no rule 'MAC30l'."));
+    folder.write(".maclint.json", "{\n  \"select\": [\"MAC3O1\"]\n}\n");
+    folder.write("O1001.nc", bad);
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{}, {"--select", "MAC301"}, {"--ignore", "MAC002"}}) {
+        const Finished finished = run(arguments);
+        EXPECT_EQ(finished.status, 2);
+        EXPECT_EQ(finished.err, "maclint: error: .maclint.json: line 2, column 14: there is no rule "
+                                "'MAC3O1'. Did you mean 'MAC301'?\n");
+    }
 }
 
 TEST_F(Executable, ShowsWhatHoldsForAFile) {
