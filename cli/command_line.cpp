@@ -141,7 +141,13 @@ Sink sink_of(const std::string& output) {
 
 std::vector<Sink> sinks_of(const CheckWords& words) {
     std::vector<Sink> sinks;
-    for (const std::string& output : words.outputs) sinks.push_back(sink_of(output));
+    for (const std::string& output : words.outputs) {
+        Sink sink = sink_of(output);
+        if (std::ranges::find(sinks, sink.path, &Sink::path) != sinks.end())
+            refuse("--output names '" + shown(sink.path) +
+                   "' twice. Name another file for one of the reports.");
+        sinks.push_back(std::move(sink));
+    }
     const bool printed = std::ranges::any_of(sinks, [](const Sink& sink) { return sink.path == "-"; });
     if (!words.format.empty() && printed)
         refuse("--format and --output FORMAT:- both write to standard output. Leave one out.");

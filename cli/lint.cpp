@@ -1,8 +1,6 @@
 //! One workspace, one run of the union of all selections, then every file's own judgement.
 #include "cli/lint.hpp"
 
-#include "cli/suggest.hpp"
-
 #include <algorithm>
 #include <iterator>
 
@@ -49,34 +47,9 @@ void report_not_nc(const std::vector<ReadFile>& files, std::vector<Finding>& fin
     std::ranges::move(reporter.take(), std::back_inserter(findings));
 }
 
-/// A configuration file seen as a program file, so that findings have a place in it.
-std::shared_ptr<const ProgramFile> as_file(const Source& source) {
-    auto file = std::make_shared<ProgramFile>();
-    file->source = std::make_shared<const Source>(source);
-    file->control = controls().front();
-    return file;
-}
-
-void check_configuration(const Configuration& configuration, const RuleStates& states, LintResult& result) {
-    std::vector<FileRules> files;
-    for (const Source& source : configuration.sources) {
-        result.kept.push_back(as_file(source));
-        files.push_back({result.kept.back().get(), &states});
-    }
-    Reporter reporter(*find_rule("MAC002"));
-    for (const RuleWord* word : configuration.rule_words()) {
-        if (!rules_named(word->word).empty()) continue;
-        const auto similar = closest(word->word, rule_words());
-        auto arguments = similar ? std::vector{word->word, *similar} : std::vector{word->word};
-        reporter.report(*files[word->source].file, word->span, similar ? "similar" : "unknown",
-                        std::move(arguments));
-    }
-    std::ranges::move(apply_suppressions(reporter.take(), files), std::back_inserter(result.findings));
-}
-
 } // namespace
 
-LintResult lint(const std::vector<ReadFile>& files, Settings& settings, unsigned jobs, Progress& progress) {
+LintResult lint(const std::vector<ReadFile>& files, unsigned jobs, Progress& progress) {
     LintResult result;
     progress.begin("following the programs", 0);
     result.workspace = analyse(files, jobs);
@@ -90,9 +63,6 @@ LintResult lint(const std::vector<ReadFile>& files, Settings& settings, unsigned
         if (file.not_nc) result.kept.push_back(file.file);
     }
     result.findings = apply_suppressions(std::move(findings), filtered);
-    for (const auto& configuration : settings.configurations())
-        if (const auto own = settings.for_file(configuration->path))
-            check_configuration(*configuration, *own->rules, result);
     std::ranges::stable_sort(result.findings, comes_before, &FilteredFinding::finding);
     return result;
 }

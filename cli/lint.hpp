@@ -19,9 +19,7 @@ struct LintResult {
     std::vector<FilteredFinding> findings;
 };
 
-/// Runs the rules that any file wants over all files as one workspace. Configurations are looked through for
-/// rules that do not exist.
-[[nodiscard]] LintResult lint(const std::vector<ReadFile>& files, Settings& settings, unsigned jobs,
-                              Progress& progress);
+/// Runs the rules that any file wants over all files as one workspace.
+[[nodiscard]] LintResult lint(const std::vector<ReadFile>& files, unsigned jobs, Progress& progress);
 
 } // namespace maclint::cli

@@ -22,7 +22,7 @@ void print_notice(const Notice& notice);
 /// Writes to standard output; the exit status says whether that worked.
 [[nodiscard]] int print_text(std::string_view text);
 
-/// Writes a file, or standard output for "-". What went wrong, or nothing.
+/// Writes a file whole or not at all, or standard output for "-". What went wrong, or nothing.
 [[nodiscard]] std::optional<Notice> write_to(const std::string& path, std::string_view text);
 
 /// Colours for standard output.

@@ -1,5 +1,6 @@
 //! `maclint check`: find files, read, lint, report.
 #include "cli/commands/commands.hpp"
+#include "cli/commands/report_target.hpp"
 #include "cli/commands/show_config.hpp"
 #include "cli/lint.hpp"
 #include "cli/suggest.hpp"
@@ -139,8 +140,13 @@ int run_check(const CheckRequest& request) {
     std::vector<Notice> notices;
     auto inputs = inputs_of(request, settings, notices);
     const auto files = read_files(std::move(inputs), settings, request.jobs, *progress);
+    if (const auto refused = refuse_targets(request.sinks, files, settings)) {
+        progress.reset();
+        print_notice(*refused);
+        return exit_error;
+    }
     LintResult result;
-    if (request.show_config == ShowConfig::no) result = lint(files, settings, request.jobs, *progress);
+    if (request.show_config == ShowConfig::no) result = lint(files, request.jobs, *progress);
     std::ranges::move(settings.take_notices(), std::back_inserter(notices));
     collect_notices(files, notices);
     progress.reset();

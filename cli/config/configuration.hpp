@@ -21,11 +21,10 @@ namespace maclint::cli {
 /// The name of the file that is looked for.
 inline constexpr std::string_view configuration_name = ".maclint.json";
 
-/// A word for rules and the place where it stands, for MAC002.
+/// A word that names at least one rule.
 struct RuleWord {
     std::string word;
     std::size_t source; ///< which of Configuration::sources it stands in
-    Span span;
 };
 
 /// An entry of "files": what the matching files are written for.
@@ -62,8 +61,6 @@ struct Configuration {
 
     /// Of this configuration or of those built in, or nullptr.
     [[nodiscard]] const ControlModel* control(std::string_view name) const;
-    /// Every word that stands where rules are named.
-    [[nodiscard]] std::vector<const RuleWord*> rule_words() const;
 };
 
 /// Reads a configuration file and what it extends.

@@ -203,7 +203,8 @@ class Loader {
             const auto severity = severity_named(word);
             if (!severity)
                 reject(member.node.span, "there is no severity '" + word + "'. Write error, warning or note");
-            configuration_->severity.push_back({{member.key, source(), member.key_span}, *severity});
+            require_rules(member.key, member.key_span);
+            configuration_->severity.push_back({{member.key, source()}, *severity});
         }
     }
 
@@ -267,9 +268,19 @@ class Loader {
 
     std::vector<RuleWord> rule_words(const JsonNode& node, const std::string& what) {
         std::vector<RuleWord> words;
-        for (const JsonNode& element : array(node, what))
-            words.push_back({text(element, "an entry of " + what), source(), element.span});
+        for (const JsonNode& element : array(node, what)) {
+            const std::string& word = text(element, "an entry of " + what);
+            require_rules(word, element.span);
+            words.push_back({word, source()});
+        }
         return words;
+    }
+
+    /// A mistyped word in "select" would switch everything else off, so no such word is passed over.
+    void require_rules(const std::string& word, Span span) const {
+        if (rules_named(word).empty())
+            reject(span, "there is no rule '" + word + "'." +
+                             did_you_mean(word, cli::rule_words(), "See 'maclint rules' for the list."));
     }
 
     // ---- complaints
@@ -352,18 +363,6 @@ std::variant<std::shared_ptr<const Configuration>, Notice> load_configuration(co
 const ControlModel* Configuration::control(std::string_view name) const {
     const auto own = controls.find(name);
     return own != controls.end() ? own->second.get() : find_control(name);
-}
-
-std::vector<const RuleWord*> Configuration::rule_words() const {
-    std::vector<const RuleWord*> words;
-    const auto add = [&words](const std::vector<RuleWord>& more) {
-        for (const RuleWord& word : more) words.push_back(&word);
-    };
-    if (select) add(*select);
-    add(ignore);
-    for (const SeverityEntry& entry : severity) words.push_back(&entry.rules);
-    for (const PerFileIgnore& entry : per_file_ignores) add(entry.rules);
-    return words;
 }
 
 bool is_for(const ControlModel& control, const Dialect& dialect) {

@@ -63,6 +63,12 @@ Offset next_character(const Source& source, Offset at, Offset end) {
     return next;
 }
 
+/// What takes no column of its own is seen on the character that it sits on.
+void mark_carrier(std::vector<Cell>& cells) {
+    const auto carrier = std::ranges::find_if(cells.rbegin(), cells.rend(), &Cell::width);
+    if (carrier != cells.rend()) carrier->marked = true;
+}
+
 std::vector<Cell> cells_of(const Source& source, Span line, Span marked) {
     std::vector<Cell> cells;
     std::size_t column = 0;
@@ -70,6 +76,7 @@ std::vector<Cell> cells_of(const Source& source, Span line, Span marked) {
         const Offset next = next_character(source, at, line.end);
         Cell cell = cell_of(source, {at, next}, column);
         cell.marked = marked.overlaps({at, next});
+        if (cell.marked && cell.width == 0) mark_carrier(cells);
         column += cell.width;
         cells.push_back(std::move(cell));
         at = next;
@@ -117,12 +124,14 @@ FrameLine layout(const Source& source, std::uint32_t number, Span marked) {
     auto cells = cells_of(source, line, marked);
     cut(cells);
     FrameLine out{number, "", ""};
+    const bool any = std::ranges::any_of(cells, &Cell::marked);
     std::string waiting; // blanks count only when a caret follows
     for (const Cell& cell : cells) {
         out.text += cell.text;
         waiting.append(cell.width, cell.marked ? '^' : ' ');
         if (cell.marked) out.marks += std::exchange(waiting, "");
     }
+    if (any && out.marks.empty()) out.marks = "^"; // the line begins with what takes no column
     if (out.marks.empty() && marked.begin >= line.end) out.marks = waiting + "^"; // at the line's end
     if (out.marks.empty() && marked.empty()) {
         const Offset at = std::max(marked.begin, line.begin);

@@ -13,7 +13,7 @@ namespace maclint::cli {
 struct FrameLine {
     std::uint32_t number = 0; ///< 0: lines left out
     std::string text;
-    std::string marks; ///< blanks, then carets below the marked part
+    std::string marks; ///< blanks, then at least one caret below the marked part; or empty
 };
 
 /// The lines that `span` touches; of many only the first and the last.

@@ -1,4 +1,4 @@
-//! MAC002: a suppression comment or the configuration names no rule that exists. The command raises it.
+//! MAC002: a suppression comment names no rule that exists. The command raises it.
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
@@ -7,10 +7,8 @@ extern const Rule unknown_rule_in_suppression{
     .code = "MAC002",
     .name = "unknown-rule-in-suppression",
     .aliases = "",
-    .summary = "A suppression or the configuration names a rule that does not exist",
-    .why = "A mistyped code allows nothing: the finding it was meant for comes back, or, in the "
-           "configuration, a "
-           "rule that the shop relies on is never switched on.",
+    .summary = "A suppression names a rule that does not exist",
+    .why = "A mistyped code allows nothing: the finding that it was meant for comes back.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
     .on_by_default = true,

@@ -69,6 +69,7 @@ TEST(CommandLine, RefusesWhatItCannotUse) {
     EXPECT_THAT(refusal({"--jobs", "two"}), HasSubstr("whole number"));
     EXPECT_THAT(refusal({"--max-findings", "-1"}), HasSubstr("whole number"));
     EXPECT_THAT(refusal({"--output", "sarif"}), HasSubstr("FORMAT:FILE"));
+    EXPECT_THAT(refusal({"--output", "sarif:a", "--output", "json:a"}), HasSubstr("'a' twice"));
     EXPECT_THAT(refusal({"--severity", "MAC501"}), HasSubstr("RULE=LEVEL"));
     EXPECT_THAT(refusal({"--isolated", "--config", "x"}), HasSubstr("exclude each other"));
     EXPECT_THAT(refusal({"--format", "text", "--output", "json:-"}), HasSubstr("standard output"));

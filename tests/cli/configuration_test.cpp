@@ -86,6 +86,17 @@ TEST(Configuration, TellsUnknownKeysWithTheirPlaceAndTheLikelyOne) {
     EXPECT_THAT(refusal("{"), HasSubstr("this is no JSON"));
 }
 
+TEST(Configuration, RefusesWordsThatNameNoRuleWhereverTheyStand) {
+    for (const std::string_view text :
+         {R"({"select": ["MAC5", "MAC3O1"]})", R"({"ignore": ["MAC3O1"]})",
+          R"({"severity": {"MAC3O1": "note"}})", R"({"per-file-ignores": {"*.nc": ["MAC3O1"]}})"})
+        EXPECT_THAT(refusal(text), AllOf(HasSubstr("column " + std::to_string(text.find("\"MAC3O1\"") + 1)),
+                                         HasSubstr("there is no rule 'MAC3O1'. Did you mean 'MAC301'?")))
+            << text;
+    EXPECT_THAT(refusal(R"({"select": ["JUMP"]})"), HasSubstr("See 'maclint rules'"));
+    EXPECT_THAT(refusal(R"({"select": ["all", "mac3", "Jump-Into-Loop"]})"), "accepted");
+}
+
 TEST(Configuration, OfTheNearestFolderUpwardHolds) {
     const TemporaryFolder folder;
     folder.write(".maclint.json", R"({"ignore": ["MAC301"]})");

@@ -201,6 +201,43 @@ TEST_F(Executable, EndsWith2WhenAReportCannotBeWritten) {
     EXPECT_THAT(finished.err, HasSubstr("no/such/folder.sarif: cannot be written"));
 }
 
+TEST_F(Executable, WritesNoReportOverAProgram) {
+    folder.write("O1001.nc", bad);
+    folder.write("PART7", good);                        // found by no name
+    folder.write("PART8.txt", "G0 X1.\nG1 Y2. F100\n"); // without marks of a language
+    folder.write("klartext", "0 BEGIN PGM A MM\n1 L X+1 R0 FMAX M3\n2 END PGM A MM\n");
+    folder.write(".maclint.json", "{}");
+    fs::create_symlink("O1001.nc", folder.path() / "link.json");
+    const std::vector<std::pair<std::string, std::string>> refused = {
+        {"O1001.nc", "is one of the files to check"},  {"./sub/../O1001.nc", "is one of the files to check"},
+        {"link.json", "is one of the files to check"}, {"PART7", "holds an NC program"},
+        {"PART8.txt", "holds an NC program"},          {"klartext", "holds an NC program"},
+        {".maclint.json", "is a configuration"},       {"O77", "is named like an NC program"},
+        {"new.NC", "is named like an NC program"}};
+    folder.write("sub/x", "");
+    for (const auto& [target, reason] : refused) {
+        const Finished finished = run({"O1001.nc", "--output", "json:" + target});
+        EXPECT_EQ(finished.status, 2) << target;
+        EXPECT_THAT(finished.out, IsEmpty()) << target;
+        EXPECT_THAT(finished.err, AllOf(HasSubstr("'" + target + "'"), HasSubstr(reason))) << target;
+    }
+    EXPECT_EQ(read_file(folder.path() / "O1001.nc"), bad);
+    EXPECT_EQ(read_file(folder.path() / "PART7"), good);
+    EXPECT_EQ(read_file(folder.path() / ".maclint.json"), "{}");
+    EXPECT_FALSE(fs::exists(folder.path() / "O77"));
+}
+
+TEST_F(Executable, WritesReportsOverEarlierReports) {
+    folder.write("O1001.nc", bad);
+    folder.write("O1000.nc", good);
+    for (const std::string format : {"text", "concise", "json", "sarif"})
+        for (const std::string program : {"O1001.nc", "O1000.nc", "."})
+            for (const std::string name : {"report.txt", "report"}) {
+                const Finished finished = run({program, "--output", format + ":" + name});
+                EXPECT_NE(finished.status, 2) << format << ' ' << program << ' ' << finished.err;
+            }
+}
+
 TEST_F(Executable, ShowsNoMoreFindingsThanAskedButFailsForAll) {
     folder.write("O1001.nc", "%\nO1001\nIF[#500EQ1]GOTO98\nIF[#500EQ2]GOTO99\nM30\n%\n");
     const Finished finished = run({"--max-findings", "1", "--select", "MAC301"});
@@ -232,9 +269,15 @@ TEST_F(Executable, TellsOfAWrongConfigurationOnceAndEndsWith2) {
 }
 
 TEST_F(Executable, PointsIntoTheConfigurationWhenItNamesAnUnknownRule) {
-    folder.write(".maclint.json", "{\n  \"ignore\": [\"MAC30l\"]\n}\n");
-    folder.write("O1000.nc", good);
-    EXPECT_THAT(concise({}), StartsWith(".maclint.json:2:14: warning[MAC002] There is no rule 'MAC30l'."));
+    folder.write(".maclint.json", "{\n  \"select\": [\"MAC3O1\"]\n}\n");
+    folder.write("O1001.nc", bad);
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{}, {"--select", "MAC301"}, {"--ignore", "MAC002"}}) {
+        const Finished finished = run(arguments);
+        EXPECT_EQ(finished.status, 2);
+        EXPECT_EQ(finished.err, "maclint: error: .maclint.json: line 2, column 14: there is no rule "
+                                "'MAC3O1'. Did you mean 'MAC301'?\n");
+    }
 }
 
 TEST_F(Executable, ShowsWhatHoldsForAFile) {

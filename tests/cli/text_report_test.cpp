@@ -30,6 +30,22 @@ TEST(Frame, CountsWideCharactersTwiceAndCombiningOnesNot) {
     EXPECT_EQ(line_of("(e\xCC\x81) X1", {6, 8}), "(e\xCC\x81) X1\n    ^^");
 }
 
+TEST(Frame, MarksTheCharacterThatACombiningOneSitsOn) {
+    const std::string grave = "\xCC\x80";
+    EXPECT_EQ(line_of("X1 e" + grave + " Y", {4, 6}), "X1 e" + grave + " Y\n   ^");
+    EXPECT_EQ(line_of("X1 e" + grave + grave + " Y", {6, 8}), "X1 e" + grave + grave + " Y\n   ^");
+    EXPECT_EQ(line_of("X1 e" + grave + " Y", {4, 8}), "X1 e" + grave + " Y\n   ^^^");
+    EXPECT_EQ(line_of(grave + "X1", {0, 2}), grave + "X1\n^") << "nothing stands before it";
+    EXPECT_EQ(line_of(grave, {0, 2}), grave + "\n^");
+}
+
+TEST(TextReport, IsWrittenThoughAMarkedCharacterTakesNoColumn) {
+    HandMade made("O1.nc", "O1\nG0 X1. \xCC\x80\nM30\n");
+    made.add("\xCC\x80", Severity::error);
+    const std::string text = write_text(made.report(), plain);
+    EXPECT_THAT(text, HasSubstr(" 2 | G0 X1. \xCC\x80\n   |       ^\n"));
+}
+
 TEST(Frame, ShowsTextOfOtherEncodingsAsUtf8) { EXPECT_EQ(line_of("(\xF6) X1", {4, 6}), "(ö) X1\n    ^^"); }
 
 TEST(Frame, EscapesWhatATerminalWouldActOn) {

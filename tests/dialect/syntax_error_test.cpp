@@ -94,6 +94,17 @@ TEST(SyntaxErrors, TheCureIsUtf8LikeTheSubject) {
     EXPECT_EQ(testing::read("#1=SIN(\xE4)").syntax_errors.at(0).cure, "[\xC3\xA4]");
 }
 
+TEST(SyntaxErrors, TheListOfAnOutputStatementMayHoldAnyWords) {
+    for (const std::string block :
+         {"DPRNT[HOLE*NO/#122[40]/**HOLE*NAME/**CENTRE*DISTANCE]", "DPRNT[HOLES*OUT*OF*LIMITS]",
+          "BPRNT[IF*ANGLE<LIMIT*THEN*GOOD]", "N10DPRNT[WHILE*DIAMETER>=#1[33]*REWORK*PART]"}) {
+        EXPECT_TRUE(testing::read(block).syntax_errors.empty()) << block;
+        const auto cause = fanuc::find_cause(block, {0, static_cast<Offset>(block.size())});
+        EXPECT_FALSE(cause) << block << ": " << cause->subject;
+    }
+    EXPECT_EQ(testing::read("DPRNT[HOLES*OUT*OF*LIMITS").syntax_errors.at(0).cure, "its ']' is missing");
+}
+
 /// Every block of the files below the folder that is read without complaint has no cause of an error in it:
 /// inside noise the cause is looked for first.
 void expect_no_cause_in_good_blocks(const std::filesystem::path& folder) {

@@ -65,7 +65,7 @@ TEST_P(Corpus, RaisesWhatItsCommentsExpectAndNothingElse) {
     cli::Progress progress(cli::Progress::Shown::never);
     auto found = cli::discover({(corpus() / GetParam()).string()}, "stdin.nc", settings);
     const auto files = cli::read_files(std::move(found.files), settings, 2, progress);
-    const auto result = cli::lint(files, settings, 2, progress);
+    const auto result = cli::lint(files, 2, progress);
     Lines expected;
     for (const cli::ReadFile& file : files) {
         ASSERT_TRUE(file.file) << file.input.path << (file.notice ? file.notice->message : "");

@@ -16,7 +16,7 @@ cli::LintResult lint_texts(const std::vector<LintedText>& texts, cli::Overrides 
         files.push_back(cli::read_source({text.path, true, true, false}, *settings.for_file(text.path),
                                          Source::from_bytes(text.path, text.text)));
     cli::Progress progress(cli::Progress::Shown::never);
-    return cli::lint(files, settings, 1, progress);
+    return cli::lint(files, 1, progress);
 }
 
 cli::LintResult lint_text(std::string_view text) { return lint_texts({{"O1.nc", std::string(text)}}, {}); }

@@ -61,6 +61,13 @@ class ErrorExplainer {
         const std::string word = capitals(token);
         return word == "DPRNT" || word == "BPRNT" || word == "SETVN";
     }
+    /// The tokens before such a statement.
+    [[nodiscard]] std::span<const Token> code() const {
+        const auto text = std::ranges::find_if(tokens_, [&](const Token& token) {
+            return token.kind == TokenKind::letters && begins_free_text(token);
+        });
+        return {tokens_.begin(), text};
+    }
     /// Whether a '/' divides nothing: at the head of a block, behind another one, before a word.
     [[nodiscard]] bool marks_skip(std::size_t index, const Token* next) const {
         return index == 0 || text(tokens_[index - 1]) == "/" ||
@@ -231,7 +238,7 @@ std::optional<SyntaxError> ErrorExplainer::unknown_keyword() const {
 }
 
 bool ErrorExplainer::has_word(std::string_view keyword) const {
-    return std::ranges::any_of(tokens_, [&](const Token& token) {
+    return std::ranges::any_of(code(), [&](const Token& token) {
         if (token.kind != TokenKind::letters) return false;
         const std::string word = capitals(token);
         const std::vector<std::string_view> words = split_keywords(word);
@@ -241,7 +248,7 @@ bool ErrorExplainer::has_word(std::string_view keyword) const {
 
 std::optional<SyntaxError> ErrorExplainer::symbolic_comparison() const {
     if (!has_word("IF") && !has_word("WHILE")) return std::nullopt;
-    for (const Token& token : tokens_) {
+    for (const Token& token : code()) {
         if (token.kind != TokenKind::comparison) continue;
         const std::string_view sign = text(token);
         return make(SyntaxErrorKind::symbolic_comparison, token.span, sign,
@@ -288,18 +295,18 @@ std::optional<SyntaxError> ErrorExplainer::remark() const {
                         "nothing behind the first ')', because comments do not nest");
     }
     std::size_t words = 0;
-    std::size_t code = 0;
-    for (const Token& token : tokens_) {
+    std::size_t codes = 0;
+    for (const Token& token : code()) {
         if (token.kind == TokenKind::letters) {
             const std::string word = capitals(token);
             const bool plain = word.size() > 2 && split_keywords(word).empty() && !explain(word).known;
-            (plain ? words : code) += 1;
+            (plain ? words : codes) += 1;
         }
         if (token.kind == TokenKind::variable || token.kind == TokenKind::open ||
             token.kind == TokenKind::equals)
-            code += 2;
+            codes += 2;
     }
-    if (words < 2 || words * 2 < code) return std::nullopt;
+    if (words < 2 || words * 2 < codes) return std::nullopt;
     const Span all{tokens_.front().span.begin, tokens_.back().span.end};
     return make(SyntaxErrorKind::unreadable, all, text_.substr(all.begin, all.length()),
                 "( ) around a remark");

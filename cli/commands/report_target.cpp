@@ -1,0 +1,79 @@
+//! A program is known by having been named as one to check, by its name, or by its text.
+#include "cli/commands/report_target.hpp"
+
+#include "analyzer/dialect/dialect.hpp"
+#include "analyzer/source/content.hpp"
+#include "cli/suggest.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace maclint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool are_same_file(const std::string& one, const std::string& other) {
+    std::error_code none;
+    return fs::equivalent(one, other, none);
+}
+
+bool was_named(const std::vector<ReadFile>& files, const std::string& path) {
+    return std::ranges::any_of(files, [&](const ReadFile& file) {
+        return file.input.named && !file.input.standard_input && are_same_file(file.input.path, path);
+    });
+}
+
+bool is_configuration(const Settings& settings, const std::string& path) {
+    return std::ranges::any_of(settings.configurations(), [&](const auto& configuration) {
+        return std::ranges::any_of(configuration->sources,
+                                   [&](const Source& source) { return are_same_file(source.path(), path); });
+    });
+}
+
+/// Extensions that texts of all kinds bear say nothing.
+bool is_named_like_program(const std::string& path) {
+    return has_nc_extension(path) && is_worth_a_note(path);
+}
+
+/// What text and concise reports write beside places in programs, which alone look like blocks.
+bool may_be_report(std::string_view text) {
+    constexpr std::array<std::string_view, 4> words = {" checked", "error[", "warning[", "note["};
+    return std::ranges::any_of(words, [&](std::string_view word) { return text.find(word) != text.npos; });
+}
+
+bool holds_program(const std::string& path) {
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return false;
+    const auto result = Source::read_file(path);
+    const auto* source = std::get_if<Source>(&result);
+    if (source == nullptr || classify(source->bytes()) != Content::text) return false;
+    const Detection detection = detect_dialect(*source);
+    return !detection.not_nc_text && (detection.certain || !may_be_report(source->bytes()));
+}
+
+Notice refusal(const std::string& path, std::string_view what) {
+    return {NoticeKind::configuration, "",
+            "--output would write a report over '" + shown(path) + "', which " + std::string(what) +
+                ". Name another file for the report."};
+}
+
+} // namespace
+
+std::optional<Notice> refuse_targets(const std::vector<Sink>& sinks, const std::vector<ReadFile>& files,
+                                     const Settings& settings) {
+    for (const auto& [format, path] : sinks) {
+        if (path == "-") continue;
+        if (was_named(files, path)) return refusal(path, "is one of the files to check");
+        if (is_configuration(settings, path)) return refusal(path, "is a configuration");
+        if (holds_program(path)) return refusal(path, "holds an NC program");
+        if (is_named_like_program(path))
+            return Notice{NoticeKind::configuration, "",
+                          "--output would write a report to '" + shown(path) +
+                              "', which is named like an NC program. Name another file for the report."};
+    }
+    return std::nullopt;
+}
+
+} // namespace maclint::cli
