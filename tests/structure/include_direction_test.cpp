@@ -1,5 +1,5 @@
-//! Dependencies point one way (grammar, analyzer, rules, cli), and what is right of the program model knows
-//! no dialect.
+//! Dependencies point one way, between the rooms of the analyzer too, and what is right of the program model
+//! knows no dialect.
 #include "tests/structure/project_files.hpp"
 
 #include <algorithm>
@@ -18,17 +18,32 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr std::array<std::string_view, 4> layers = {"grammar", "analyzer", "rules", "cli"};
+/// A room includes only what stands before it.
+constexpr std::array<std::string_view, 13> layers = {"grammar/",
+                                                     "analyzer/source/",
+                                                     "analyzer/syntax/",
+                                                     "analyzer/program/",
+                                                     "analyzer/semantics/",
+                                                     "analyzer/dialect/",
+                                                     "analyzer/flow/",
+                                                     "analyzer/dataflow/",
+                                                     "analyzer/workspace/",
+                                                     "analyzer/execution/",
+                                                     "analyzer/queries/",
+                                                     "rules/",
+                                                     "cli/"};
 
-constexpr std::array<std::string_view, 5> dialect_blind = {
-    "analyzer/program/", "analyzer/flow/", "analyzer/dataflow/", "analyzer/workspace/", "rules/"};
+constexpr std::array<std::string_view, 8> dialect_blind = {
+    "analyzer/program/",   "analyzer/semantics/", "analyzer/flow/",    "analyzer/dataflow/",
+    "analyzer/workspace/", "analyzer/execution/", "analyzer/queries/", "rules/"};
 
 constexpr std::array<std::string_view, 5> dialects = {"fanuc", "nct", "haas", "dinplus", "sinumerik"};
 
-/// Position of a path's first folder in the layers; their number when it is none of them.
+/// Position of a path's room in the layers; their number when it is in none of them.
 std::size_t layer_of(std::string_view path) {
-    const auto folder = path.substr(0, path.find('/'));
-    return static_cast<std::size_t>(std::find(layers.begin(), layers.end(), folder) - layers.begin());
+    const auto room =
+        std::ranges::find_if(layers, [&](std::string_view layer) { return path.starts_with(layer); });
+    return static_cast<std::size_t>(room - layers.begin());
 }
 
 bool is_dialect_blind(std::string_view path) {
@@ -95,6 +110,11 @@ std::vector<std::string> dialect_names(const std::vector<ProjectFile>& files) {
     return found;
 }
 
+TEST(Dependencies, EverySourceOfTheAnalyzerStandsInARoom) {
+    for (const ProjectFile& file : sources())
+        EXPECT_TRUE(!file.path.starts_with("analyzer/") || layer_of(file.path) < layers.size()) << file.path;
+}
+
 TEST(Dependencies, PointFromTheCommandLineToTheGrammarAndNeverBack) {
     EXPECT_THAT(backward_includes(sources()), IsEmpty());
 }
@@ -109,6 +129,14 @@ TEST(DependencyCheck, FindsABackwardInclude) {
     const std::vector<ProjectFile> files = {{"analyzer/flow/graph.cpp", "#include \"rules/rule.hpp\"\n"},
                                             {"rules/registry.cpp", "#include \"analyzer/flow/graph.hpp\"\n"}};
     EXPECT_THAT(backward_includes(files), ElementsAre("analyzer/flow/graph.cpp includes rules/rule.hpp"));
+}
+
+TEST(DependencyCheck, FindsABackwardIncludeBetweenRoomsOfTheAnalyzer) {
+    const std::vector<ProjectFile> files = {
+        {"analyzer/flow/graph.cpp", "#include \"analyzer/dataflow/state.hpp\"\n"},
+        {"analyzer/dataflow/state.cpp", "#include \"analyzer/flow/graph.hpp\"\n"}};
+    EXPECT_THAT(backward_includes(files),
+                ElementsAre("analyzer/flow/graph.cpp includes analyzer/dataflow/state.hpp"));
 }
 
 TEST(DependencyCheck, FindsARuleThatReachesIntoADialect) {
