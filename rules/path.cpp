@@ -29,7 +29,7 @@ std::string words_for(const ProgramAnalysis& analysis, const flow::Edge& edge) {
     case flow::EdgeKind::next: return {};
     case flow::EdgeKind::branch:
         return "the condition '" + quoted(program, program.expressions[*edge.condition].span) +
-               (edge.holds ? "' holds here" : "' does not hold here");
+               (edge.holds ? "' is true here" : "' is not true here");
     case flow::EdgeKind::jump:
     case flow::EdgeKind::computed:
         return "jumps to line " + line_number(analysis.file(), analysis.graph().nodes[edge.to].part.begin);

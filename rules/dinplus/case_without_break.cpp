@@ -26,7 +26,7 @@ extern const Rule case_without_break{
     .off_reason = "",
     .data_flow = false,
     .messages = {{"plain", "The branch of '{0}' runs into '{1}' in line {2}: no BREAK ends it. Add BREAK "
-                           "behind its last block."}},
+                           "after its last block."}},
     .bad = {{"dinplus", "MACHINING\n"
                         "N10 INPUT(\"Size\",#l1)\n"
                         "N11 SWITCH #l1\n"

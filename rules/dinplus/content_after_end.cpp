@@ -14,15 +14,15 @@ extern const Rule content_after_end{
     .code = "DIN103",
     .name = "content-after-end",
     .aliases = "",
-    .summary = "Blocks or sections behind the word that closes the program",
-    .why = "The control reads a program up to END: what stands behind it never runs.",
+    .summary = "Blocks or sections after the word that closes the program",
+    .why = "The control reads a program up to END: what stands after it never runs.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
     .messages = {{"plain",
-                  "'{0}' stands behind {1} in line {2} and never runs. Move it before, or remove it."}},
+                  "'{0}' stands after {1} in line {2} and never runs. Move it before, or remove it."}},
     .bad = {{"dinplus", "MACHINING\n"
                         "N10 G14 Q0\n"
                         "N20 M30\n"

@@ -20,9 +20,10 @@ extern const Rule g920_not_reset{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"every-way", "'{0}' is still active when the program ends. Cancel it with {1} first."},
-                 {"some-ways", "'{0}' is still active on some of the ways on which the program ends. Cancel "
-                               "it with {1} on those, too."}},
+    .messages = {{"every-path", "'{0}' is still active when the program ends. Cancel it with {1} first."},
+                 {"some-paths",
+                  "'{0}' is still active on some of the paths on which the program ends. Cancel "
+                  "it with {1} on those, too."}},
     .bad = {{"dinplus", "MACHINING\n"
                         "N10 T12\n"
                         "N11 G921\n"

@@ -24,7 +24,7 @@ extern const Rule if_unbalanced{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"never-closed", "'{0}' has no ENDIF. Add it behind the last block of the branch."},
+    .messages = {{"never-closed", "'{0}' has no ENDIF. Add it after the last block of the branch."},
                  {"never-opened", "'{0}' belongs to no IF. Remove it, or add the IF."},
                  {"crossed", "'{0}' ends the branch while '{1}' of line {2} is still open. End that first."}},
     .bad = {{"dinplus", "MACHINING\n"

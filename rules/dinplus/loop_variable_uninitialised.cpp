@@ -27,8 +27,9 @@ extern const Rule loop_variable_uninitialised{
     .messages =
         {{"plain",
           "The loop counts in {0}, which the program has not set before. Set it in front of the loop."},
-         {"some-ways", "The loop counts in {0}, which the program has not set on every way to the loop. Set "
-                       "it in front of the loop."}},
+         {"some-paths",
+          "The loop counts in {0}, which the program has not set on every path to the loop. Set "
+          "it in front of the loop."}},
     .bad = {{"dinplus", "MACHINING\n"
                         "N10 WHILE #c4<10\n"
                         "N11 G0 X10 Z2\n"
@@ -75,7 +76,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
                 return store.variable == counter->variable && !loop.holds(store.node);
             });
-        Finding& finding = reporter.report(analysis.file(), span, sometimes ? "some-ways" : "plain",
+        Finding& finding = reporter.report(analysis.file(), span, sometimes ? "some-paths" : "plain",
                                            {program.spell(counter->variable)});
         finding.path = steps_along(analysis, *path);
         finding.path.push_back({&analysis.file(), span, "the loop begins, and nothing has set its counter"});

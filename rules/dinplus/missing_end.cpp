@@ -24,7 +24,7 @@ extern const Rule missing_end{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"plain", "The program is not closed: {0} is missing behind this block. Add it, or look for "
+    .messages = {{"plain", "The program is not closed: {0} is missing after this block. Add it, or look for "
                            "the rest of the file."}},
     .bad = {{"dinplus", "%PIN.nc\n"
                         "MACHINING\n"

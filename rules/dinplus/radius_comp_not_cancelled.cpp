@@ -29,9 +29,10 @@ extern const Rule radius_comp_not_cancelled{
     .off_reason = "",
     .data_flow = true,
     .messages = {{"tool", "'{0}' is still active at '{2}' in line {3}. Cancel it with {1} before."},
-                 {"every-way", "'{0}' is still active when the program ends. Cancel it with {1} first."},
-                 {"some-ways", "'{0}' is still active on some of the ways on which the program ends. Cancel "
-                               "it with {1} on those, too."}},
+                 {"every-path", "'{0}' is still active when the program ends. Cancel it with {1} first."},
+                 {"some-paths",
+                  "'{0}' is still active on some of the paths on which the program ends. Cancel "
+                  "it with {1} on those, too."}},
     .bad = {{"dinplus", "MACHINING\n"
                         "N10 T2\n"
                         "N11 G0 X18 Z3\n"

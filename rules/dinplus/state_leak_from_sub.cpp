@@ -22,10 +22,10 @@ extern const Rule state_leak_from_sub{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"every-way", "'{0}' is still active when the subprogram returns, and the caller goes on "
-                               "with it. Cancel it with {1} before RETURN."},
-                 {"some-ways", "'{0}' is still active on some of the ways on which the subprogram returns. "
-                               "Cancel it with {1} on those, too."}},
+    .messages = {{"every-path", "'{0}' is still active when the subprogram returns, and the caller goes on "
+                                "with it. Cancel it with {1} before RETURN."},
+                 {"some-paths", "'{0}' is still active on some of the paths on which the subprogram returns. "
+                                "Cancel it with {1} on those, too."}},
     .bad = {{"dinplus", "%SEAT.ncs\n"
                         "MACHINING\n"
                         "N1 G0 X40 Z2\n"

@@ -22,7 +22,7 @@ extern const Rule switch_unbalanced{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"never-closed", "'{0}' has no ENDSWITCH. Add it behind the last branch."},
+    .messages = {{"never-closed", "'{0}' has no ENDSWITCH. Add it after the last branch."},
                  {"never-opened", "'{0}' belongs to no SWITCH. Remove it, or add the SWITCH."},
                  {"crossed",
                   "'{0}' ends the branches while '{1}' of line {2} is still open. End that first."}},

@@ -21,7 +21,7 @@ extern const Rule unit_unbalanced{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"never-closed", "'{0}' has no END_OF_UNIT. Add it behind the last block of the unit."},
+    .messages = {{"never-closed", "'{0}' has no END_OF_UNIT. Add it after the last block of the unit."},
                  {"never-opened", "'{0}' ends no unit. Remove it, or add the UNIT that it belongs to."},
                  {"nested",
                   "'{0}' stands inside the unit of line {1}, and units do not nest. End that one first."},

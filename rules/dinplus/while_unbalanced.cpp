@@ -22,7 +22,7 @@ extern const Rule while_unbalanced{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"never-closed", "'{0}' has no ENDWHILE. Add it behind the last block of the loop."},
+    .messages = {{"never-closed", "'{0}' has no ENDWHILE. Add it after the last block of the loop."},
                  {"never-opened", "'{0}' ends no loop. Remove it, or add the WHILE."},
                  {"crossed", "'{0}' ends the loop while '{1}' of line {2} is still open. End that first."}},
     .bad = {{"dinplus", "MACHINING\n"

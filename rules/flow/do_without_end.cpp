@@ -22,7 +22,7 @@ extern const Rule do_without_end{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"plain", "'{0}' has no END, and the control stops here. Add the END behind the loop's last "
+    .messages = {{"plain", "'{0}' has no END, and the control stops here. Add the END after the loop's last "
                            "block."},
                  {"other-number", "'{0}' has no END, and '{1}' in line {2} closes no loop. Give both the "
                                   "same number."}},

@@ -21,7 +21,7 @@ extern const Rule do_without_while{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"plain", "The loop of '{0}' has no condition and no way out, so it never ends. Give it a "
+    .messages = {{"plain", "The loop of '{0}' has no condition and no exit, so it never ends. Give it a "
                            "WHILE, or leave it with IF and GOTO."}},
     .bad = {{"fanuc", "O9318(WARM UP)\n"
                       "DO1\n"

@@ -30,12 +30,12 @@ extern const Rule duplicate_sequence_number{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = false,
-    .messages = {{"behind",
-                  "N{0} stands {2}, and '{1}' takes the one in line {3}, the next behind it. Give each block "
+    .messages = {{"after",
+                  "N{0} stands {2}, and '{1}' takes the one in line {3}, the next after it. Give each block "
                   "a number of its own."},
                  {"from-the-top",
                   "N{0} stands {2}, and '{1}' takes the one in line {3}, the first of the program, as "
-                  "none is behind it. Give each block a number of its own."},
+                  "none is after it. Give each block a number of its own."},
                  {"plain",
                   "N{0} stands {2}, and '{1}' leads to it: which block is taken depends on where the search "
                   "starts. Give each block a number of its own."}},
@@ -88,7 +88,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, std::int64_t nu
     std::string_view message = "plain";
     if (const flow::Label* taken = taken_by(analysis, user)) {
         words.push_back(line_number(analysis.file(), taken->span.begin));
-        message = taken->span.begin > span.begin ? "behind" : "from-the-top";
+        message = taken->span.begin > span.begin ? "after" : "from-the-top";
     }
     Finding& finding = reporter.report(analysis.file(), blocks[1], message, std::move(words));
     for (std::size_t i = 0; i < blocks.size(); ++i)

@@ -16,7 +16,7 @@ extern const Rule endless_jump_loop{
     .code = "MAC336",
     .name = "endless-jump-loop",
     .aliases = "",
-    .summary = "A jump closes a cycle of blocks from which no way leads out and in which nothing can"
+    .summary = "A jump closes a cycle of blocks from which no path leads out and in which nothing can"
                " stop",
     .why = "The control repeats the blocks until somebody presses reset.",
     .severity = Severity::error,
@@ -25,7 +25,7 @@ extern const Rule endless_jump_loop{
     .off_reason = "",
     .data_flow = true,
     .messages = {{"plain",
-                  "'{0}' repeats the blocks from line {1} on for ever: no way leads out of them. Count "
+                  "'{0}' repeats the blocks from line {1} on for ever: no path leads out of them. Count "
                   "the passes, or leave them with IF and GOTO."}},
     .bad = {{"fanuc", "O9336(WAIT)\n"
                       "N10 G0 X0\n"

@@ -30,8 +30,8 @@ extern const Rule infinite_loop_unchanged{
     .messages = {{"unchanged",
                   "The loop of '{0}' never ends once it runs: nothing in it changes {1}. Change the "
                   "variable in the loop, or leave the loop."},
-                 {"no-way-out",
-                  "The loop of '{0}' never ends: there is no way out of it. Count in a variable that "
+                 {"no-exit",
+                  "The loop of '{0}' never ends: nothing leads out of it. Count in a variable that "
                   "its condition asks, or leave it."}},
     .bad = {{"fanuc", "O9319(ROWS)\n"
                       "#33=0\n"
@@ -156,7 +156,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Span span = variable_of(analysis, loop);
         const std::string text = quoted(analysis.program(), span);
         Finding& finding = deciders.variables.empty()
-                               ? reporter.report(analysis.file(), span, "no-way-out", {text})
+                               ? reporter.report(analysis.file(), span, "no-exit", {text})
                                : reporter.report(analysis.file(), span, "unchanged",
                                                  {text, list(analysis.program(), deciders.variables)});
         trace_round(finding, analysis, loop, "and nothing has changed");

@@ -26,11 +26,11 @@ extern const Rule compensation_or_transform_left_active{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"every-way",
+    .messages = {{"every-path",
                   "'{0}' is still active when the program is left: every later move is subject to "
                   "it. Cancel it with {1} first."},
-                 {"some-ways",
-                  "'{0}' is still active on some of the ways on which the program is left: every "
+                 {"some-paths",
+                  "'{0}' is still active on some of the paths on which the program is left: every "
                   "later move is subject to it. Cancel it with {1} on those, too."}},
     .bad = {{"fanuc", "O9502(SLOT AT AN ANGLE)\n"
                       "G68 X0 Y0 R30.\n"

@@ -24,11 +24,12 @@ extern const Rule feed_or_speed_not_restored{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"every-way",
+    .messages = {{"every-path",
                   "'{0}' is still in force when the macro returns: the caller's {1} is lost. Save "
                   "{2} at the start and put it back before M99."},
-                 {"some-ways", "'{0}' is still in force on some of the ways on which the macro returns: the "
-                               "caller's {1} is lost there. Put it back on those, too."}},
+                 {"some-paths",
+                  "'{0}' is still in force on some of the paths on which the macro returns: the "
+                  "caller's {1} is lost there. Put it back on those, too."}},
     .bad = {{"fanuc", "O9503(PLUNGE, Z DEPTH F FEED)\n"
                       "G1 Z#26 F#9\n"
                       "M99\n"}},

@@ -107,7 +107,7 @@ Span span_of(const ProgramAnalysis& analysis, const ModalLeak& leak) { return sp
 
 void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const ModalLeak& leak,
                  std::vector<std::string> arguments) {
-    report_leak(analysis, reporter, leak, leak.on_every_path ? "every-way" : "some-ways",
+    report_leak(analysis, reporter, leak, leak.on_every_path ? "every-path" : "some-paths",
                 std::move(arguments));
 }
 

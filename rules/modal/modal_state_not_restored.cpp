@@ -17,7 +17,7 @@ extern const Rule modal_state_not_restored{
     .name = "modal-state-not-restored",
     .aliases = "",
     .summary = "A called program leaves a modal group at a code that is not the customary one, on "
-               "every way out or on some",
+               "every exit or on some",
     .why = "The caller goes on in another mode than the one it was written in: with G91 its next "
            "absolute position is an incremental move, with G18 its next arc lies in another "
            "plane.",
@@ -26,10 +26,10 @@ extern const Rule modal_state_not_restored{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"every-way", "'{0}' is still in force when the program returns: the caller's {1} is lost. "
-                               "Save it at the start and put it back before every M99."},
-                 {"some-ways",
-                  "'{0}' is still in force on some of the ways on which the program returns: the "
+    .messages = {{"every-path", "'{0}' is still in force when the program returns: the caller's {1} is lost. "
+                                "Save it at the start and put it back before every M99."},
+                 {"some-paths",
+                  "'{0}' is still in force on some of the paths on which the program returns: the "
                   "caller's {1} is lost there. Put it back on those, too."}},
     .bad = {{"fanuc", "O9501(ONE STEP UP)\n"
                       "G91 G0 Z10.\n"

@@ -23,11 +23,11 @@ extern const Rule motion_mode_not_restored{
     .on_by_default = false,
     .off_reason = "most programs give the motion code again after a call",
     .data_flow = true,
-    .messages = {{"every-way",
+    .messages = {{"every-path",
                   "'{0}' is still in force when the program returns: the caller's motion mode is "
                   "lost. Save it at the start and put it back before M99."},
-                 {"some-ways",
-                  "'{0}' is still in force on some of the ways on which the program returns: the "
+                 {"some-paths",
+                  "'{0}' is still in force on some of the paths on which the program returns: the "
                   "caller's motion mode is lost there. Put it back on those, too."}},
     .bad = {{"fanuc", "O9504(UP)\n"
                       "G0 Z10.\n"

@@ -16,7 +16,7 @@ extern const Rule single_block_suppression_not_restored{
     .code = "MAC515",
     .name = "single-block-suppression-not-restored",
     .aliases = "",
-    .summary = "#3003 or #3004 is set and not put back to 0 on every way out: single block, feed "
+    .summary = "#3003 or #3004 is set and not put back to 0 on every exit: single block, feed "
                "hold and override stay disabled",
     .why = "The operator presses feed hold or switches to single block, and the machine goes on "
            "moving.",
@@ -25,10 +25,10 @@ extern const Rule single_block_suppression_not_restored{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"every-way", "'{0}' is still in force when the program is left: the {1} stays on. Set it "
-                               "back to 0 before every way out."},
-                 {"some-ways",
-                  "'{0}' is still in force on some of the ways on which the program is left: the "
+    .messages = {{"every-path", "'{0}' is still in force when the program is left: the {1} stays on. Set it "
+                                "back to 0 before every exit."},
+                 {"some-paths",
+                  "'{0}' is still in force on some of the paths on which the program is left: the "
                   "{1} stays on. Set it back to 0 on those, too."}},
     .bad = {{"fanuc", "O9515(UP WITHOUT A STOP)\n"
                       "#3003=1\n"

@@ -19,7 +19,7 @@ extern const Rule constant_condition{
     .code = "MAC718",
     .name = "constant-condition",
     .aliases = "DIN405",
-    .summary = "A condition always holds or never does, because of what the program did before",
+    .summary = "A condition is always true or never, because of what the program did before",
     .why = "Blocks run that should have been left out, or never run. Often another variable was "
            "meant, or an earlier test already went away with the case.",
     .severity = Severity::warning,
@@ -27,8 +27,8 @@ extern const Rule constant_condition{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"never", "'{0}' never holds here. Correct the condition, or remove what it guards."},
-                 {"always", "'{0}' always holds here. Correct the condition, or remove it."}},
+    .messages = {{"never", "'{0}' is never true here. Correct the condition, or remove what it guards."},
+                 {"always", "'{0}' is always true here. Correct the condition, or remove it."}},
     .bad = {{"fanuc", "O9718(LEVELS, K LEVEL)\n"
                       "IF[#6GT5]GOTO1\n"
                       "IF[#6GT10]GOTO2\n"
@@ -169,7 +169,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Span span = program.expressions[condition.expression].span;
         Finding& finding = reporter.report(analysis.file(), span, truth.can_hold ? "always" : "never",
                                            {quoted(program, span)});
-        trace(finding, analysis, condition.node, truth.can_hold ? "it always holds" : "it never holds");
+        trace(finding, analysis, condition.node, truth.can_hold ? "it is always true" : "it is never true");
     }
 }
 

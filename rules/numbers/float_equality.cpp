@@ -31,13 +31,13 @@ extern const Rule float_equality{
     .messages = {{"equal", "'{0}' may fail for numbers that are equal on paper: '{1}' is rounded. Compare "
                            "the distance instead: whether its ABS is less than 0.001."},
                  {"not-equal",
-                  "'{0}' may hold for numbers that are equal on paper: '{1}' is rounded. Compare "
+                  "'{0}' may be true for numbers that are equal on paper: '{1}' is rounded. Compare "
                   "the distance instead: whether its ABS is 0.001 or more."},
                  {"sum-equal",
-                  "'{0}' may fail when the steps added to {1} have decimals: ten steps of 0.1 are not 1. "
+                  "'{0}' may be false when the steps added to {1} have decimals: ten steps of 0.1 are not 1. "
                   "Compare the distance instead: whether its ABS is less than 0.001."},
                  {"sum-not-equal",
-                  "'{0}' may hold for ever when the steps added to {1} have decimals: ten steps of "
+                  "'{0}' may stay true for ever when the steps added to {1} have decimals: ten steps of "
                   "0.1 are not 1. Compare the distance instead: whether its ABS is 0.001 or more."}},
     .bad = {{"fanuc", "O9710(HALF A TURN, A ANGLE)\n"
                       "#33=#1/3\n"

@@ -8,7 +8,7 @@ extern const Rule unterminated_comment{
     .name = "unterminated-comment",
     .aliases = "DIN012",
     .summary = "A comment is opened and not closed: the rest of the block is swallowed",
-    .why = "Whatever stands behind the open bracket is text for the control: a word or a whole "
+    .why = "Whatever stands after the open bracket is text for the control: a word or a whole "
            "statement that the author counts on is never executed. Some controls swallow the "
            "following blocks, too.",
     .severity = Severity::error,

@@ -35,13 +35,14 @@ extern const Rule uninitialised_local{
                     "it, unless I, J and K are repeated. Set it first, or correct the number."},
          {"not-passed", "'{0}' is vacant here: this program has not set it, and no caller passes it. Set it "
                         "first, or pass the argument."},
-         {"some-ways", "'{0}' is vacant here when the way that sets it is not taken. Set it on every way, "
-                       "or test it with EQ #0 first."},
+         {"some-paths", "'{0}' is vacant here when the path that sets it is not taken. Set it on every path, "
+                        "or test it with EQ #0 first."},
          {"undefined", "'{0}' has no value here: this program has not set it. Set it first, or correct the "
                        "name."},
          {"undefined-not-passed", "'{0}' has no value here: no caller passes it. Pass it in the call."},
-         {"undefined-some-ways", "'{0}' has no value here when the way that sets it is not taken. Set it on "
-                                 "every way."}},
+         {"undefined-some-paths",
+          "'{0}' has no value here when the path that sets it is not taken. Set it on "
+          "every path."}},
     .bad = {{"fanuc", "O0209(FACE)\n"
                       "#100=10.\n"
                       "G90 G54 G0 X0 Y0\n"
@@ -132,7 +133,7 @@ bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
 
 std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     const bool vacant = dataflow::may_hold_vacant(analysis.program(), read.variable);
-    if (read.value.vacancy == dataflow::Vacancy::maybe) return vacant ? "some-ways" : "undefined-some-ways";
+    if (read.value.vacancy == dataflow::Vacancy::maybe) return vacant ? "some-paths" : "undefined-some-paths";
     const auto& formals = analysis.control().formals;
     const bool formal = std::ranges::find(formals, read.variable) != formals.end();
     if (!vacant) return formal ? "undefined-not-passed" : "undefined";

@@ -24,10 +24,10 @@ extern const Rule vacancy_lost_in_arithmetic{
     .off_reason = "",
     .data_flow = true,
     .messages = {{"never-vacant",
-                  "'{0}' never holds: '{1}' is the result of arithmetic, which takes vacant for 0. "
+                  "'{0}' is never true: '{1}' is the result of arithmetic, which takes vacant for 0. "
                   "Test the variable itself with EQ #0."},
                  {"always-set",
-                  "'{0}' always holds: '{1}' is the result of arithmetic, which takes vacant for 0. "
+                  "'{0}' is always true: '{1}' is the result of arithmetic, which takes vacant for 0. "
                   "Test the variable itself with NE #0."}},
     .bad = {{"fanuc", "O9222(FACE, K DEPTH)\n"
                       "IF[[#6*1]EQ#0]GOTO9\n"

@@ -16,7 +16,7 @@ extern const Rule vacancy_test_never_true{
     .code = "MAC228",
     .name = "vacancy-test-never-true",
     .aliases = "",
-    .summary = "A variable that is set on every way to the test is compared with #0: it is never vacant",
+    .summary = "A variable that is set on every path to the test is compared with #0: it is never vacant",
     .why = "A test for 0 was probably meant. As it stands, the blocks that the test guards never run, or "
            "always.",
     .severity = Severity::warning,
@@ -24,12 +24,13 @@ extern const Rule vacancy_test_never_true{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"never-vacant",
-                  "'{0}' never holds: {1} has been set on every way that leads here. Test what it was made "
-                  "of, or write 'EQ 0' if the value 0 is meant."},
-                 {"always-set",
-                  "'{0}' always holds: {1} has been set on every way that leads here. Test what it was made "
-                  "of, or write 'NE 0' if the value 0 is meant."}},
+    .messages =
+        {{"never-vacant",
+          "'{0}' is never true: {1} has been set on every path that leads here. Test what it was made "
+          "of, or write 'EQ 0' if the value 0 is meant."},
+         {"always-set",
+          "'{0}' is always true: {1} has been set on every path that leads here. Test what it was made "
+          "of, or write 'NE 0' if the value 0 is meant."}},
     .bad = {{"fanuc", "O9228(CLEARANCE FROM R AND Z)\n"
                       "#33=#18-#26\n"
                       "IF[#33EQ#0]GOTO9\n"

@@ -20,14 +20,15 @@ extern const Rule zero_test_misses_vacant{
     .summary = "EQ 0 or NE 0 on a value that can be vacant: vacant is not equal to 0 there",
     .why =
         "When the argument is missing, the test takes it for a number other than 0: the check is passed, and "
-        "arithmetic behind it works with 0 all the same.",
+        "arithmetic after it works with 0 all the same.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"equal", "'{0}' does not hold when {1} is vacant. Test for both: add a test with EQ #0."},
-                 {"not-equal", "'{0}' also holds when {1} is vacant. Test for both: add a test with NE #0."}},
+    .messages = {{"equal", "'{0}' is not true when {1} is vacant. Test for both: add a test with EQ #0."},
+                 {"not-equal",
+                  "'{0}' is also true when {1} is vacant. Test for both: add a test with NE #0."}},
     .bad = {{"fanuc", "O9220(PECK, K DEPTH OF ONE PECK)\n"
                       "IF[#6EQ0]GOTO9\n"
                       "#33=#5003-#6\n"

@@ -54,7 +54,7 @@ TEST(WrittenFiles, KeepTheirOldTextWhenTheNewOneCannotBeWritten) {
     ASSERT_TRUE(failure);
     EXPECT_THAT(failure->message, testing::HasSubstr("File too large"));
     EXPECT_EQ(test::read_file(path), "old");
-    EXPECT_THAT(names_in(folder.path()), ElementsAre("report.json")) << "nothing is left behind";
+    EXPECT_THAT(names_in(folder.path()), ElementsAre("report.json")) << "nothing is left after";
 }
 
 TEST(WrittenFiles, KeepTheirRightsAndTheLinksThatLeadToThem) {

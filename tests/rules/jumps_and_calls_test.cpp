@@ -79,7 +79,7 @@ TEST(SequenceNumber, ThatOnlyAComputedJumpCanFindIsReportedWhenItStandsTwice) {
 
 TEST(SequenceNumber, IsSearchedForBehindTheJumpFirstAndThenFromTheTop) {
     EXPECT_THAT(messages_raised("MAC462", "O1\nN10 G0 X1.\nIF[#1EQ1]GOTO10\nN10 G0 X2.\nM30\n"),
-                ElementsAre(HasSubstr("in line 4, the next behind it")));
+                ElementsAre(HasSubstr("in line 4, the next after it")));
     EXPECT_THAT(messages_raised("MAC462", "O1\nN10 G0 X1.\nN10 G0 X2.\nIF[#1EQ1]GOTO10\nM30\n"),
                 ElementsAre(AllOf(HasSubstr("in line 2, the first of the program"), Not(HasSubstr("next")))));
 }

@@ -36,7 +36,7 @@ TEST(ModalState, PutBackByATestOfTheSavedCodeIsFine) {
 
 TEST(ModalState, PutBackOnSomeWaysOnlySaysSo) {
     EXPECT_THAT(messages_raised("MAC501", "O9001\n#33=#4003\nG91 G0 X1\nIF[#1EQ1]GOTO9\nG#33\nN9 M99\n"),
-                ElementsAre(HasSubstr("on some of the ways")));
+                ElementsAre(HasSubstr("on some of the paths")));
 }
 
 TEST(ModalState, LeftByACalledProgramIsThatPrograms) {
@@ -205,7 +205,7 @@ TEST(Suppression, IsSetBackOnEveryWay) {
     EXPECT_THAT(lines_raised("MAC515", "O1\n#3004=7\nG0 X1\nM30\n"), ElementsAre(2));
     EXPECT_THAT(lines_raised("MAC515", "O9001\n#3003=1\nG0 X#24\n#3003=0\nM99\n"), IsEmpty());
     EXPECT_THAT(messages_raised("MAC515", "O9001\n#3003=1\nIF[#1EQ1]GOTO9\n#3003=0\nN9 M99\n"),
-                ElementsAre(HasSubstr("on some of the ways")));
+                ElementsAre(HasSubstr("on some of the paths")));
 }
 
 TEST(ForcedState, IsANoteUnlessTheStateWasSaved) {

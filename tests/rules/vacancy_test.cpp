@@ -44,7 +44,7 @@ TEST(UninitialisedLocal, IsNoVacancyTestAndNoCountFromVacant) {
 TEST(UninitialisedLocal, SetOnOneWayOnlyIsToldWithTheOtherWay) {
     const std::string text = "O1\nIF[#1004EQ1]GOTO3\n#31=5\nN3 G0 X#31\nM30\n";
     EXPECT_THAT(messages_raised("MAC209", text),
-                ElementsAre(HasSubstr("when the way that sets it is not taken")));
+                ElementsAre(HasSubstr("when the path that sets it is not taken")));
     EXPECT_THAT(path_raised("MAC209", text), ElementsAre(1, 2, 2, 4));
 }
 
@@ -70,7 +70,7 @@ TEST(UninitialisedLocal, NeedsAWayWhoseTestsDoNotContradictEachOther) {
 TEST(ZeroTest, MissesAnArgumentThatIsNotPassed) {
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#6EQ0]GOTO9\nG0 Z#6\nN9 M99\n"), ElementsAre(2));
     EXPECT_THAT(messages_raised("MAC220", "O9001\nIF[0 NE #6]GOTO9\nG0 Z#6\nN9 M99\n"),
-                ElementsAre(HasSubstr("also holds when #6 is vacant")));
+                ElementsAre(HasSubstr("is also true when #6 is vacant")));
 }
 
 TEST(ZeroTest, BesideAVacancyTestTreatsBothCases) {

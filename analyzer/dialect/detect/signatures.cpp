@@ -51,7 +51,7 @@ constexpr Mark marks[] = {
     {din_plus,       4, 2, In::head,    "UNIT ID",    nullptr,               ""},
     {din_plus,       4, 1, In::head,    "END_OF_UNIT", nullptr,              ""},
     {din_plus,       4, 1, In::line,    "[//]",       nullptr,               ""},
-    {din_plus,       4, 1, In::line,    "%",          file_name,             "a file name behind %"},
+    {din_plus,       4, 1, In::line,    "%",          file_name,             "a file name after %"},
     {din_plus,       4, 2, In::code,    "",           variable_with_letter,  "a variable like #l1"},
     {din_plus,       4, 2, In::inside,  "#__",        nullptr,               "a transfer value like #__la"},
     {din_plus,       4, 2, In::code,    "",           named_variable,        "a variable like #_name"},
@@ -89,7 +89,7 @@ constexpr Mark marks[] = {
     {klartext,       2, 3, In::inside,  " FMAX",      nullptr,               ""},
     {klartext,       2, 3, In::code,    "",           klartext_function,     "a function FN"},
     {klartext,       2, 2, In::code,    "",           klartext_line,         "a block like L X+0"},
-    {klartext,       1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+    {klartext,       1, 2, In::remark,  "",           remark,                "remarks after ';'"},
     {heidenhain_iso, 2, 3, In::code,    "",           ends_in_star,          "blocks that end in '*'"},
 
     // SINUMERIK [sinumerik.md 1-5]
@@ -128,14 +128,14 @@ constexpr Mark marks[] = {
     {sinumerik,      2, 2, In::code,    "",           array_element,         "arrays with names"},
     {sinumerik,      1, 4, In::inside,  "T=\"",       nullptr,               ""},
     {sinumerik,      1, 4, In::code,    "",           r_parameter,           "R parameters"},
-    {sinumerik,      1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+    {sinumerik,      1, 2, In::remark,  "",           remark,                "remarks after ';'"},
 
     // LinuxCNC [linuxcnc.org/docs: G-code overview, O-codes, G-codes, M-codes]
     {linuxcnc,       4, 2, In::code,    "",           o_word,                "an o-word"},
     {linuxcnc,       4, 2, In::inside,  "#<",         nullptr,               "a named parameter"},
     {linuxcnc,       4, 1, In::inside,  "EXISTS[",    nullptr,               ""},
     {linuxcnc,       4, 1, In::words,   "",           tolerance_of_g64,      "G64 with P"},
-    {linuxcnc,       2, 2, In::words,   "",           probing_move,          "G38 with a digit behind the point"},
+    {linuxcnc,       2, 2, In::words,   "",           probing_move,          "G38 with a digit after the point"},
     {linuxcnc,       2, 2, In::words,   "",           offset_by_l20,         "G10 L20"},
     {linuxcnc,       1, 2, In::words,   "",           digital_output,        "M62 to M68 with P"},
     {linuxcnc,       2, 2, In::comment, "MSG,",       nullptr,               "an active comment"},
@@ -144,7 +144,7 @@ constexpr Mark marks[] = {
     {linuxcnc,       2, 2, In::comment, "LOG,",       nullptr,               "an active comment"},
     {linuxcnc,       2, 2, In::comment, "LOGOPEN,",   nullptr,               "an active comment"},
     {linuxcnc,       2, 2, In::comment, "PROBEOPEN",  nullptr,               "an active comment"},
-    {linuxcnc,       1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+    {linuxcnc,       1, 2, In::remark,  "",           remark,                "remarks after ';'"},
 
     // 3D printers (Marlin and relatives)
     {printer,        3, 1, In::words,   "",           extruder_zero,         "G92 with E"},
@@ -152,15 +152,15 @@ constexpr Mark marks[] = {
     {printer,        1, 3, In::words,   "",           extrusion,             "moves with E"},
     {printer,        2, 2, In::remark,  "LAYER",      nullptr,               ""},
     {printer,        2, 2, In::remark,  "FLAVOR:",    nullptr,               ""},
-    {printer,        1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+    {printer,        1, 2, In::remark,  "",           remark,                "remarks after ';'"},
 
     {grbl,           3, 2, In::code,    "",           setting,               "a command of the $ kind"},
-    {grbl,           1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+    {grbl,           1, 2, In::remark,  "",           remark,                "remarks after ';'"},
 
     // Wire erosion (AccuteX and relatives)
-    {wire_erosion,   2, 3, In::line,    "//",         nullptr,               "remarks behind '//'"},
+    {wire_erosion,   2, 3, In::line,    "//",         nullptr,               "remarks after '//'"},
     {wire_erosion,   2, 3, In::code,    "",           condition_row,         "a row of cutting conditions"},
-    {wire_erosion,   1, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+    {wire_erosion,   1, 2, In::remark,  "",           remark,                "remarks after ';'"},
 
     // Okuma OSP
     {okuma,          4, 1, In::code,    "",           osp_file_name,         "a file name $….MIN%"},
@@ -171,7 +171,7 @@ constexpr Mark marks[] = {
     {okuma,          2, 1, In::head,    "NOEX",       nullptr,               ""},
     {okuma,          2, 2, In::words,   "",           work_offset_by_g15,    "G15 with H"},
 
-    {hobby,          2, 2, In::remark,  "",           remark,                "remarks behind ';'"},
+    {hobby,          2, 2, In::remark,  "",           remark,                "remarks after ';'"},
 };
 // clang-format on
 

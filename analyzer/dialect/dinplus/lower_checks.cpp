@@ -115,7 +115,7 @@ void BlockLowering::check_tokens() {
             break;
         case Kind::double_sharp: report(SyntaxErrorKind::unreadable, span(node), "a single '#'"); break;
         case Kind::foreign_variable:
-            report(SyntaxErrorKind::unreadable, span(node), "a letter behind '#', as in #l1");
+            report(SyntaxErrorKind::unreadable, span(node), "a letter after '#', as in #l1");
             break;
         default: break;
         }

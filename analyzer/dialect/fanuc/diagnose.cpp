@@ -292,7 +292,7 @@ std::optional<SyntaxError> ErrorExplainer::remark() const {
         const Span tail{tokens_[i + 1].span.begin, tokens_.back().span.end};
         if (text_[tail.end - 1] == ')' && tail.length() > 1)
             return make(SyntaxErrorKind::unreadable, tail, text_.substr(tail.begin, tail.length()),
-                        "nothing behind the first ')', because comments do not nest");
+                        "nothing after the first ')', because comments do not nest");
     }
     std::size_t words = 0;
     std::size_t codes = 0;
