@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -182,6 +183,9 @@ struct Limits {
     std::string_view source;
 };
 
+/// The analysis keeps a table with an entry for each space of a control: no control has more.
+inline constexpr std::size_t most_spaces = 16;
+
 /// Everything that the analysis knows about a control; built once, shared by all programs of that control.
 struct ControlModel {
     std::string name;          ///< "fanuc-16i"; what --control takes
@@ -210,5 +214,9 @@ struct ControlModel {
     /// The code as it is written: "G91", "G54.1".
     [[nodiscard]] std::string spell(GroupId group, double code) const;
 };
+
+/// The control, whose tables must be such that the analysis has room for them: std::logic_error else. What
+/// builds a control gives it away through this.
+[[nodiscard]] ControlModel checked(ControlModel control);
 
 } // namespace maclint

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -60,6 +61,15 @@ TEST(Controls, ACodeBelongsToOneGroup) {
                 EXPECT_TRUE(codes.insert(code).second) << control->name << " G" << code;
         }
     }
+}
+
+TEST(Controls, HaveNoMoreSpacesOfVariablesThanTheAnalysisHasRoomFor) {
+    ControlModel control = *find_control("fanuc");
+    control.spaces.resize(most_spaces, control.spaces.front());
+    EXPECT_EQ(checked(control).spaces.size(), most_spaces);
+    control.spaces.push_back(control.spaces.front());
+    EXPECT_THROW((void)checked(control), std::logic_error);
+    for (const ControlModel* known : controls()) EXPECT_LE(known->spaces.size(), most_spaces) << known->name;
 }
 
 TEST(Controls, ModalVariablesReadTheGroupOfTheirNumber) {

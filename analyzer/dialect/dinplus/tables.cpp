@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <utility>
 
 namespace maclint::dinplus {
 namespace {
@@ -70,7 +71,7 @@ ControlModel make() {
     control.loops_left_by_jump = false; // the language has no jump [dinplus.md 4.1]; l.19801
     control.sections = section_kinds();
     control.references = {{"contour block", SectionKind::Role::contour, "l.10203, l.13166"}};
-    return control;
+    return checked(std::move(control));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 namespace maclint::fanuc {
 namespace {
@@ -66,7 +67,7 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
             {{{spaces::local, first}, {spaces::local, first + 1}, {spaces::local, first + 2}}});
     control.vacant_equals_zero = false;
     control.idle = idle_values(control.groups);
-    return control;
+    return checked(std::move(control));
 }
 
 std::vector<ControlModel> make_all() {
