@@ -18,8 +18,8 @@ const VariableRange* VariableFamily::find(std::int64_t number) const {
     return number <= range.last ? &range : nullptr;
 }
 
-std::optional<GroupId> find_group(std::span<const ModalGroup> groups, std::string_view name) {
-    const auto row = std::ranges::find(groups, name, &ModalGroup::name);
+std::optional<GroupId> group_with(ModalRole role, std::span<const ModalGroup> groups) {
+    const auto row = std::ranges::find(groups, role, &ModalGroup::role);
     return row == groups.end() ? std::nullopt : std::optional(static_cast<GroupId>(row - groups.begin()));
 }
 
@@ -30,6 +30,10 @@ ControlModel checked(ControlModel control) {
                                " spaces of variables, and the analysis has room for " +
                                std::to_string(most_spaces) + ": raise most_spaces");
     return control;
+}
+
+std::optional<GroupId> ControlModel::group_with(ModalRole role) const {
+    return maclint::group_with(role, groups);
 }
 
 std::optional<GroupId> ControlModel::group_of(char letter, double code) const {

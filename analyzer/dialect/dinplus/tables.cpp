@@ -45,7 +45,9 @@ ControlModel make() {
     ControlModel control;
     control.name = "dinplus";
     control.language = "dinplus";
+    control.model = "dinplus";
     control.description = "HEIDENHAIN DIN PLUS";
+    control.machine = Machine::lathe; // CNC PILOT, MANUALplus
     control.assumed = false;
     // "Chained at most six times" is read as six levels below the main program. No limit of loops is
     // printed; "max. 6 characters" in l.18887 can only mean levels of brackets.
