@@ -20,12 +20,9 @@ Transfer::Transfer(const Program& program, const flow::Graph& graph, States& sta
     , graph_(graph)
     , states_(states)
     , callees_(callees)
+    , modal_call_group_(program.control->group_with(ModalRole::macro_call))
     , constants_(program.expressions.size(), 0)
-    , origins_(program.effects.size(), 0) {
-    const auto& groups = program_.control->groups;
-    const auto found = std::ranges::find(groups, RestorePolicy::modal_call, &ModalGroup::restore_policy);
-    if (found != groups.end()) modal_call_group_ = static_cast<GroupId>(found - groups.begin());
-}
+    , origins_(program.effects.size(), 0) {}
 
 /// The effect as an origin. An effect belongs to one node.
 OriginId Transfer::here() {

@@ -91,8 +91,6 @@ struct ModalValue {
     friend bool operator==(const ModalValue&, const ModalValue&) = default;
 };
 
-constexpr std::size_t most_spaces = 8;
-
 /// For each space: 0, or the opaque symbol of what made all its variables unknown that a state's tree does
 /// not hold.
 struct HavocSet {

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 
 namespace maclint {
 
@@ -17,9 +18,22 @@ const VariableRange* VariableFamily::find(std::int64_t number) const {
     return number <= range.last ? &range : nullptr;
 }
 
-std::optional<GroupId> find_group(std::span<const ModalGroup> groups, std::string_view name) {
-    const auto row = std::ranges::find(groups, name, &ModalGroup::name);
+std::optional<GroupId> group_with(ModalRole role, std::span<const ModalGroup> groups) {
+    const auto row = std::ranges::find(groups, role, &ModalGroup::role);
     return row == groups.end() ? std::nullopt : std::optional(static_cast<GroupId>(row - groups.begin()));
+}
+
+ControlModel checked(ControlModel control) {
+    if (control.spaces.size() > most_spaces)
+        throw std::logic_error("the control '" + control.name + "' has " +
+                               std::to_string(control.spaces.size()) +
+                               " spaces of variables, and the analysis has room for " +
+                               std::to_string(most_spaces) + ": raise most_spaces");
+    return control;
+}
+
+std::optional<GroupId> ControlModel::group_with(ModalRole role) const {
+    return maclint::group_with(role, groups);
 }
 
 std::optional<GroupId> ControlModel::group_of(char letter, double code) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -50,6 +51,38 @@ struct Variable {
     friend bool operator==(const Variable&, const Variable&) = default;
 };
 
+/// What a modal group is about, in every language; a control has at most one group of each role but `other`.
+enum class ModalRole : std::uint8_t {
+    other,
+    motion,              ///< rapid, straight, circle …
+    plane,               ///< of circles and compensation
+    distance,            ///< absolute or incremental
+    units,               ///< inch or metric
+    feed,                ///< the value itself
+    feed_mode,           ///< a minute, a revolution, inverse time
+    speed,               ///< of the spindle, the value itself
+    speed_mode,          ///< constant surface speed or constant number of revolutions
+    spindle,             ///< turns, stands
+    cutter_compensation, ///< or that of a turning tool's nose
+    length_compensation,
+    work_offset,
+    local_offset,      ///< added to the work offset until taken back
+    offset_suspension, ///< work offsets switched off for a while
+    cycle,             ///< canned cycles, which every later position runs
+    return_level,      ///< where a canned cycle ends
+    macro_call,        ///< a program called after every move or block
+    cutting_mode,      ///< exact stop, tapping, override …
+    scaling,
+    rotation,
+    mirror_image,
+    tilted_plane,
+    polar_coordinates,
+    polar_interpolation,
+    normal_direction,
+    single_block, ///< its suppression
+    feed_hold,    ///< its suppression, and that of the override
+};
+
 /// What a rule may say about a modal group that a program leaves changed.
 enum class RestorePolicy : std::uint8_t {
     none,      ///< nothing: no custom asks to put it back
@@ -61,13 +94,14 @@ enum class RestorePolicy : std::uint8_t {
     motion,    ///< the motion mode itself: MAC504
     suppression, ///< single block, feed hold, override switched off: MAC515
     modal_call,  ///< a macro called after every move: MAC413
-    own_rule,    ///< a rule of its own speaks of it, found by the group's name
+    own_rule,    ///< a rule of its own speaks of it, found by the group's role
 };
 
 /// One row of the modal-group table. Codes are numbers as written: 91, 54.1; feeds and speeds are plain
 /// values.
 struct ModalGroup {
-    std::string_view name; ///< "distance mode"
+    std::string_view name; ///< "distance mode": for messages
+    ModalRole role;        ///< what rules and lowering find it by
     char letter;           ///< 'G', 'F', 'S'; '#' for a group that is a variable (single-block suppression)
     RestorePolicy restore_policy;
     std::vector<double> members;   ///< codes of the group; empty for value groups
@@ -80,8 +114,8 @@ struct ModalGroup {
     bool for_callers = false;           ///< a subprogram may switch it on for its caller, who is to cancel it
 };
 
-/// The row of that name, or nothing.
-[[nodiscard]] std::optional<GroupId> find_group(std::span<const ModalGroup> groups, std::string_view name);
+/// The row of that role, or nothing.
+[[nodiscard]] std::optional<GroupId> group_with(ModalRole role, std::span<const ModalGroup> groups);
 
 /// A code of a group.
 struct GroupCode {
@@ -182,12 +216,22 @@ struct Limits {
     std::string_view source;
 };
 
+/// What a control drives: words such as G90 mean different things on the two.
+enum class Machine : std::uint8_t { mill, lathe };
+
+/// The analysis keeps a table with an entry for each space of a control: no control has more.
+inline constexpr std::size_t most_spaces = 16;
+
 /// Everything that the analysis knows about a control; built once, shared by all programs of that control.
 struct ControlModel {
     std::string name;          ///< "fanuc-16i"; what --control takes
     std::string_view language; ///< programs call programs of the same language
+    std::string_view model;    ///< "fanuc-16i" of a mill and of a lathe: a name in the manufacturer's list
     std::string description;   ///< "FANUC Series 16i/18i/21i"
-    bool assumed;              ///< nobody named the control: messages say that its limits are assumed
+    Machine machine = Machine::mill;
+    const ControlModel* lathe = nullptr; ///< of a mill: the same control on a lathe, for texts that are
+                                         ///< written for one; nullptr: there is none, or nobody wants it
+    bool assumed; ///< nobody named the control: messages say that its limits are assumed
     Limits limits;
     std::vector<VariableSpace> spaces;
     std::vector<VariableFamily> families;
@@ -203,6 +247,8 @@ struct ControlModel {
     std::vector<SectionKind> sections = {}; ///< empty: programs have no sections
     std::vector<ReferenceKind> references = {};
 
+    /// The group of that role, or nothing.
+    [[nodiscard]] std::optional<GroupId> group_with(ModalRole role) const;
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;
     /// The variable that reads the group, "#4109" for the feed; nothing where there is none.
@@ -210,5 +256,9 @@ struct ControlModel {
     /// The code as it is written: "G91", "G54.1".
     [[nodiscard]] std::string spell(GroupId group, double code) const;
 };
+
+/// The control, whose tables must be such that the analysis has room for them: std::logic_error else. What
+/// builds a control gives it away through this.
+[[nodiscard]] ControlModel checked(ControlModel control);
 
 } // namespace maclint

@@ -51,11 +51,9 @@ std::optional<EffectId> ProgramAnalysis::user_of_label(std::int64_t number) cons
 
 std::vector<dataflow::OriginId> ProgramAnalysis::own_modal_calls(const dataflow::State& state) const {
     std::vector<dataflow::OriginId> calls;
-    const auto group =
-        std::ranges::find(control().groups, RestorePolicy::modal_call, &ModalGroup::restore_policy);
-    if (group == control().groups.end()) return calls;
-    const auto id = static_cast<GroupId>(group - control().groups.begin());
-    const dataflow::ModalValue& value = data_->modal(state, id);
+    const std::optional<GroupId> group = control().group_with(ModalRole::macro_call);
+    if (!group) return calls;
+    const dataflow::ModalValue& value = data_->modal(state, *group);
     if (value.unknown) return calls;
     for (const dataflow::ModalPart& part : value.parts) {
         const dataflow::Origin& origin = data_->origin(part.origin);

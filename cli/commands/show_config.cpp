@@ -21,7 +21,9 @@ std::string with_reason(std::string_view value, const std::string& reason) {
 std::string control_line(const ReadFile& file) {
     const ControlModel& control = *file.file->control;
     const NamedControl* named = control_for(*file.dialect, file.settings.controls);
-    const std::string reason = named == nullptr ? "assumed for the dialect" : named->reason;
+    std::string reason = named == nullptr ? "assumed for the dialect" : named->reason;
+    if (&control != (named == nullptr ? find_control(file.dialect->default_control) : named->control))
+        reason += "; the text is written for a lathe";
     return line("control", with_reason(control.name + ", " + control.description, reason));
 }
 

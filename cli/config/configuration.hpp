@@ -50,6 +50,7 @@ struct Configuration {
     std::string folder;          ///< absolute
     std::vector<Source> sources; ///< the file itself, then those it extends
     std::map<std::string, std::shared_ptr<const ControlModel>, std::less<>> controls;
+    std::vector<std::shared_ptr<const ControlModel>> lathes; ///< those that mills among `controls` point to
     std::vector<FileEntry> files;
     std::vector<Glob> include, exclude;
     std::optional<std::vector<RuleWord>> select;

@@ -113,7 +113,7 @@ class Loader {
     }
 
     std::shared_ptr<const ControlModel> read_control(const JsonMember& member) {
-        static constexpr std::array<std::string_view, 2> known = {"model", "limits"};
+        static constexpr std::array<std::string_view, 3> known = {"model", "machine", "limits"};
         const auto& settings = object(member.node, "a control");
         const auto model = std::ranges::find(settings, "model", &JsonMember::key);
         if (model == settings.end())
@@ -126,15 +126,45 @@ class Loader {
             reject(model->node.span,
                    "there is no control '" + name + "'." +
                        did_you_mean(name, control_names(), "Known are " + enumerate(control_names())));
-        auto control = std::make_shared<ControlModel>(*base);
-        control->assumed = false;
-        control->description = member.key + " (" + base->description + ")";
+        Limits limits = base->limits;
+        const ControlModel* lathe = base->lathe;
         for (const JsonMember& setting : settings) {
-            if (setting.key == "limits") read_limits(setting.node, control->limits);
+            if (setting.key == "limits") read_limits(setting.node, limits);
+            if (setting.key == "machine") {
+                base = on_machine(*base, setting.node);
+                lathe = nullptr;
+            }
             if (std::ranges::find(known, setting.key) == known.end())
                 reject_key(setting, {known.begin(), known.end()});
         }
+        const auto control = own_control(*base, member.key, limits);
+        if (lathe != nullptr) {
+            configuration_->lathes.push_back(own_control(*lathe, member.key, limits));
+            control->lathe = configuration_->lathes.back().get();
+        }
         return control;
+    }
+
+    static std::shared_ptr<ControlModel> own_control(const ControlModel& base, const std::string& name,
+                                                     const Limits& limits) {
+        auto control = std::make_shared<ControlModel>(base);
+        control->assumed = false;
+        control->description = name + " (" + base.description + ")";
+        control->limits = limits;
+        control->lathe = nullptr;
+        return control;
+    }
+
+    /// The model on the machine that the node names.
+    const ControlModel* on_machine(const ControlModel& model, const JsonNode& node) const {
+        const std::string& word = text(node, "'machine'");
+        if (word != "mill" && word != "lathe")
+            reject(node.span, "there is no machine '" + word + "'. Write mill or lathe");
+        const bool lathe = word == "lathe";
+        if (lathe == (model.machine == Machine::lathe)) return &model;
+        if (lathe && model.lathe != nullptr) return model.lathe;
+        reject(node.span, "the control '" + model.name + "' is not known for a " + word +
+                              ". Name another 'model', or leave 'machine' out");
     }
 
     void read_limits(const JsonNode& node, Limits& limits) {
@@ -250,7 +280,7 @@ class Loader {
         return *elements;
     }
 
-    const std::string& text(const JsonNode& node, const std::string& what) {
+    const std::string& text(const JsonNode& node, const std::string& what) const {
         const auto* value = std::get_if<std::string>(&node.value);
         if (value == nullptr) reject(node.span, what + " must be a text. Put it in quotes");
         return *value;

@@ -4,10 +4,6 @@
 
 namespace maclint::rules {
 
-namespace {
-constexpr std::string_view group = "tilted working plane";
-}
-
 extern const Rule g16_not_reset{
     .code = "DIN632",
     .name = "g16-not-reset",
@@ -43,7 +39,7 @@ extern const Rule g16_not_reset{
                          "END\n"}},
     .alarms = {},
     .sources = {"SEED-003:23206", "SEED-003:23218"},
-    .check = &check_left_at_end<group>,
+    .check = &check_left_at_end<ModalRole::tilted_plane>,
 };
 
 } // namespace maclint::rules

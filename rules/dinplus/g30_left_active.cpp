@@ -4,10 +4,6 @@
 
 namespace maclint::rules {
 
-namespace {
-constexpr std::string_view group = "conversion and mirroring";
-}
-
 extern const Rule g30_left_active{
     .code = "DIN906",
     .name = "g30-left-active",
@@ -39,7 +35,7 @@ extern const Rule g30_left_active{
                          "END\n"}},
     .alarms = {},
     .sources = {"SEED-003:20071-20078"},
-    .check = &check_left_at_end<group>,
+    .check = &check_left_at_end<ModalRole::mirror_image>,
 };
 
 } // namespace maclint::rules

@@ -4,10 +4,6 @@
 
 namespace maclint::rules {
 
-namespace {
-constexpr std::string_view group = "deactivation of zero shifts";
-}
-
 extern const Rule g920_not_reset{
     .code = "DIN634",
     .name = "g920-not-reset",
@@ -39,7 +35,7 @@ extern const Rule g920_not_reset{
                          "END\n"}},
     .alarms = {},
     .sources = {"SEED-003:12741", "SEED-003:18155-18163", "SEED-003:18391-18397"},
-    .check = &check_left_at_end<group>,
+    .check = &check_left_at_end<ModalRole::offset_suspension>,
 };
 
 } // namespace maclint::rules

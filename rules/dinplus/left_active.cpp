@@ -37,10 +37,10 @@ bool is_left_by_a_caller(const ProgramAnalysis& analysis, GroupId group) {
 
 } // namespace
 
-std::optional<GroupId> find_own_group(const ControlModel& control, std::string_view name) {
-    const auto row = std::ranges::find(control.groups, name, &ModalGroup::name);
-    if (row == control.groups.end() || row->restore_policy != RestorePolicy::own_rule) return std::nullopt;
-    return static_cast<GroupId>(row - control.groups.begin());
+std::optional<GroupId> find_own_group(const ControlModel& control, ModalRole role) {
+    const std::optional<GroupId> group = control.group_with(role);
+    const bool own = group && control.groups[*group].restore_policy == RestorePolicy::own_rule;
+    return own ? group : std::nullopt;
 }
 
 bool lasts_until(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part,
@@ -65,11 +65,11 @@ std::vector<ModalLeak> left_at_return(const ProgramAnalysis& analysis) {
         });
 }
 
-std::optional<ModalLeak> left_at_end(const ProgramAnalysis& analysis, std::string_view name) {
+std::optional<ModalLeak> left_at_end(const ProgramAnalysis& analysis, ModalRole role) {
     const auto leaks = find_modal_leaks(
         analysis, RestorePolicy::own_rule,
         [&](const ModalGroup& group, GroupId id, const dataflow::ExitState& exit, const auto& part) {
-            return group.name == name && group.cancel && ends(analysis, exit.exit.kind) &&
+            return group.role == role && group.cancel && ends(analysis, exit.exit.kind) &&
                    is_switched_on(analysis, group, part) && lasts_until(analysis, id, part, exit.exit.node);
         });
     if (leaks.empty()) return std::nullopt;
@@ -81,8 +81,8 @@ std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId id, d
     return {analysis.control().spell(id, code), std::string(group.cancel_words)};
 }
 
-void report_left_at_end(const ProgramAnalysis& analysis, std::string_view group, Reporter& reporter) {
-    const auto leak = left_at_end(analysis, group);
+void report_left_at_end(const ProgramAnalysis& analysis, ModalRole role, Reporter& reporter) {
+    const auto leak = left_at_end(analysis, role);
     if (!leak) return;
     report_leak(analysis, reporter, *leak, words_of(analysis, leak->group, *own_code(analysis, leak->part)));
 }

@@ -4,28 +4,28 @@
 #include "rules/modal/modal_leak.hpp"
 
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace maclint::rules {
 
-/// The group of this name, where rules of its own speak of it.
-[[nodiscard]] std::optional<GroupId> find_own_group(const ControlModel& control, std::string_view name);
+/// The group of this role, where rules of its own speak of it.
+[[nodiscard]] std::optional<GroupId> find_own_group(const ControlModel& control, ModalRole role);
 
 /// What a called program has switched on itself and leaves on when it returns. What a subprogram may switch
 /// on for its caller counts only when a caller is there that leaves it on.
 [[nodiscard]] std::vector<ModalLeak> left_at_return(const ProgramAnalysis& analysis);
 
-/// What the program has switched on itself in the group of this name, and is still on when it ends.
-[[nodiscard]] std::optional<ModalLeak> left_at_end(const ProgramAnalysis& analysis, std::string_view name);
+/// What the program has switched on itself in the group of this role, and is still on when it ends.
+[[nodiscard]] std::optional<ModalLeak> left_at_end(const ProgramAnalysis& analysis, ModalRole role);
 
 /// Reports what `left_at_end` finds: the arguments are the code and what cancels it.
-void report_left_at_end(const ProgramAnalysis& analysis, std::string_view group, Reporter& reporter);
+void report_left_at_end(const ProgramAnalysis& analysis, ModalRole role, Reporter& reporter);
 
 /// The check of rules that do nothing else.
-template<const std::string_view& group>
+template<ModalRole role>
 void check_left_at_end(const ProgramAnalysis& analysis, Reporter& reporter) {
-    report_left_at_end(analysis, group, reporter);
+    report_left_at_end(analysis, role, reporter);
 }
 
 /// The code that switched it on and what cancels it: "G42", "G40".

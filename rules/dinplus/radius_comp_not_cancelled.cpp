@@ -67,14 +67,14 @@ extern const Rule radius_comp_not_cancelled{
 
 namespace {
 
-constexpr std::string_view compensation = "radius compensation";
-constexpr std::string_view plane = "plane";
+constexpr ModalRole compensation = ModalRole::cutter_compensation;
 
 /// Whether the word sets another plane than the one that is in force on every way.
 bool changes_plane(const ProgramAnalysis& analysis, const dataflow::PointState& point) {
     const auto& writes = analysis.facts().modal_writes;
     const auto write = std::ranges::find(writes, point.effect, &dataflow::ModalWrite::effect);
-    if (write == writes.end() || analysis.control().groups[*write->group].name != plane) return false;
+    if (write == writes.end() || analysis.control().groups[*write->group].role != ModalRole::plane)
+        return false;
     const dataflow::ModalValue& value = analysis.data().modal(point.state, *write->group);
     const auto& table = analysis.data().table();
     return !value.unknown && write->value.constant() &&

@@ -69,6 +69,36 @@ TEST(Configuration, SaysWhichControlAndDialectFilesAreFor) {
     EXPECT_THAT(mill->controls, IsEmpty());
 }
 
+TEST(Configuration, GivesAControlOfTheShopItsLathe) {
+    const TemporaryFolder folder;
+    const auto configuration = load(folder, R"({"controls": {
+        "any": {"model": "fanuc-30i", "limits": {"macro-calls": 9}},
+        "turning": {"model": "fanuc-30i", "machine": "lathe", "limits": {"macro-calls": 9}},
+        "milling": {"machine": "mill", "model": "fanuc-30i"},
+        "lathe": {"model": "fanuc-30i-lathe"},
+        "nct": {"model": "nct"}}})");
+    const ControlModel& any = *configuration->control("any");
+    EXPECT_EQ(any.machine, Machine::mill);
+    ASSERT_NE(any.lathe, nullptr);
+    EXPECT_EQ(any.lathe->machine, Machine::lathe);
+    EXPECT_EQ(any.lathe->name, "fanuc-30i-lathe");
+    EXPECT_EQ(any.lathe->limits.macro_calls, 9);
+    EXPECT_FALSE(any.lathe->assumed);
+    EXPECT_THAT(any.lathe->description, HasSubstr("any (FANUC Series 30i"));
+    EXPECT_EQ(configuration->control("turning")->machine, Machine::lathe);
+    EXPECT_EQ(configuration->control("turning")->limits.macro_calls, 9);
+    EXPECT_EQ(configuration->control("milling")->machine, Machine::mill);
+    EXPECT_EQ(configuration->control("milling")->lathe, nullptr) << "the user knows better than the text";
+    EXPECT_EQ(configuration->control("lathe")->machine, Machine::lathe);
+    EXPECT_EQ(configuration->control("nct")->lathe, nullptr);
+    EXPECT_THAT(refusal(R"({"controls": {"L1": {"model": "nct", "machine": "lathe"}}})"),
+                HasSubstr("'nct' is not known for a lathe"));
+    EXPECT_THAT(refusal(R"({"controls": {"L1": {"model": "haas-lathe", "machine": "mill"}}})"),
+                HasSubstr("'haas-lathe' is not known for a mill"));
+    EXPECT_THAT(refusal(R"({"controls": {"L1": {"model": "haas", "machine": "grinder"}}})"),
+                HasSubstr("Write mill or lathe"));
+}
+
 TEST(Configuration, TellsUnknownKeysWithTheirPlaceAndTheLikelyOne) {
     EXPECT_THAT(refusal("{\n  \"selct\": []\n}"), AllOf(HasSubstr("line 2, column 3"), HasSubstr("'selct'"),
                                                         HasSubstr("Did you mean 'select'?")));

@@ -291,6 +291,28 @@ TEST_F(Executable, ShowsWhatHoldsForAFile) {
                       HasSubstr("MAC301 off (.maclint.json: ignore)")));
 }
 
+TEST_F(Executable, ReadsALatheTextAsSuchWhateverControlIsNamed) {
+    folder.write(".maclint.json", R"({"controls": {"Turn 2": {"model": "fanuc-30i"}},
+        "files": [{"glob": "O1*", "control": "Turn 2"}, {"glob": "O2*", "control": "fanuc-16i"},
+                  {"glob": "O3*", "control": "fanuc-16i-lathe"}]})");
+    const std::string turning = "G50S2000\nT0101\nG96S200M3\nG0X50.Z2.\nG90X40.Z-20.F.2\nM30\n";
+    for (const std::string name : {"O1", "O2", "O3", "O4"}) folder.write(name, name + "\n" + turning);
+    folder.write("O11", "O11\nT1M6\nG43H1Z50.\nG1X1.F100\nM30\n");
+    EXPECT_THAT(run({"--show-config", "O1"}).out,
+                HasSubstr("fanuc-30i-lathe, Turn 2 (FANUC Series 30i/31i/32i, lathe with G code system A) "
+                          "(.maclint.json: files 'O1*'; the text is written for a lathe)"));
+    EXPECT_THAT(run({"--show-config", "O2"}).out,
+                AllOf(HasSubstr("fanuc-16i-lathe, "), HasSubstr("'O2*'; the text is written for a lathe)")));
+    EXPECT_THAT(run({"--show-config", "O3"}).out,
+                AllOf(HasSubstr("fanuc-16i-lathe, "), HasSubstr("(.maclint.json: files 'O3*')")));
+    EXPECT_THAT(run({"--show-config", "O4", "--control", "haas"}).out,
+                HasSubstr("(--control; the text is written for a lathe)"));
+    EXPECT_THAT(run({"--show-config", "O4"}).out,
+                HasSubstr("(assumed for the dialect; the text is written for a lathe)"));
+    EXPECT_THAT(run({"--show-config", "O11"}).out,
+                AllOf(HasSubstr("fanuc-30i, Turn 2"), HasSubstr("(.maclint.json: files 'O1*')")));
+}
+
 TEST_F(Executable, ExplainsRulesAndGuessesMistypedOnes) {
     EXPECT_THAT(run({"explain", "Jump-Into-Loop"}).out, HasSubstr("MAC303"));
     const Finished mistyped = run({"explain", "jump-into-lop"});

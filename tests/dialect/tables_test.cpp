@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -62,6 +63,50 @@ TEST(Controls, ACodeBelongsToOneGroup) {
     }
 }
 
+TEST(Controls, HaveOneModalGroupOfARole) {
+    for (const ControlModel* control : controls()) {
+        std::set<ModalRole> roles;
+        for (const ModalGroup& group : control->groups)
+            EXPECT_TRUE(group.role == ModalRole::other || roles.insert(group.role).second)
+                << control->name << ": " << group.name;
+        for (const ModalRole role : {ModalRole::motion, ModalRole::plane, ModalRole::feed, ModalRole::speed,
+                                     ModalRole::feed_mode, ModalRole::cutter_compensation})
+            EXPECT_TRUE(roles.contains(role)) << control->name;
+    }
+    const ControlModel& mill = *find_control("fanuc");
+    EXPECT_EQ(mill.group_with(ModalRole::distance), mill.group_of('G', 91));
+    EXPECT_EQ(mill.group_with(ModalRole::cycle), mill.group_of('G', 80));
+    EXPECT_EQ(mill.group_with(ModalRole::macro_call), mill.group_of('G', 66));
+    EXPECT_EQ(mill.group_with(ModalRole::tilted_plane), std::nullopt);
+    const ControlModel& din = *find_control("dinplus");
+    EXPECT_EQ(din.group_with(ModalRole::cutter_compensation), din.group_of('G', 41));
+    EXPECT_EQ(din.group_with(ModalRole::mirror_image), din.group_of('G', 30));
+    EXPECT_EQ(din.group_with(ModalRole::offset_suspension), din.group_of('G', 920));
+    EXPECT_EQ(din.group_with(ModalRole::distance), std::nullopt);
+}
+
+TEST(Controls, OfMillsKnowTheSameControlOnALathe) {
+    for (const ControlModel* control : controls()) {
+        if (control->lathe == nullptr) continue;
+        EXPECT_EQ(control->machine, Machine::mill);
+        EXPECT_EQ(control->lathe->machine, Machine::lathe);
+        EXPECT_EQ(control->lathe->model, control->model);
+        EXPECT_EQ(find_control(control->lathe->name), control->lathe);
+    }
+    EXPECT_EQ(find_control("fanuc-30i")->lathe, find_control("fanuc-30i-lathe"));
+    EXPECT_EQ(find_control("nct")->lathe, nullptr);
+    EXPECT_EQ(find_control("dinplus")->machine, Machine::lathe);
+}
+
+TEST(Controls, HaveNoMoreSpacesOfVariablesThanTheAnalysisHasRoomFor) {
+    ControlModel control = *find_control("fanuc");
+    control.spaces.resize(most_spaces, control.spaces.front());
+    EXPECT_EQ(checked(control).spaces.size(), most_spaces);
+    control.spaces.push_back(control.spaces.front());
+    EXPECT_THROW((void)checked(control), std::logic_error);
+    for (const ControlModel* known : controls()) EXPECT_LE(known->spaces.size(), most_spaces) << known->name;
+}
+
 TEST(Controls, ModalVariablesReadTheGroupOfTheirNumber) {
     const ControlModel& mill = *find_control("fanuc");
     const auto group_of = [&](std::int64_t number) {
@@ -77,8 +122,8 @@ TEST(Controls, ModalVariablesReadTheGroupOfTheirNumber) {
 }
 
 TEST(CodeTable, KnowsMillsFromLathes) {
-    EXPECT_FALSE(fanuc::is_lathe(*find_control("fanuc")));
-    EXPECT_TRUE(fanuc::is_lathe(*find_control("fanuc-lathe")));
+    EXPECT_EQ(fanuc::codes_of(*find_control("fanuc")).g_code(90).group, 2);
+    EXPECT_EQ(fanuc::codes_of(*find_control("fanuc-lathe")).g_code(90).group, 0) << "a turning cycle";
     EXPECT_EQ(fanuc::codes_of(*find_control("fanuc")).g_code(54.1).group, 13);
     EXPECT_EQ(fanuc::codes_of(*find_control("fanuc")).g_code(777).group, fanuc::no_group);
     EXPECT_EQ(fanuc::codes_of(*find_control("fanuc")).g_code(-1).group, fanuc::no_group);

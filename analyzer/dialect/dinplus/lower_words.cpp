@@ -117,9 +117,9 @@ void BlockLowering::lower_code(const NcWord& code, std::span<const NcWord> words
     for (const NcWord& word : words) {
         if (!word.value) continue;
         if ((traits & feed_word) != 0 && word.address == "F")
-            effect({SetModal{find_group(control.groups, group_names::feed), *word.value}, span(*word.node)});
+            effect({SetModal{control.group_with(ModalRole::feed), *word.value}, span(*word.node)});
         if ((traits & speed_word) != 0 && word.address == "S")
-            effect({SetModal{find_group(control.groups, group_names::speed), *word.value}, span(*word.node)});
+            effect({SetModal{control.group_with(ModalRole::speed), *word.value}, span(*word.node)});
         if ((traits & block_words) != 0 && (word.address == "NS" || word.address == "NE"))
             effect({Reference{references::contour, *word.value}, span(*word.node)});
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <utility>
 
 namespace maclint::dinplus {
 namespace {
@@ -44,7 +45,9 @@ ControlModel make() {
     ControlModel control;
     control.name = "dinplus";
     control.language = "dinplus";
+    control.model = "dinplus";
     control.description = "HEIDENHAIN DIN PLUS";
+    control.machine = Machine::lathe; // CNC PILOT, MANUALplus
     control.assumed = false;
     // "Chained at most six times" is read as six levels below the main program. No limit of loops is
     // printed; "max. 6 characters" in l.18887 can only mean levels of brackets.
@@ -70,7 +73,7 @@ ControlModel make() {
     control.loops_left_by_jump = false; // the language has no jump [dinplus.md 4.1]; l.19801
     control.sections = section_kinds();
     control.references = {{"contour block", SectionKind::Role::contour, "l.10203, l.13166"}};
-    return control;
+    return checked(std::move(control));
 }
 
 } // namespace

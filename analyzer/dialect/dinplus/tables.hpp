@@ -101,11 +101,6 @@ struct CodeFact {
 /// The group that `#n<number>(<selector>)` reads, or nothing.
 [[nodiscard]] std::optional<GroupId> group_read(std::int32_t number, std::string_view selector);
 
-/// Names by which lowering finds groups that words set.
-namespace group_names {
-constexpr std::string_view feed = "feed", speed = "spindle speed";
-}
-
 /// The one control of the language: "dinplus".
 [[nodiscard]] const ControlModel& control();
 

@@ -14,7 +14,7 @@ constexpr std::uint8_t sync = synchronises;
 constexpr std::uint8_t rapid = without_feed;
 constexpr auto mill = Machine::mill;
 constexpr auto lathe = Machine::lathe;
-constexpr auto both = Machine::both;
+constexpr auto both = std::nullopt;
 
 // A code that is missing here only sets its modal group, if it has one. Sources: fanuc-custom-macro.md
 // (section or key), T: general knowledge of the control, not confirmed by a manual page.
@@ -94,7 +94,7 @@ std::array<Letter, 256> letter_classes(Machine machine) {
     return table;
 }
 
-CodeTable build(const ControlModel& control, Machine machine) {
+CodeTable build(const ControlModel& control) {
     CodeTable table{};
     table.g.fill({.group = no_group, .traits = 0});
     table.m_groups.fill(no_group);
@@ -105,16 +105,16 @@ CodeTable build(const ControlModel& control, Machine machine) {
                 table.m_groups[static_cast<std::size_t>(code)] = static_cast<GroupId>(i);
         }
     for (const CodeFact& fact : facts) {
-        if (fact.machine != Machine::both && fact.machine != machine) continue;
+        if (fact.machine.value_or(control.machine) != control.machine) continue;
         if (fact.letter == 'G')
             table.g[tenths(fact.code)].traits = fact.traits;
         else
             table.m[static_cast<std::size_t>(fact.code)] = fact.traits;
     }
-    table.letters = letter_classes(machine);
-    table.feed = find_group(control.groups, group_names::feed).value_or(no_group);
-    table.speed = find_group(control.groups, group_names::speed).value_or(no_group);
-    table.local_offset = find_group(control.groups, group_names::local_offset).value_or(no_group);
+    table.letters = letter_classes(control.machine);
+    table.feed = control.group_with(ModalRole::feed).value_or(no_group);
+    table.speed = control.group_with(ModalRole::speed).value_or(no_group);
+    table.local_offset = control.group_with(ModalRole::local_offset).value_or(no_group);
     table.g[tenths(52)].group = no_group; // set or cancelled by its words, see lowering
     return table;
 }
@@ -139,16 +139,11 @@ GroupId CodeTable::m_group(double code) const {
     return m_groups[static_cast<std::size_t>(code)];
 }
 
-bool is_lathe(const ControlModel& control) {
-    const std::optional<GroupId> group = control.group_of('G', 90);
-    return group && control.groups[*group].restore_policy == RestorePolicy::motion;
-}
-
 const CodeTable& codes_of(const ControlModel& control) {
     // All controls of a machine type share the layout of their modal groups.
-    static const CodeTable of_mills = build(fanuc_control("fanuc"), Machine::mill);
-    static const CodeTable of_lathes = build(fanuc_control("fanuc-lathe"), Machine::lathe);
-    return is_lathe(control) ? of_lathes : of_mills;
+    static const CodeTable of_mills = build(fanuc_control("fanuc"));
+    static const CodeTable of_lathes = build(*fanuc_control("fanuc").lathe);
+    return control.machine == Machine::lathe ? of_lathes : of_mills;
 }
 
 } // namespace maclint::fanuc

@@ -20,13 +20,11 @@ enum Trait : std::uint8_t {
     without_feed = 1 << 5, ///< moves at rapid traverse, whatever the motion mode is
 };
 
-enum class Machine : std::uint8_t { mill, lathe, both };
-
 /// One row of the code table.
 struct CodeFact {
     char letter;
     double code;
-    Machine machine;
+    std::optional<Machine> machine; ///< nothing: both
     std::uint8_t traits;
     std::string_view source;
 };
@@ -59,8 +57,7 @@ struct CodeTable {
     [[nodiscard]] GroupId m_group(double code) const;
 };
 
-/// Whether the control reads words as a lathe with G code system A does: there G90 is a cycle.
-[[nodiscard]] bool is_lathe(const ControlModel& control);
+/// The table of the machine type that the control drives: a lathe reads words as G code system A does.
 [[nodiscard]] const CodeTable& codes_of(const ControlModel& control);
 
 } // namespace maclint::fanuc

@@ -37,13 +37,9 @@ bool is_sequence_number(std::string_view text) {
            std::ranges::all_of(text.substr(1), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// The lathe twin of a control that the caller took from the table, if the text is for one.
+/// The control on the machine that the text is for.
 const ControlModel& control_for(const ControlModel& control, std::string_view text) {
-    if (is_lathe(control) || !is_written_for_lathe(text)) return control;
-    const std::span<const ControlModel> all = fanuc_controls();
-    const bool ours = std::ranges::any_of(all, [&](const ControlModel& row) { return &row == &control; });
-    const auto twin = std::ranges::find(all, control.name + "-lathe", &ControlModel::name);
-    return ours && twin != all.end() ? *twin : control;
+    return control.lathe != nullptr && is_written_for_lathe(text) ? *control.lathe : control;
 }
 
 class Reader {

@@ -25,12 +25,6 @@ namespace calls {
 constexpr CallKindId g65 = 0, g66 = 1, g66_1 = 2, m98 = 3, m198 = 4;
 }
 
-/// Names by which lowering finds groups that no G code stands for.
-namespace group_names {
-constexpr std::string_view feed = "feed", speed = "spindle speed", local_offset = "local offset",
-                           motion = "motion mode", spindle = "spindle";
-}
-
 [[nodiscard]] std::vector<ModalGroup> mill_groups();
 [[nodiscard]] std::vector<ModalGroup> lathe_groups();
 /// When feed and speed matter to no move.

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 namespace maclint::fanuc {
 namespace {
 
 /// One row of the control table. Every row gives a mill and a lathe, named with "-lathe" behind.
 struct ControlRow {
-    std::string_view name;
+    std::string_view model;
     std::string_view description;
     bool assumed;
     Limits limits;
@@ -19,11 +20,9 @@ struct ControlRow {
     bool offset_is_group_12; ///< #4012 reads G54-G59
 };
 
-constexpr std::string_view lathe_suffix = "-lathe";
-
 // clang-format off
 const std::array<ControlRow, 7> rows{{
-    // name          description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012
+    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012
     {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false},
     {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false},
     {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false},
@@ -46,18 +45,24 @@ std::vector<CallKind> call_kinds() {
     // clang-format on
 }
 
-ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
+ControlModel make(const ControlRow& row, Machine machine) {
     ControlModel control;
-    control.name = row.name;
+    control.name = row.model;
     control.language = "fanuc";
+    control.model = row.model;
     control.description = row.description;
+    control.machine = machine;
+    if (machine == Machine::lathe) {
+        control.name += "-lathe";
+        control.description += ", lathe with G code system A";
+    }
     control.assumed = row.assumed;
     control.limits = row.limits;
     control.spaces = variable_spaces();
+    control.groups = machine == Machine::lathe ? lathe_groups() : mill_groups();
     std::optional<GroupId> group_twelve;
-    if (row.offset_is_group_12) group_twelve = find_group(groups, "work offset");
-    control.families = {numbered_variables(groups, group_twelve)};
-    control.groups = std::move(groups);
+    if (row.offset_is_group_12) group_twelve = control.group_with(ModalRole::work_offset);
+    control.families = {numbered_variables(control.groups, group_twelve)};
     control.calls = call_kinds();
     for (const std::int32_t local : local_of_letter)
         if (local != 0) control.formals.push_back({spaces::local, local});
@@ -66,17 +71,15 @@ ControlModel make(const ControlRow& row, std::vector<ModalGroup> groups) {
             {{{spaces::local, first}, {spaces::local, first + 1}, {spaces::local, first + 2}}});
     control.vacant_equals_zero = false;
     control.idle = idle_values(control.groups);
-    return control;
+    return checked(std::move(control));
 }
 
 std::vector<ControlModel> make_all() {
     std::vector<ControlModel> controls;
+    controls.reserve(2 * rows.size()); // mills point to their lathes
     for (const ControlRow& row : rows) {
-        controls.push_back(make(row, mill_groups()));
-        if (!row.has_lathe) continue;
-        controls.push_back(make(row, lathe_groups()));
-        controls.back().name += lathe_suffix;
-        controls.back().description += ", lathe with G code system A";
+        ControlModel& mill = controls.emplace_back(make(row, Machine::mill));
+        if (row.has_lathe) mill.lathe = &controls.emplace_back(make(row, Machine::lathe));
     }
     return controls;
 }
@@ -95,9 +98,7 @@ const ControlModel& fanuc_control(std::string_view name) {
 }
 
 bool program_word_holds_repeats(const ControlModel& control) {
-    std::string_view name = control.name;
-    if (name.ends_with(lathe_suffix)) name.remove_suffix(lathe_suffix.size());
-    const auto* row = std::ranges::find(rows, name, &ControlRow::name);
+    const auto* row = std::ranges::find(rows, control.model, &ControlRow::model);
     return row == rows.end() || row->repeats_in_program_word;
 }
 

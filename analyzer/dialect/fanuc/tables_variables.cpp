@@ -43,10 +43,10 @@ std::vector<VariableSpace> variable_spaces() {
 
 VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optional<GroupId> group_twelve) {
     constexpr SpaceId here = spaces::machine;
-    const GroupId feed = *find_group(groups, group_names::feed);
-    const GroupId speed = *find_group(groups, group_names::speed);
-    const GroupId single_block = *find_group(groups, "single-block suppression");
-    const GroupId feed_hold = *find_group(groups, "feed-hold suppression");
+    const GroupId feed = *group_with(ModalRole::feed, groups);
+    const GroupId speed = *group_with(ModalRole::speed, groups);
+    const GroupId single_block = *group_with(ModalRole::single_block, groups);
+    const GroupId feed_hold = *group_with(ModalRole::feed_hold, groups);
     std::vector<VariableRange> ranges;
     const auto add = [&](const VariableRange& range) { ranges.push_back(range); };
     // Ranges that exist only as an option, or on one series, are taken to exist. Numbers from #1000 upward of
