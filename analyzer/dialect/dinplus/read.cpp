@@ -88,7 +88,7 @@ class Reader {
         if (!words.empty() && take_section(words, raw_.span)) return;
         if (raw_.code + raw_.comments.size() > longest_block) {
             report(SyntaxErrorKind::oversized_block, {raw_.span.begin, raw_.span.begin + shown}, "");
-            return add_unreadable();
+            return add_unreadable(false);
         }
         parse();
     }
@@ -144,14 +144,14 @@ class Reader {
         if (tree.has_error) {
             if (!throttling) cause = find_cause(text_, block);
             file_.syntax_errors.push_back(cause ? *std::move(cause) : find_parse_error(text_, block, tree));
-            return add_unreadable();
+            return add_unreadable(false);
         }
         for (const syntax::Node& node : tree.nodes) {
             if (kind_of(node) == Kind::section) return take_unknown_section(tree, node);
             if (kind_of(node) == Kind::block && take_numbered_section(tree, node)) return;
         }
-        const Part part = programs_.current();
-        lowering_.lower(tree, block, part.program, part.before);
+        auto& [program, before] = programs_.current();
+        lowering_.lower(tree, block, program, before);
     }
 
     /// `N5 MACHINING`, `N3 FACE_C Z0`: the word counts although a number stands before it.
@@ -176,13 +176,7 @@ class Reader {
         const Span word{raw_.span.begin + name.span.begin, raw_.span.begin + name.span.end};
         const std::string meant = meant_by(capitals_of(text_.substr(word.begin, word.length())));
         report(SyntaxErrorKind::unknown_keyword, word, meant);
-        add_unreadable();
-        if (meant != "RETURN") return;
-        // Manuals print the word in translation.
-        Program& program = programs_.current().program;
-        auto& block = std::get<Block>(program.items.back());
-        program.effects.push_back({Return{}, raw_.span});
-        ++block.effects.count;
+        add_unreadable(meant == "RETURN"); // manuals print the word in translation
     }
 
     /// The block's tree, good until the next block; every thread has its own memory of trees.
@@ -192,20 +186,16 @@ class Reader {
         return trees.parse(block, shape_);
     }
 
-    void add_unreadable() {
-        const Part part = programs_.current();
-        part.before.waiting_if.reset();
-        Program& program = part.program;
+    void add_unreadable(bool returns) {
+        auto& [program, before] = programs_.current();
+        before.waiting_if.reset();
         Block block{};
         block.span = raw_.span;
         take_unreadable_head(block);
-        block.words.first = static_cast<Id>(program.words.size());
-        block.effects.first = static_cast<Id>(program.effects.size());
-        if (part.before.effects) {
-            program.effects.push_back({names_in(program, part.before, raw_.span), raw_.span});
-            block.effects.count = 1;
-        }
-        program.items.emplace_back(block);
+        program.begin_block();
+        if (before.effects) program.add_effect({names_in(program.program(), before, raw_.span), raw_.span});
+        if (returns) program.add_effect({Return{}, raw_.span});
+        program.end_block(block);
     }
 
     /// The block number stands at the head of the text whatever is wrong behind it.

@@ -196,18 +196,18 @@ void RunTotals::add(const ScannedBlock& block) {
     }
 }
 
-void RunTotals::close(Program& program) {
+void RunTotals::close(ProgramBuilder& program) {
     if (blocks_ == 0) return;
-    const auto first = static_cast<Id>(program.settings.size());
+    std::array<ModalSetting, std::tuple_size_v<decltype(last_)>> net; // of the groups that were set
+    std::size_t count = 0;
     for (std::size_t group = 0; group < last_.size(); ++group)
-        if ((touched_ >> group & 1) != 0)
-            program.settings.push_back({static_cast<GroupId>(group), last_[group]});
-    const auto count = static_cast<Id>(program.settings.size()) - first;
-    program.items.emplace_back(PlainRun{.span = span_,
-                                        .blocks = blocks_,
-                                        .moves = moves_,
-                                        .has_sequence_numbers = has_sequence_numbers_,
-                                        .net = {first, count}});
+        if ((touched_ >> group & 1) != 0) net[count++] = {static_cast<GroupId>(group), last_[group]};
+    program.add_run(PlainRun{.span = span_,
+                             .blocks = blocks_,
+                             .moves = moves_,
+                             .has_sequence_numbers = has_sequence_numbers_,
+                             .net = {}},
+                    std::span(net).first(count));
     *this = {};
 }
 

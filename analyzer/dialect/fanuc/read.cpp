@@ -120,62 +120,46 @@ class Reader {
         std::optional<ProgramHead> head = find_program_head(text_, raw_.span);
         if (!head) return;
         close_program();
-        Program& program = open_program();
-        program.name = std::move(head->name);
-        program.number = head->number;
-        program.name_span = head->span;
-        name_otherwise(program);
+        ProgramBuilder& program = open_program(std::move(head->name), head->number);
+        program.set_name_span(head->span);
+    }
+
+    ProgramBuilder& open_program(std::string name, std::optional<std::int64_t> number) {
+        ProgramBuilder& program = program_.emplace(std::move(name), text_, *file_.control);
+        program.set_decoder(decode_run);
+        program.begin_section("program", Section::Executed::when_reached, {});
+        if (number) program.set_number(*number);
+        add_spellings(program);
+        return program;
     }
 
     /// Ways in which a call may write the program's name.
-    static void name_otherwise(Program& program) {
+    static void add_spellings(ProgramBuilder& builder) {
+        const Program& program = builder.program();
         if (program.number) {
-            std::string digits = std::to_string(*program.number);
-            program.also_known_as.push_back("O" + digits);
-            if (digits.size() < 4)
-                program.also_known_as.push_back("O" + std::string(4 - digits.size(), '0') + digits);
+            const std::string digits = std::to_string(*program.number);
+            builder.add_name("O" + digits);
+            if (digits.size() < 4) builder.add_name("O" + std::string(4 - digits.size(), '0') + digits);
         } else if (program.name.size() > 2 && program.name.front() == '<') {
-            program.also_known_as.push_back(program.name.substr(1, program.name.size() - 2));
+            builder.add_name(program.name.substr(1, program.name.size() - 2));
         }
-        std::erase(program.also_known_as, program.name);
-    }
-
-    Program& open_program() {
-        Program& program = file_.programs.emplace_back();
-        program.text = text_;
-        program.control = file_.control;
-        program.decode = decode_run;
-        program_open_ = true;
-        return program;
     }
 
     /// The program that is being read; one without a number is named after its file.
-    Program& program() {
-        if (program_open_) return file_.programs.back();
-        Program& program = open_program();
-        program.name = stem_of(file_.source->path());
-        program.number = number_in(program.name);
-        name_otherwise(program);
-        return program;
+    ProgramBuilder& program() {
+        if (program_) return *program_;
+        std::string name = stem_of(file_.source->path());
+        const std::optional<std::int64_t> number = number_in(name);
+        return open_program(std::move(name), number);
     }
 
     void close_program() {
         close_run();
-        if (!program_open_) return;
-        Program& program = file_.programs.back();
-        program_open_ = false;
-        program.fit();
-        const auto count = static_cast<Id>(program.items.size());
-        program.sections.push_back({"program", {0, count}, Section::Executed::when_reached});
-        if (count == 0) return;
-        program.span = {program.span_of(0).begin, program.span_of(count - 1).end};
-        if (program.name_span.empty()) program.name_span = {program.span.begin, program.span.begin};
-        if (file_.programs.size() == 1) {
-            std::string stem = stem_of(file_.source->path());
-            if (stem != program.name &&
-                std::ranges::find(program.also_known_as, stem) == program.also_known_as.end())
-                program.also_known_as.push_back(std::move(stem));
-        }
+        if (!program_) return;
+        const bool first = file_.programs.empty();
+        if (first && !program_->program().items.empty()) program_->add_name(stem_of(file_.source->path()));
+        file_.programs.push_back(program_->take());
+        program_.reset();
     }
 
     void close_run() {
@@ -227,14 +211,13 @@ class Reader {
     }
 
     void add_unreadable(Span span) {
-        Program& program = this->program();
+        ProgramBuilder& program = this->program();
         Block block{};
         block.span = span;
         take_unreadable_head(block);
-        block.words.first = static_cast<Id>(program.words.size());
-        block.effects = {static_cast<Id>(program.effects.size()), 1};
-        program.effects.push_back({names_in(program, span), span});
-        program.items.emplace_back(block);
+        program.begin_block();
+        program.add_effect({names_in(program.program(), span), span});
+        program.end_block(block);
     }
 
     /// Skip mark and sequence number stand at the head of the text whatever is wrong behind them.
@@ -282,7 +265,7 @@ class Reader {
     ErrorThrottle throttle_;
     std::size_t waiting_ = 0; ///< first comment without a next block
     bool tape_open_ = true;
-    bool program_open_ = false;
+    std::optional<ProgramBuilder> program_; ///< that is being read
 };
 
 } // namespace
