@@ -6,16 +6,15 @@
 #include "analyzer/dialect/dinplus/collect.hpp"
 #include "analyzer/dialect/dinplus/diagnose.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
+#include "analyzer/dialect/dinplus/lexer.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/dialect/dinplus/plausible.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
-#include "analyzer/dialect/dinplus/shape.hpp"
 #include "analyzer/dialect/dinplus/split.hpp"
-#include "analyzer/dialect/dinplus/tokens.hpp"
 #include "analyzer/dialect/error_throttle.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
-#include "analyzer/syntax/memory.hpp"
+#include "analyzer/syntax/parse_cache.hpp"
 
 #include <algorithm>
 
@@ -26,8 +25,6 @@ namespace {
 /// thousand nodes side by side. A comment counts as one byte, however long it is.
 constexpr std::size_t longest_block = 4096;
 constexpr Offset shown = 60;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A block number with nothing behind it.
 bool is_block_number(std::string_view text) {
@@ -179,11 +176,11 @@ class Reader {
         add_unreadable(meant == "RETURN"); // manuals print the word in translation
     }
 
-    /// The block's tree, good until the next block; every thread has its own memory of trees.
+    /// The block's tree, good until the next block; every thread has a cache of its own.
     const syntax::Tree& tree_of(std::string_view block) {
-        thread_local syntax::TreeMemory trees(grammar);
-        shape_of(block, shape_);
-        return trees.parse(block, shape_);
+        thread_local syntax::ParseCache cache(grammar);
+        make_cache_key(block, key_);
+        return cache.parse(key_);
     }
 
     void add_unreadable(bool returns) {
@@ -200,7 +197,7 @@ class Reader {
 
     /// The block number stands at the head of the text whatever is wrong behind it.
     void take_unreadable_head(Block& block) const {
-        Offset at = behind_marks(text_, first_code());
+        Offset at = after_marks(text_, first_code());
         if (at >= block.span.end || (text_[at] != 'N' && text_[at] != 'n')) return;
         const Offset letter = at;
         at = skip_blanks(text_, at + 1);
@@ -235,7 +232,7 @@ class Reader {
     BlockLowering lowering_;
     RawBlock raw_;
     std::string code_; ///< of the block, without its comments
-    std::string shape_;
+    std::string key_;  ///< of the block, for the cache
     ErrorThrottle throttle_;
     std::size_t waiting_ = 0; ///< first comment without a next block
 };

@@ -1,8 +1,8 @@
 //! Lowering of blocks and macro statements.
 #include "analyzer/dialect/fanuc/diagnose.hpp"
+#include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
-#include "analyzer/dialect/fanuc/tokens.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 //! Lowering of expressions and conditions.
 #include "analyzer/dialect/fanuc/functions.hpp"
+#include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
-#include "analyzer/dialect/fanuc/tokens.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>

@@ -5,15 +5,15 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/error_throttle.hpp"
 #include "analyzer/dialect/fanuc/diagnose.hpp"
+#include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/machine_type.hpp"
 #include "analyzer/dialect/fanuc/plain.hpp"
 #include "analyzer/dialect/fanuc/plausible.hpp"
-#include "analyzer/dialect/fanuc/shape.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
-#include "analyzer/syntax/memory.hpp"
+#include "analyzer/syntax/parse_cache.hpp"
 
 #include <algorithm>
 #include <string>
@@ -180,7 +180,7 @@ class Reader {
         const bool throttling = throttle_.is_throttling();
         std::optional<SyntaxError> cause;
         if (throttling) cause = find_cause(text_, block);
-        const syntax::Tree& tree = !cause && is_plausible(code) ? parse(code) : nothing;
+        const syntax::Tree& tree = !cause && is_plausible(text_, block) ? parse(code) : nothing;
         throttle_.record(tree.has_error);
         if (!tree.has_error) {
             lowering_.lower(tree, block, program());
@@ -193,18 +193,18 @@ class Reader {
         add_unreadable(block);
     }
 
-    /// The block's tree, good until the next block; every thread has its own memory of trees.
+    /// The block's tree, good until the next block; every thread has a cache of its own.
     const syntax::Tree& parse(std::string_view block) {
-        thread_local syntax::TreeMemory trees(grammar);
-        shape_of(block, shape_);
-        return trees.parse(block, shape_);
+        thread_local syntax::ParseCache cache(grammar);
+        make_cache_key(block, key_);
+        return cache.parse(key_);
     }
 
     /// Whether the block ends in a comment that nobody closed; what it swallowed explains any other error.
     bool report_open_comment() {
         if (raw_.comments.empty()) return false;
         const Span open = raw_.comments.back();
-        if (open.length() > 1 && text_[open.end - 1] == ')') return false;
+        if (is_closed(text_.substr(open.begin, open.length()))) return false;
         file_.syntax_errors.push_back({SyntaxErrorKind::unterminated_comment, open,
                                        std::string(text_.substr(open.begin, open.length())), ")"});
         return true;
@@ -261,7 +261,7 @@ class Reader {
     RunTotals run_;
     RawBlock raw_;
     std::string code_; ///< of the block, without its comments
-    std::string shape_;
+    std::string key_;  ///< of the block, for the cache
     ErrorThrottle throttle_;
     std::size_t waiting_ = 0; ///< first comment without a next block
     bool tape_open_ = true;
