@@ -1,6 +1,7 @@
 //! What the lowering of a block has in common in all dialects: its tree, its expressions, its effects.
 #pragma once
 
+#include "analyzer/program/builder.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/syntax/tree.hpp"
 
@@ -14,7 +15,8 @@
 
 namespace maclint {
 
-/// Base of a dialect's lowering. One object lowers block after block: its lists keep their memory.
+/// Base of a dialect's lowering. One object lowers block after block; what comes out of it goes to the
+/// builder of the program.
 class TreeLowering {
   public:
     TreeLowering(const TreeLowering&) = delete;
@@ -33,30 +35,34 @@ class TreeLowering {
         , is_remark_(is_remark) {}
     ~TreeLowering() = default;
 
-    /// From now on `tree` is lowered, whose text is `block` of the file, into `program`. All must stay until
+    /// From now on `tree` is lowered, whose text is `block` of the file, into a program. All must stay until
     /// end_block().
-    void begin_block(const syntax::Tree& tree, Span block, Program& program);
-    /// Hands effects and words since begin_block() over to the program.
+    void begin_block(const syntax::Tree& tree, Span block, ProgramBuilder& builder);
+    /// `block` has all but its span, words and effects.
     void end_block(Block block);
 
     // ---- expressions
-    ExpressionId add(Expression expression);
-    ExpressionId literal(double value, Span span);
+    ExpressionId add(Expression expression) { return builder_->add(expression); }
+    ExpressionId literal(double value, Span span) { return builder_->literal(value, span); }
     /// The number that the text is.
     ExpressionId number(std::string_view text, Span span);
-    ExpressionId unreadable(Span span);
-    ExpressionId apply(Operation operation, std::span<const ExpressionId> operands, Span span);
+    ExpressionId unreadable(Span span) { return builder_->unreadable(span); }
+    ExpressionId apply(Operation operation, std::span<const ExpressionId> operands, Span span) {
+        return builder_->apply(operation, operands, span);
+    }
     /// A sign in front of a value: `-5` is a number; `span` is that of both.
     ExpressionId with_sign(bool minus, ExpressionId value, bool is_number, Span span);
-    /// The number that the expression is; empty when it has to be calculated.
-    [[nodiscard]] std::optional<double> value_of_literal(ExpressionId id) const;
-    /// Gives an expression the span of what stands around it.
-    ExpressionId widen(ExpressionId id, Span span);
+    ExpressionId widen(ExpressionId id, Span span) { return builder_->widen(id, span); }
+    [[nodiscard]] const Expression& expression(ExpressionId id) const { return builder_->expression(id); }
+    [[nodiscard]] std::optional<double> literal_value(ExpressionId id) const {
+        return builder_->literal_value(id);
+    }
 
     // ---- effects
-    void effect(Effect effect) { effects_.push_back(std::move(effect)); }
-    /// Puts the effects from place `first` on under a condition.
-    void guard(ExpressionId condition, std::size_t first, Span span);
+    void effect(Effect effect) { builder_->add_effect(std::move(effect)); }
+    void guard(ExpressionId condition, std::size_t first, Span span) {
+        builder_->guard(condition, first, span);
+    }
 
     // ---- the tree
     [[nodiscard]] Span span(const Node& node) const {
@@ -85,14 +91,13 @@ class TreeLowering {
 
     const syntax::Tree* tree_ = nullptr;
     Span block_;
-    Program* program_ = nullptr;
+    ProgramBuilder* builder_ = nullptr;
+    const Program* program_ = nullptr; ///< what the builder has written so far
     std::vector<SyntaxError>& syntax_errors_;
-    std::vector<Effect> effects_; ///< of the block, so far
-    int depth_ = 0;               ///< of the expression being lowered
+    int depth_ = 0; ///< of the expression being lowered
 
   private:
     bool (*is_remark_)(const Node&);
-    Id first_word_ = 0;
 };
 
 } // namespace maclint

@@ -1,5 +1,5 @@
 //! Where DIN PLUS blocks begin and end, and what a comment takes with it.
-#include "analyzer/dialect/dinplus/shape.hpp"
+#include "analyzer/dialect/dinplus/lexer.hpp"
 #include "analyzer/dialect/dinplus/split.hpp"
 
 #include <string>
@@ -25,10 +25,10 @@ std::vector<std::string> blocks_of(std::string_view text) {
     return blocks;
 }
 
-std::string shape(std::string_view block) {
-    std::string out;
-    shape_of(block, out);
-    return out;
+std::string cache_key(std::string_view block) {
+    std::string key;
+    make_cache_key(block, key);
+    return key;
 }
 
 TEST(DinSplitter, EveryLineEndEndsABlock) {
@@ -90,11 +90,11 @@ TEST(DinSplitter, BlocksAreKnownByNumberOrSectionWord) {
     EXPECT_FALSE(begins_block("KONEISTUS", 0)); // no word of a control: prose of a Finnish author
 }
 
-TEST(DinShape, DigitsTextsAndCommentsAreEqual) {
-    EXPECT_EQ(shape("N15 G1 X-2.5 ID\"a1\" [note 7]"), "N00 G0 X-0.0 ID\"--\" [------]");
-    EXPECT_EQ(shape("[//]"), "[//]"); // a token of its own
-    EXPECT_EQ(shape("PRINT(\"open"), "PRINT(\"open");
-    EXPECT_EQ(shape("#l12=#_a1"), "#l00=#_a0");
+TEST(DinLexer, DigitsTextsAndCommentsAreEqualInTheCacheKey) {
+    EXPECT_EQ(cache_key("N15 G1 X-2.5 ID\"a1\" [note 7]"), "N00 G0 X-0.0 ID\"--\" [------]");
+    EXPECT_EQ(cache_key("[//]"), "[//]"); // a token of its own
+    EXPECT_EQ(cache_key("PRINT(\"open"), "PRINT(\"----");
+    EXPECT_EQ(cache_key("#l12=#_a1"), "#l00=#_a0");
 }
 
 } // namespace

@@ -279,6 +279,7 @@ TEST(FanucProgram, PeckDrillingOfAMillIsNoTurningCycle) {
           "O1\nG73Z-20.Q2000P500\nM30", "O1\nG73X10.Q2.P500\nM30", "O1\nG96S200\nG1X5.Y[#1+2]\nM30"})
         EXPECT_EQ(read(text).control->name, "fanuc") << text;
     EXPECT_EQ(read("O1\nG96S200\n#1=#_KEY[1]\nM30").control->name, "fanuc-lathe");
+    EXPECT_EQ(read("O1(TURN\rG96S200\rM30").control->name, "fanuc-lathe"); // a comment ends at CR, too
 }
 
 TEST(FanucComment, ThatSpeaksToMaclintIsRecordedWithItsSurroundings) {

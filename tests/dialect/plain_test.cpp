@@ -120,13 +120,12 @@ Meaning by_grammar(std::string_view text, const ControlModel& control) {
     syntax::parse(grammar, std::string(text) + "\n", tree);
     meaning.error = tree.has_error;
     if (meaning.error) return meaning;
-    Program program;
-    program.text = text;
-    program.control = &control;
+    ProgramBuilder builder("O1", text, control);
     std::vector<SyntaxError> syntax_errors;
     BlockLowering(codes_of(control), syntax_errors)
-        .lower(tree, {0, static_cast<Offset>(text.size())}, program);
+        .lower(tree, {0, static_cast<Offset>(text.size())}, builder);
     meaning.other = !syntax_errors.empty();
+    const Program& program = builder.program();
     if (program.items.empty()) return meaning;
     const auto& block = std::get<Block>(program.items.front());
     meaning.has_block = true;

@@ -109,7 +109,7 @@ TEST(SyntaxErrors, TheListOfAnOutputStatementMayHoldAnyWords) {
 /// inside noise the cause is looked for first.
 void expect_no_cause_in_good_blocks(const std::filesystem::path& folder) {
     std::set<std::string> seen;
-    fanuc::RawBlock block;
+    RawBlock block{};
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;
         std::ifstream file(entry.path(), std::ios::binary);

@@ -1,6 +1,8 @@
 //! One pass over a line parts code, comments and remarks; plain code is also read word by word.
 #include "analyzer/dialect/detect/line.hpp"
 
+#include "analyzer/dialect/fanuc/lexer.hpp"
+
 #include <algorithm>
 
 namespace maclint::detect {
@@ -49,9 +51,11 @@ void Line::split() {
             without_comments_ += whole[at++];
             continue;
         }
-        const std::size_t end = std::min(whole.find(')', at), whole.size());
-        if (comment_.empty()) comment_ = whole.substr(at + 1, end - at - 1);
-        at = end + 1;
+        const Offset end = fanuc::after_comment(whole, static_cast<Offset>(at));
+        std::string_view comment = whole.substr(at + 1, end - at - 1);
+        if (fanuc::is_closed(whole.substr(at, end - at))) comment.remove_suffix(1);
+        if (comment_.empty()) comment_ = comment;
+        at = end;
     }
     code_ = behind_number(trim(without_comments_));
 }

@@ -41,48 +41,51 @@ std::string_view file_name(std::string_view path) {
     return slash == std::string_view::npos ? path : path.substr(slash + 1);
 }
 
-void add_name(Program& program, std::string_view name) {
+/// The control knows no case in names.
+void add_name(ProgramBuilder& builder, std::string_view name) {
+    const Program& program = builder.program();
     const auto known = [&](std::string_view other) { return in_capitals(other) == in_capitals(name); };
     if (name.empty() || known(program.name) || std::ranges::any_of(program.also_known_as, known)) return;
-    program.also_known_as.emplace_back(name);
+    builder.add_name(name);
+}
+
+/// Where a name stands in the text of its program.
+Span span_in(std::string_view text, std::string_view name) {
+    const auto begin = static_cast<Offset>(name.data() - text.data());
+    return {begin, begin + static_cast<Offset>(name.size())};
 }
 
 } // namespace
 
-Program& Programs::open(std::string name) {
-    Program& program = file_.programs.emplace_back();
-    program.name = std::move(name);
-    program.text = source_.bytes();
-    program.control = &control_;
-    before_.emplace_back();
-    return program;
+Part& Programs::open(std::string name) {
+    return parts_.emplace_back(Part{ProgramBuilder(std::move(name), source_.bytes(), control_), {}});
 }
 
 /// The main part, named after its file.
-Program& Programs::main() {
+Part& Programs::main() {
     if (main_ == nothing) {
-        main_ = file_.programs.size();
-        Program& program = open(stem_of(source_.path()));
+        main_ = parts_.size();
+        ProgramBuilder& program = open(stem_of(source_.path())).program;
         add_name(program, file_name(source_.path()));
-        if (is_subprogram_file(source_.path())) program.started = Program::Started::by_call;
+        if (is_subprogram_file(source_.path())) program.set_started(Program::Started::by_call);
     }
-    return file_.programs[main_];
+    return parts_[main_];
 }
 
 void Programs::open_main(Span line, Offset mark) {
     leave_section();
     // A second program in the file; before the first there may be remarks.
-    if (main_ != nothing && !file_.programs[main_].sections.empty()) main_ = nothing;
-    Program& program = main();
+    if (main_ != nothing && parts_[main_].program.has_sections()) main_ = nothing;
+    ProgramBuilder& program = main().program;
     current_ = main_;
-    std::string_view name = program.slice({mark + 1, line.end});
+    const std::string_view text = source_.bytes();
+    std::string_view name = text.substr(mark + 1, line.end - mark - 1);
     name = trim(name.substr(0, name.find_first_of("\"[")));
     if (name.empty()) return;
-    const auto begin = static_cast<Offset>(name.data() - program.text.data());
-    program.name_span = {begin, begin + static_cast<Offset>(name.size())};
+    program.set_name_span(span_in(text, name));
     add_name(program, stem_of(name));
     add_name(program, name);
-    if (is_subprogram_file(name)) program.started = Program::Started::by_call;
+    if (is_subprogram_file(name)) program.set_started(Program::Started::by_call);
 }
 
 void Programs::open_section(const SectionWord& word, Span heading) {
@@ -91,12 +94,12 @@ void Programs::open_section(const SectionWord& word, Span heading) {
     if (kind.role == Role::subprogram) {
         open_subprogram(word, heading);
     } else {
-        Program& program = main();
+        ProgramBuilder& program = main().program;
         current_ = main_;
         // Names may be declared anywhere; everything else belongs to a program of its own.
-        if (!declares_names(kind) && program.started == Program::Started::unknown &&
+        if (!declares_names(kind) && program.program().started == Program::Started::unknown &&
             in_capitals(source_.path()).ends_with(".NC"))
-            program.started = Program::Started::by_hand;
+            program.set_started(Program::Started::by_hand);
     }
     begin_section(kind, heading);
 }
@@ -110,19 +113,13 @@ void Programs::open_subprogram(const SectionWord& word, Span heading) {
     else // word processors make other quotation marks of them
         name = rest.substr(0, rest.find_first_not_of("0123456789"));
     name = trim(name.substr(0, name.find('[')));
-    main(); // also when the subprograms stand first
-    current_ = file_.programs.size();
-    Program& program = open(std::string(name));
-    program.local = true;
-    program.started = Program::Started::by_call;
-    if (!name.empty()) {
-        const auto begin = static_cast<Offset>(name.data() - program.text.data());
-        program.name_span = {begin, begin + static_cast<Offset>(name.size())};
-    } else {
-        program.name = std::string(word.word);
-        program.name_span = heading;
-    }
-    before_[current_] = inherited(before_[main_]);
+    Preceding before = inherited(main().before); // also when the subprograms stand first
+    current_ = parts_.size();
+    Part& part = open(std::string(name.empty() ? word.word : name));
+    part.before = std::move(before);
+    part.program.set_local();
+    part.program.set_started(Program::Started::by_call);
+    part.program.set_name_span(name.empty() ? heading : span_in(source_.bytes(), name));
 }
 
 /// Names of VAR that stand for variables which all programs share are known in local subprograms, too.
@@ -134,48 +131,30 @@ Preceding Programs::inherited(const Preceding& main) {
 }
 
 void Programs::begin_section(const SectionKind& kind, Span heading) {
-    Program& program = file_.programs[current_];
-    const auto first = static_cast<Id>(program.items.size());
-    program.sections.push_back({kind.name, {first, 0}, executed(kind), heading});
-    Preceding& before = before_[current_];
+    auto& [program, before] = parts_[current_];
+    program.begin_section(kind.name, executed(kind), heading);
     before.context = kind.role == Role::contour ? Context::contour : Context::machining;
     before.effects = executed(kind) != Executed::never;
     before.declares = declares_names(kind);
 }
 
-Part Programs::current() {
+Part& Programs::current() {
     if (current_ == nothing) {
         main();
         current_ = main_;
     }
-    Program& program = file_.programs[current_];
-    if (program.sections.empty())
-        program.sections.push_back({without_sections, {0, 0}, Executed::when_reached, {}});
-    return {program, before_[current_]};
+    ProgramBuilder& program = parts_[current_].program;
+    if (!program.has_sections()) program.begin_section(without_sections, Executed::when_reached, {});
+    return parts_[current_];
 }
 
 void Programs::leave_section() {
-    if (current_ == nothing) return;
-    Program& program = file_.programs[current_];
-    before_[current_].waiting_if.reset();
-    if (program.sections.empty()) return;
-    Section& section = program.sections.back();
-    section.items.count = static_cast<Id>(program.items.size()) - section.items.first;
+    if (current_ != nothing) parts_[current_].before.waiting_if.reset();
 }
 
 void Programs::close() {
-    leave_section();
-    std::erase_if(file_.programs, [](const Program& program) { return program.sections.empty(); });
-    for (Program& program : file_.programs) finish(program);
-}
-
-void Programs::finish(Program& program) const {
-    if (!program.items.empty())
-        program.span = {program.span_of(0).begin,
-                        program.span_of(static_cast<ItemId>(program.items.size() - 1)).end};
-    else if (!program.sections.empty())
-        program.span = program.sections.front().heading;
-    if (program.name_span.empty()) program.name_span = {program.span.begin, program.span.begin};
+    for (Part& part : parts_)
+        if (part.program.has_sections()) file_.programs.push_back(part.program.take());
 }
 
 } // namespace maclint::dinplus

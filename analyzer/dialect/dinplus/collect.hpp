@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/dialect/dinplus/tables.hpp"
+#include "analyzer/program/builder.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <cstddef>
@@ -11,10 +12,10 @@
 
 namespace maclint::dinplus {
 
-/// The program and section that take the next block.
+/// A program that is being read, and what its last blocks tell about the next one.
 struct Part {
-    Program& program;
-    Preceding& before;
+    ProgramBuilder program;
+    Preceding before;
 };
 
 /// The programs of a file: the main part and its local subprograms. Behind a subprogram any other section
@@ -31,17 +32,16 @@ class Programs {
     /// A section word in the line `heading`.
     void open_section(const SectionWord& word, Span heading);
     /// Where the next block belongs.
-    [[nodiscard]] Part current();
+    [[nodiscard]] Part& current();
     /// At the end of the file.
     void close();
 
   private:
-    Program& open(std::string name);
-    Program& main();
+    Part& open(std::string name);
+    Part& main();
     void open_subprogram(const SectionWord& word, Span heading);
     void begin_section(const SectionKind& kind, Span heading);
     void leave_section();
-    void finish(Program& program) const;
     [[nodiscard]] static Preceding inherited(const Preceding& main);
 
     static constexpr std::size_t nothing = SIZE_MAX;
@@ -49,7 +49,7 @@ class Programs {
     const Source& source_;
     const ControlModel& control_;
     ProgramFile& file_;
-    std::vector<Preceding> before_; ///< one for each program of the file
+    std::vector<Part> parts_; ///< one for each program of the file
     std::size_t main_ = nothing;
     std::size_t current_ = nothing;
 };

@@ -4,8 +4,8 @@
 
 #include "analyzer/dialect/dinplus/keywords.hpp"
 #include "analyzer/dialect/dinplus/kinds.hpp"
+#include "analyzer/dialect/dinplus/lexer.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
-#include "analyzer/dialect/dinplus/tokens.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
@@ -17,8 +17,6 @@ namespace {
 using TokenKind = Token::Kind;
 
 constexpr std::size_t longest_shown = 60;
-
-constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
 std::string shown(std::string_view text) {
     if (text.size() <= longest_shown) return std::string(text);

@@ -23,8 +23,8 @@ std::uint16_t skip_levels(std::string_view mark) {
 
 } // namespace
 
-void BlockLowering::lower(const syntax::Tree& tree, Span block, Program& program, Preceding& before) {
-    begin_block(tree, block, program);
+void BlockLowering::lower(const syntax::Tree& tree, Span block, ProgramBuilder& builder, Preceding& before) {
+    begin_block(tree, block, builder);
     before_ = &before;
     const Node* node = nullptr;
     for_each_below(tree.nodes.front(), [&](const Node& child) {
@@ -40,7 +40,7 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, Program& program
         check_then(items);
         lower_items(items);
     }
-    if (!before.effects) effects_.clear();
+    if (!before.effects) builder.drop_effects();
     end_block(lowered);
 }
 
@@ -137,8 +137,8 @@ void BlockLowering::lower_case(const Node& node) {
 }
 
 void BlockLowering::evaluate(ExpressionId value, Span span) {
-    effect({EvaluateWords{{static_cast<Id>(program_->operands.size()), 1}}, span});
-    program_->operands.push_back(value);
+    const std::array values{value};
+    builder_->add_values(values, span);
 }
 
 void BlockLowering::lower_call(const Node& node) {
@@ -163,8 +163,7 @@ void BlockLowering::lower_call(const Node& node) {
             arguments.push_back({*formal, *word.value, word.address, span(part)});
         }
     });
-    call.arguments = {static_cast<Id>(program_->arguments.size()), static_cast<Id>(arguments.size())};
-    std::ranges::move(arguments, std::back_inserter(program_->arguments));
+    call.arguments = builder_->add_arguments(arguments);
     effect({call, span(node)});
 }
 

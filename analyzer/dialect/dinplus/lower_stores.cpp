@@ -24,7 +24,7 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value) {
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
     const bool writable = kind == Kind::named_variable;
     const Variable own = named_variable(name, writable ? spaces::named : spaces::constant);
-    program_->handed_down.push_back(own);
+    builder_->hand_down(own);
     std::optional<Variable> variable;
     if (writable && kind_of(value) == Kind::variable) {
         if (const auto found = numbered(value)) variable = found->variable;
@@ -33,7 +33,7 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value) {
             if (const auto found = numbered(*inner)) variable = found->variable;
         if (variable) initialise(value, span(value));
     }
-    if (variable) program_->aliases.emplace(own, *variable);
+    if (variable) builder_->add_alias(own, *variable);
     before_->aliases.emplace(written, variable.value_or(own));
     return variable.has_value();
 }
@@ -49,7 +49,7 @@ void BlockLowering::initialise(const Node& variable, Span span) {
     const Node* value = only_child(*list);
     if (value == nullptr) return;
     effect({Assign{*found->variable, lower_expression(*value)}, span});
-    program_->handed_down.push_back(*found->variable);
+    builder_->hand_down(*found->variable);
 }
 
 void BlockLowering::store(const Node& target, ExpressionId value, Span span) {
@@ -65,7 +65,7 @@ void BlockLowering::store_elsewhere(const Node& target, ExpressionId value, Span
     case Kind::variable:
     case Kind::selected_variable:
     case Kind::indirect_variable: {
-        const Expression read = program_->expressions[lower_expression(target)];
+        const Expression read = expression(lower_expression(target));
         std::visit(overloaded{
                        [&](const Load& load) {
                            effect({Assign{load.variable, value}, span});
@@ -100,7 +100,7 @@ std::optional<Variable> BlockLowering::variable_of(const Node& node) {
     case Kind::transfer_variable:
     case Kind::internal_constant: {
         const ExpressionId id = lower_transfer(node);
-        const auto* load = std::get_if<Load>(&program_->expressions[id].node);
+        const auto* load = std::get_if<Load>(&expression(id).node);
         return load == nullptr ? std::nullopt : std::optional(load->variable);
     }
     default: return std::nullopt;

@@ -45,8 +45,8 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
         if (const Node* value = child(node, Field::value)) word.value = lower_expression(*value);
         break;
     }
-    if (word.value) word.literal = value_of_literal(*word.value);
-    if (!word.address.empty()) program_->words.push_back({word.address, word.value, incremental, span(node)});
+    if (word.value) word.literal = literal_value(*word.value);
+    if (!word.address.empty()) builder_->add_word({word.address, word.value, incremental, span(node)});
     return word;
 }
 
@@ -56,13 +56,10 @@ void BlockLowering::lower_words(std::span<const Node* const> nodes) {
     const std::span<const NcWord> words(words_);
     const Span all = join(span(*nodes.front()), span(*nodes.back()));
 
-    EvaluateWords values{{static_cast<Id>(program_->operands.size()), 0}};
-    for (const NcWord& word : words) {
-        if (!word.value || word.literal) continue;
-        program_->operands.push_back(*word.value);
-        ++values.values.count;
-    }
-    if (values.values.count != 0) effect({values, all});
+    computed_.clear();
+    for (const NcWord& word : words)
+        if (word.value && !word.literal) computed_.push_back(*word.value);
+    builder_->add_values(computed_, all);
     if (before_->context == Context::machining) lower_commands(words, all);
 }
 

@@ -34,9 +34,9 @@ class BlockLowering : private TreeLowering {
     explicit BlockLowering(std::vector<SyntaxError>& syntax_errors)
         : TreeLowering(syntax_errors, is_remark) {}
 
-    /// Appends the block to the program's items. `block` is where the tree's text stands in the file. The
+    /// Adds the block to the program. `block` is where the tree's text stands in the file. The
     /// tree must be free of errors; see diagnose.hpp for the others.
-    void lower(const syntax::Tree& tree, Span block, Program& program, Preceding& before);
+    void lower(const syntax::Tree& tree, Span block, ProgramBuilder& builder, Preceding& before);
 
   private:
     // ---- the block and its statements (lower.cpp)
@@ -111,6 +111,7 @@ class BlockLowering : private TreeLowering {
     Preceding* before_ = nullptr;
     Nodes items_;               ///< of the block
     std::vector<NcWord> words_; ///< that stand side by side
+    std::vector<ExpressionId> computed_;
 };
 
 } // namespace maclint::dinplus

@@ -1,8 +1,9 @@
 //! One pass over the tokens of a block.
 #include "analyzer/dialect/dinplus/plausible.hpp"
 
-#include "analyzer/dialect/dinplus/tokens.hpp"
+#include "analyzer/dialect/dinplus/lexer.hpp"
 
+#include <optional>
 #include <utility>
 
 namespace maclint::dinplus {
@@ -21,7 +22,9 @@ bool is_plausible(std::string_view text, Span block) {
     bool closed = false;  // that is a parenthesis
     bool address = false; // letters that a value follows stand before
     char sign = '\0';     // the operator that stands before
-    for (const Token& token : tokens_of(text, block)) {
+    Lexer lexer(text, block);
+    while (const std::optional<Token> next = lexer.next()) {
+        const Token& token = *next;
         const char first = text[token.span.begin];
         const char before = std::exchange(sign, '\0');
         const bool after_close = std::exchange(closed, token.kind == Kind::close);
@@ -53,7 +56,12 @@ bool is_plausible(std::string_view text, Span block) {
             if (token.span.length() == 1 || operand) ++parse_errors;
             operand = true;
             break;
-        case Kind::comment: break;
+        case Kind::comment:
+        case Kind::unclosed_comment:
+        case Kind::foreign_comment:
+        case Kind::header:
+        case Kind::program_name:
+        case Kind::end_of_line: break;
         case Kind::letters:
             // An address where an operand is due.
             if (before != '\0' && before != ',' && first != '_' && token.span.length() < 3) ++parse_errors;

@@ -6,16 +6,15 @@
 #include "analyzer/dialect/dinplus/collect.hpp"
 #include "analyzer/dialect/dinplus/diagnose.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
+#include "analyzer/dialect/dinplus/lexer.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/dialect/dinplus/plausible.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
-#include "analyzer/dialect/dinplus/shape.hpp"
 #include "analyzer/dialect/dinplus/split.hpp"
-#include "analyzer/dialect/dinplus/tokens.hpp"
 #include "analyzer/dialect/error_throttle.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
-#include "analyzer/syntax/memory.hpp"
+#include "analyzer/syntax/parse_cache.hpp"
 
 #include <algorithm>
 
@@ -26,8 +25,6 @@ namespace {
 /// thousand nodes side by side. A comment counts as one byte, however long it is.
 constexpr std::size_t longest_block = 4096;
 constexpr Offset shown = 60;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A block number with nothing behind it.
 bool is_block_number(std::string_view text) {
@@ -88,7 +85,7 @@ class Reader {
         if (!words.empty() && take_section(words, raw_.span)) return;
         if (raw_.code + raw_.comments.size() > longest_block) {
             report(SyntaxErrorKind::oversized_block, {raw_.span.begin, raw_.span.begin + shown}, "");
-            return add_unreadable();
+            return add_unreadable(false);
         }
         parse();
     }
@@ -144,14 +141,14 @@ class Reader {
         if (tree.has_error) {
             if (!throttling) cause = find_cause(text_, block);
             file_.syntax_errors.push_back(cause ? *std::move(cause) : find_parse_error(text_, block, tree));
-            return add_unreadable();
+            return add_unreadable(false);
         }
         for (const syntax::Node& node : tree.nodes) {
             if (kind_of(node) == Kind::section) return take_unknown_section(tree, node);
             if (kind_of(node) == Kind::block && take_numbered_section(tree, node)) return;
         }
-        const Part part = programs_.current();
-        lowering_.lower(tree, block, part.program, part.before);
+        auto& [program, before] = programs_.current();
+        lowering_.lower(tree, block, program, before);
     }
 
     /// `N5 MACHINING`, `N3 FACE_C Z0`: the word counts although a number stands before it.
@@ -176,41 +173,31 @@ class Reader {
         const Span word{raw_.span.begin + name.span.begin, raw_.span.begin + name.span.end};
         const std::string meant = meant_by(capitals_of(text_.substr(word.begin, word.length())));
         report(SyntaxErrorKind::unknown_keyword, word, meant);
-        add_unreadable();
-        if (meant != "RETURN") return;
-        // Manuals print the word in translation.
-        Program& program = programs_.current().program;
-        auto& block = std::get<Block>(program.items.back());
-        program.effects.push_back({Return{}, raw_.span});
-        ++block.effects.count;
+        add_unreadable(meant == "RETURN"); // manuals print the word in translation
     }
 
-    /// The block's tree, good until the next block; every thread has its own memory of trees.
+    /// The block's tree, good until the next block; every thread has a cache of its own.
     const syntax::Tree& tree_of(std::string_view block) {
-        thread_local syntax::TreeMemory trees(grammar);
-        shape_of(block, shape_);
-        return trees.parse(block, shape_);
+        thread_local syntax::ParseCache cache(grammar);
+        make_cache_key(block, key_);
+        return cache.parse(key_);
     }
 
-    void add_unreadable() {
-        const Part part = programs_.current();
-        part.before.waiting_if.reset();
-        Program& program = part.program;
+    void add_unreadable(bool returns) {
+        auto& [program, before] = programs_.current();
+        before.waiting_if.reset();
         Block block{};
         block.span = raw_.span;
         take_unreadable_head(block);
-        block.words.first = static_cast<Id>(program.words.size());
-        block.effects.first = static_cast<Id>(program.effects.size());
-        if (part.before.effects) {
-            program.effects.push_back({names_in(program, part.before, raw_.span), raw_.span});
-            block.effects.count = 1;
-        }
-        program.items.emplace_back(block);
+        program.begin_block();
+        if (before.effects) program.add_effect({names_in(program.program(), before, raw_.span), raw_.span});
+        if (returns) program.add_effect({Return{}, raw_.span});
+        program.end_block(block);
     }
 
     /// The block number stands at the head of the text whatever is wrong behind it.
     void take_unreadable_head(Block& block) const {
-        Offset at = behind_marks(text_, first_code());
+        Offset at = after_marks(text_, first_code());
         if (at >= block.span.end || (text_[at] != 'N' && text_[at] != 'n')) return;
         const Offset letter = at;
         at = skip_blanks(text_, at + 1);
@@ -245,7 +232,7 @@ class Reader {
     BlockLowering lowering_;
     RawBlock raw_;
     std::string code_; ///< of the block, without its comments
-    std::string shape_;
+    std::string key_;  ///< of the block, for the cache
     ErrorThrottle throttle_;
     std::size_t waiting_ = 0; ///< first comment without a next block
 };

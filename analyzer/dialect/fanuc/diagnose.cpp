@@ -3,9 +3,10 @@
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/kinds.hpp"
+#include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
-#include "analyzer/dialect/fanuc/tokens.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace {
 
 using TokenKind = Token::Kind;
 
-/// Longer texts are cut: nobody wrote them by hand.
-constexpr Offset longest_looked_at = 64 * 1024;
 constexpr std::size_t longest_shown = 60;
 
 std::string shown(std::string_view text) {
@@ -30,7 +29,7 @@ class ErrorExplainer {
   public:
     ErrorExplainer(std::string_view text, Span block)
         : text_(text)
-        , tokens_(tokens_of(text, {block.begin, std::min(block.end, block.begin + longest_looked_at)})) {}
+        , tokens_(tokens_of(text, block)) {}
 
     [[nodiscard]] std::span<const Token> tokens() const { return tokens_; }
     [[nodiscard]] std::string_view text(const Token& token) const {
@@ -113,6 +112,7 @@ bool ErrorExplainer::gives_value(const Token* token) const {
     switch (token->kind) {
     case TokenKind::number:
     case TokenKind::variable:
+    case TokenKind::foreign_name:
     case TokenKind::sharp:
     case TokenKind::sign:
     case TokenKind::open: return true;
@@ -124,7 +124,7 @@ bool ErrorExplainer::gives_value(const Token* token) const {
 /// Whether the text in ( ) could stand in [ ]: numbers, variables, operators and functions only.
 bool ErrorExplainer::looks_like_expression(const Token& comment) const {
     Span inside{comment.span.begin + 1, comment.span.end};
-    if (inside.end > inside.begin && text_[inside.end - 1] == ')') --inside.end;
+    if (is_closed(text(comment))) --inside.end;
     bool operand = false;
     for (const Token& token : tokens_of(text_, inside)) {
         switch (token.kind) {
@@ -161,7 +161,7 @@ std::optional<SyntaxError> ErrorExplainer::parenthesis_as_bracket() const {
             word.size() == 1 && touches && looks_like_expression(comment) && word != "N" && word != "O";
         if (!certain && !operand && !address) continue;
         std::string cure = "[";
-        if (text_[comment.span.end - 1] == ')' && comment.span.length() <= longest_shown) {
+        if (is_closed(text(comment)) && comment.span.length() <= longest_shown) {
             const bool plain = word == "DO" || word == "END"; // their number stands without brackets
             if (plain) cure.clear();
             cure += text_.substr(comment.span.begin + 1, comment.span.length() - 2);

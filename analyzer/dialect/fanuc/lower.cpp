@@ -1,8 +1,8 @@
 //! Lowering of blocks and macro statements.
 #include "analyzer/dialect/fanuc/diagnose.hpp"
+#include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
-#include "analyzer/dialect/fanuc/tokens.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
@@ -43,8 +43,8 @@ std::uint16_t skip_level(std::string_view mark) {
 
 } // namespace
 
-void BlockLowering::lower(const syntax::Tree& tree, Span block, Program& program) {
-    begin_block(tree, block, program);
+void BlockLowering::lower(const syntax::Tree& tree, Span block, ProgramBuilder& builder) {
+    begin_block(tree, block, builder);
     depth_reported_ = false;
     const Node* node = nullptr;
     for_each_child(tree.nodes.front(), [&](const Node& child) {
@@ -57,7 +57,7 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, Program& program
     Block lowered{};
     const std::span<const Node* const> content = take_head(lowered, items_);
     if (!content.empty() && kind_of(*content.front()) == Kind::bare_value) { // alarm 004
-        if (std::optional<SyntaxError> cause = find_cause(program.text, block))
+        if (std::optional<SyntaxError> cause = find_cause(program_->text, block))
             syntax_errors_.push_back(std::move(*cause));
         else
             report(SyntaxErrorKind::unreadable, span(*content.front()), "an address before the number");
@@ -91,9 +91,9 @@ void BlockLowering::lower_items(std::span<const Node* const> items) {
         const Kind kind = kind_of(*items[i]);
         if (kind == Kind::skip) {
             const Span mark = span(*items[i]);
-            const std::size_t first = effects_.size();
+            const std::size_t first = builder_->effect_count();
             lower_items(items.subspan(i + 1));
-            if (effects_.size() != first) guard(unreadable(mark), first, {mark.begin, block_.end});
+            if (builder_->effect_count() != first) guard(unreadable(mark), first, {mark.begin, block_.end});
             return;
         }
         if (!is_word(kind)) {
@@ -191,7 +191,7 @@ void BlockLowering::lower_if(const Node& node) {
     for_each_child(node, [&](const Node& part) {
         if (field_of(part) == Field::consequence) consequences.push_back(&part);
     });
-    const std::size_t first = effects_.size();
+    const std::size_t first = builder_->effect_count();
     lower_items(consequences);
     guard(test, first, span(node));
 }

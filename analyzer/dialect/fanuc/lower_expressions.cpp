@@ -1,8 +1,8 @@
 //! Lowering of expressions and conditions.
 #include "analyzer/dialect/fanuc/functions.hpp"
+#include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
-#include "analyzer/dialect/fanuc/tokens.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ Operation between_conditions(Operation operation) {
 } // namespace
 
 bool BlockLowering::is_logical(ExpressionId id) const {
-    const auto* apply = std::get_if<Apply>(&program_->expressions[id].node);
+    const auto* apply = std::get_if<Apply>(&expression(id).node);
     if (apply == nullptr) return false;
     switch (apply->operation) {
     case Operation::all_of:
@@ -122,7 +122,7 @@ ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
 Variable BlockLowering::named_variable(const Node& node) {
     std::string name = upper_text(node);
     std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
-    return {spaces::named, program_->names.number_of(name)};
+    return {spaces::named, builder_->number_of_name(name)};
 }
 
 ExpressionId BlockLowering::lower_named(const Node& node) {
@@ -170,7 +170,7 @@ ExpressionId BlockLowering::lower_comparison(const Node& node) {
     const Operation operation = find(comparisons, word.empty() ? upper_text(*sign) : word);
     if (operation == Operation::equal || operation == Operation::not_equal) {
         const auto is_null = [&](ExpressionId id) {
-            return std::holds_alternative<Vacant>(program_->expressions[id].node);
+            return std::holds_alternative<Vacant>(expression(id).node);
         };
         const Operation test = operation == Operation::equal ? Operation::is_vacant : Operation::is_set;
         if (is_null(operands[1])) return apply(test, std::span(operands).first(1), span(node));

@@ -76,8 +76,8 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
         incremental = child(*inner, Field::incremental) != nullptr;
         word.value = lower_expression(*value);
     }
-    if (word.value) word.literal = value_of_literal(*word.value);
-    program_->words.push_back({address_text(word.letter, word.comma), word.value, incremental, span(node)});
+    if (word.value) word.literal = literal_value(*word.value);
+    builder_->add_word({address_text(word.letter, word.comma), word.value, incremental, span(node)});
     return word;
 }
 
@@ -116,7 +116,7 @@ void BlockLowering::lower_macro_call(std::span<const NcWord> words, Span span) {
 }
 
 Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
-    Slice slice{static_cast<Id>(program_->arguments.size()), 0};
+    arguments_.clear();
     SetCounter sets;
     for (const NcWord& word : words) {
         if (word.comma || !word.value || word.letter < 'A' || word.letter > 'Z') continue;
@@ -127,11 +127,10 @@ Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
             if (!variable) continue;
             local = *variable;
         }
-        program_->arguments.push_back({Variable{spaces::local, local}, *word.value,
-                                       address_text(word.letter, false), span(*word.node)});
-        ++slice.count;
+        arguments_.push_back({Variable{spaces::local, local}, *word.value, address_text(word.letter, false),
+                              span(*word.node)});
     }
-    return slice;
+    return builder_->add_arguments(arguments_);
 }
 
 /// Order of a block's words: modal codes, F and S, the move, then what stops, calls or ends.
@@ -144,7 +143,7 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
     }
     const bool own_words = (traits & no_words) != 0;
     bool moves = false;
-    EvaluateWords computed{{static_cast<Id>(program_->operands.size()), 0}};
+    computed_.clear();
     for (const NcWord& word : words) {
         if (word.comma || !word.value) continue;
         const Span here = this->span(*word.node);
@@ -164,12 +163,10 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
             effect({SetModal{codes_.m_group(*word.literal), *word.value}, here});
         } else {
             moves |= is_axis(codes_, word.letter);
-            if (word.literal) continue;
-            program_->operands.push_back(*word.value);
-            ++computed.values.count;
+            if (!word.literal) computed_.push_back(*word.value);
         }
     }
-    if (computed.values.count != 0) effect({computed, span});
+    builder_->add_values(computed_, span);
     if (moves && (traits & (no_axes | no_words)) == 0) effect({Motion{(traits & without_feed) != 0}, span});
     if ((traits & synchronises) != 0) effect({Synchronise{}, span});
     for (const NcWord& word : words) {
@@ -200,11 +197,10 @@ void BlockLowering::lower_machine_function(const NcWord& word, std::span<const N
 /// The blocks from a label to M99 run as a subprogram of this program. They may run, reading goes on here,
 /// and what they have done by then is not known.
 void BlockLowering::lower_local_call(ExpressionId label, Span span) {
-    const std::size_t first = effects_.size();
+    const std::size_t first = builder_->effect_count();
     effect({Jump{label}, span});
     guard(unreadable(span), first, span);
-    const Slice no_arguments{static_cast<Id>(program_->arguments.size()), 0};
-    effect({Call{unreadable(span), calls::m98, no_arguments, std::nullopt}, span});
+    effect({Call{unreadable(span), calls::m98, {}, std::nullopt}, span});
 }
 
 /// Whether the digits of `P51002` are repeats and a program number of four digits.
@@ -218,7 +214,7 @@ bool BlockLowering::holds_repeats(const NcWord& program) const {
 
 void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, std::span<const NcWord> words,
                                           Span span) {
-    Call call{std::monostate{}, kind, {static_cast<Id>(program_->arguments.size()), 0}, std::nullopt};
+    Call call{std::monostate{}, kind, {}, std::nullopt};
     const NcWord* program = nullptr;
     std::optional<ExpressionId> label;
     for (const NcWord& word : words) {
@@ -229,7 +225,7 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
         if (word.letter == 'Q' && word.value) label = word.value;
     }
     if (program != nullptr && !call.repeat && holds_repeats(*program)) {
-        const Span where = program_->expressions[*program->value].span;
+        const Span where = expression(*program->value).span;
         call.program = literal(std::fmod(*program->literal, 10000), where);
         call.repeat = literal(std::floor(*program->literal / 10000), where);
     } else if (program != nullptr) {

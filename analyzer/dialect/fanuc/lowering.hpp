@@ -20,10 +20,10 @@ class BlockLowering : private TreeLowering {
         : TreeLowering(syntax_errors, is_remark)
         , codes_(codes) {}
 
-    /// Appends the block to the program's items; one without nodes (comments only) is left out. `block` is
+    /// Adds the block to the program; one without nodes (comments only) is left out. `block` is
     /// where the tree's text stands in the file. The tree must be free of errors; see diagnose.hpp for the
     /// others.
-    void lower(const syntax::Tree& tree, Span block, Program& program);
+    void lower(const syntax::Tree& tree, Span block, ProgramBuilder& builder);
 
   private:
     // ---- the block and its statements (lower.cpp)
@@ -84,6 +84,8 @@ class BlockLowering : private TreeLowering {
     const CodeTable& codes_;
     Nodes items_;               ///< of the block
     std::vector<NcWord> words_; ///< that stand side by side
+    std::vector<ExpressionId> computed_;
+    std::vector<Argument> arguments_;
     bool depth_reported_ = false;
 };
 

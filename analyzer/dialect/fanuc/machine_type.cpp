@@ -1,6 +1,7 @@
 //! Counts what only mills and only lathes have, in the first part of a text.
 #include "analyzer/dialect/fanuc/machine_type.hpp"
 
+#include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
 #include <cstddef>
@@ -9,9 +10,6 @@ namespace maclint::fanuc {
 namespace {
 
 constexpr std::size_t looked_at = 64 * 1024;
-
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
 
 /// The words of one block that tell.
 struct BlockWords {
@@ -67,21 +65,21 @@ bool is_written_for_lathe(std::string_view text) {
     text = text.substr(0, looked_at);
     Signs signs;
     BlockWords block;
-    for (std::size_t at = 0; at < text.size();) {
+    for (Offset at = 0; at < text.size();) {
         const char c = text[at];
         if (c == '(') {
-            while (at < text.size() && text[at] != ')' && text[at] != '\n') ++at;
+            at = after_comment(text, at);
             continue;
         }
         ++at;
-        if (c == '\n' || c == '\r' || c == ';') {
+        if (ends_block(c)) {
             signs.take(block);
             block = {};
             continue;
         }
-        const char letter = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        const char letter = to_capital(c);
         if (letter < 'A' || letter > 'Z') continue;
-        const std::size_t value = at;
+        const Offset value = at;
         while (at < text.size() &&
                (is_digit(text[at]) || text[at] == '.' || text[at] == '-' || text[at] == ' '))
             ++at;

@@ -2,6 +2,7 @@
 #include "analyzer/dialect/fanuc/plain.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
 #include <cassert>
@@ -9,8 +10,7 @@
 namespace maclint::fanuc {
 namespace {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+constexpr bool is_space(char c) { return c == ' ' || c == '\t'; }
 
 /// Reads one block; every function returns false when the block is not plain.
 class Scanner {
@@ -68,20 +68,17 @@ class Scanner {
 
     /// A comment must be closed on its line; one that speaks to maclint is for the other lane to record.
     bool comment() {
-        const char* const open = at_;
-        bool suspicious = false;
-        while (++at_ != end_ && *at_ != ')') {
-            if (*at_ == '\n' || *at_ == '\r') return false;
-            suspicious |= (*at_ | 0x20) == 'm';
-        }
-        if (at_ == end_) return false;
-        ++at_;
-        return !suspicious || !addresses_maclint({open, static_cast<std::size_t>(at_ - open)});
+        const std::string_view text(start_, static_cast<std::size_t>(end_ - start_));
+        const Offset open = offset(at_);
+        const Offset end = after_comment(text, open);
+        at_ = start_ + end;
+        const std::string_view comment = text.substr(open, end - open);
+        return is_closed(comment) && !addresses_maclint(comment);
     }
 
     bool address() {
         ++at_;
-        while (at_ != end_ && is_blank(*at_)) ++at_;
+        while (at_ != end_ && is_space(*at_)) ++at_;
         return at_ != end_;
     }
 
@@ -89,7 +86,7 @@ class Scanner {
         if (*at_ != '-' && *at_ != '+') return;
         negative_ = *at_ == '-';
         ++at_;
-        while (at_ != end_ && is_blank(*at_)) ++at_;
+        while (at_ != end_ && is_space(*at_)) ++at_;
     }
 
     bool skip_number() {
@@ -196,18 +193,18 @@ void RunTotals::add(const ScannedBlock& block) {
     }
 }
 
-void RunTotals::close(Program& program) {
+void RunTotals::close(ProgramBuilder& program) {
     if (blocks_ == 0) return;
-    const auto first = static_cast<Id>(program.settings.size());
+    std::array<ModalSetting, std::tuple_size_v<decltype(last_)>> net; // of the groups that were set
+    std::size_t count = 0;
     for (std::size_t group = 0; group < last_.size(); ++group)
-        if ((touched_ >> group & 1) != 0)
-            program.settings.push_back({static_cast<GroupId>(group), last_[group]});
-    const auto count = static_cast<Id>(program.settings.size()) - first;
-    program.items.emplace_back(PlainRun{.span = span_,
-                                        .blocks = blocks_,
-                                        .moves = moves_,
-                                        .has_sequence_numbers = has_sequence_numbers_,
-                                        .net = {first, count}});
+        if ((touched_ >> group & 1) != 0) net[count++] = {static_cast<GroupId>(group), last_[group]};
+    program.add_run(PlainRun{.span = span_,
+                             .blocks = blocks_,
+                             .moves = moves_,
+                             .has_sequence_numbers = has_sequence_numbers_,
+                             .net = {}},
+                    std::span(net).first(count));
     *this = {};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dialect/fanuc/codes.hpp"
+#include "analyzer/program/builder.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/span.hpp"
 
@@ -41,7 +42,7 @@ class RunTotals {
     void add(const ScannedBlock& block);
     [[nodiscard]] bool empty() const { return blocks_ == 0; }
     /// Appends the run to a program and starts the next one.
-    void close(Program& program);
+    void close(ProgramBuilder& program);
 
   private:
     Span span_;

@@ -5,15 +5,15 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/error_throttle.hpp"
 #include "analyzer/dialect/fanuc/diagnose.hpp"
+#include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/machine_type.hpp"
 #include "analyzer/dialect/fanuc/plain.hpp"
 #include "analyzer/dialect/fanuc/plausible.hpp"
-#include "analyzer/dialect/fanuc/shape.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
-#include "analyzer/syntax/memory.hpp"
+#include "analyzer/syntax/parse_cache.hpp"
 
 #include <algorithm>
 #include <string>
@@ -116,62 +116,46 @@ class Reader {
         std::optional<ProgramHead> head = find_program_head(text_, raw_.span);
         if (!head) return;
         close_program();
-        Program& program = open_program();
-        program.name = std::move(head->name);
-        program.number = head->number;
-        program.name_span = head->span;
-        name_otherwise(program);
+        ProgramBuilder& program = open_program(std::move(head->name), head->number);
+        program.set_name_span(head->span);
+    }
+
+    ProgramBuilder& open_program(std::string name, std::optional<std::int64_t> number) {
+        ProgramBuilder& program = program_.emplace(std::move(name), text_, *file_.control);
+        program.set_decoder(decode_run);
+        program.begin_section("program", Section::Executed::when_reached, {});
+        if (number) program.set_number(*number);
+        add_spellings(program);
+        return program;
     }
 
     /// Ways in which a call may write the program's name.
-    static void name_otherwise(Program& program) {
+    static void add_spellings(ProgramBuilder& builder) {
+        const Program& program = builder.program();
         if (program.number) {
-            std::string digits = std::to_string(*program.number);
-            program.also_known_as.push_back("O" + digits);
-            if (digits.size() < 4)
-                program.also_known_as.push_back("O" + std::string(4 - digits.size(), '0') + digits);
+            const std::string digits = std::to_string(*program.number);
+            builder.add_name("O" + digits);
+            if (digits.size() < 4) builder.add_name("O" + std::string(4 - digits.size(), '0') + digits);
         } else if (program.name.size() > 2 && program.name.front() == '<') {
-            program.also_known_as.push_back(program.name.substr(1, program.name.size() - 2));
+            builder.add_name(program.name.substr(1, program.name.size() - 2));
         }
-        std::erase(program.also_known_as, program.name);
-    }
-
-    Program& open_program() {
-        Program& program = file_.programs.emplace_back();
-        program.text = text_;
-        program.control = file_.control;
-        program.decode = decode_run;
-        program_open_ = true;
-        return program;
     }
 
     /// The program that is being read; one without a number is named after its file.
-    Program& program() {
-        if (program_open_) return file_.programs.back();
-        Program& program = open_program();
-        program.name = stem_of(file_.source->path());
-        program.number = number_in(program.name);
-        name_otherwise(program);
-        return program;
+    ProgramBuilder& program() {
+        if (program_) return *program_;
+        std::string name = stem_of(file_.source->path());
+        const std::optional<std::int64_t> number = number_in(name);
+        return open_program(std::move(name), number);
     }
 
     void close_program() {
         close_run();
-        if (!program_open_) return;
-        Program& program = file_.programs.back();
-        program_open_ = false;
-        program.fit();
-        const auto count = static_cast<Id>(program.items.size());
-        program.sections.push_back({"program", {0, count}, Section::Executed::when_reached});
-        if (count == 0) return;
-        program.span = {program.span_of(0).begin, program.span_of(count - 1).end};
-        if (program.name_span.empty()) program.name_span = {program.span.begin, program.span.begin};
-        if (file_.programs.size() == 1) {
-            std::string stem = stem_of(file_.source->path());
-            if (stem != program.name &&
-                std::ranges::find(program.also_known_as, stem) == program.also_known_as.end())
-                program.also_known_as.push_back(std::move(stem));
-        }
+        if (!program_) return;
+        const bool first = file_.programs.empty();
+        if (first && !program_->program().items.empty()) program_->add_name(stem_of(file_.source->path()));
+        file_.programs.push_back(program_->take());
+        program_.reset();
     }
 
     void close_run() {
@@ -192,7 +176,7 @@ class Reader {
         const bool throttling = throttle_.is_throttling();
         std::optional<SyntaxError> cause;
         if (throttling) cause = find_cause(text_, block);
-        const syntax::Tree& tree = !cause && is_plausible(code) ? parse(code) : nothing;
+        const syntax::Tree& tree = !cause && is_plausible(text_, block) ? parse(code) : nothing;
         throttle_.record(tree.has_error);
         if (!tree.has_error) {
             lowering_.lower(tree, block, program());
@@ -205,32 +189,31 @@ class Reader {
         add_unreadable(block);
     }
 
-    /// The block's tree, good until the next block; every thread has its own memory of trees.
+    /// The block's tree, good until the next block; every thread has a cache of its own.
     const syntax::Tree& parse(std::string_view block) {
-        thread_local syntax::TreeMemory trees(grammar);
-        shape_of(block, shape_);
-        return trees.parse(block, shape_);
+        thread_local syntax::ParseCache cache(grammar);
+        make_cache_key(block, key_);
+        return cache.parse(key_);
     }
 
     /// Whether the block ends in a comment that nobody closed; what it swallowed explains any other error.
     bool report_open_comment() {
         if (raw_.comments.empty()) return false;
         const Span open = raw_.comments.back();
-        if (open.length() > 1 && text_[open.end - 1] == ')') return false;
+        if (is_closed(text_.substr(open.begin, open.length()))) return false;
         file_.syntax_errors.push_back({SyntaxErrorKind::unterminated_comment, open,
                                        std::string(text_.substr(open.begin, open.length())), ")"});
         return true;
     }
 
     void add_unreadable(Span span) {
-        Program& program = this->program();
+        ProgramBuilder& program = this->program();
         Block block{};
         block.span = span;
         take_unreadable_head(block);
-        block.words.first = static_cast<Id>(program.words.size());
-        block.effects = {static_cast<Id>(program.effects.size()), 1};
-        program.effects.push_back({names_in(program, span), span});
-        program.items.emplace_back(block);
+        program.begin_block();
+        program.add_effect({names_in(program.program(), span), span});
+        program.end_block(block);
     }
 
     /// Skip mark and sequence number stand at the head of the text whatever is wrong behind them.
@@ -274,11 +257,11 @@ class Reader {
     RunTotals run_;
     RawBlock raw_;
     std::string code_; ///< of the block, without its comments
-    std::string shape_;
+    std::string key_;  ///< of the block, for the cache
     ErrorThrottle throttle_;
     std::size_t waiting_ = 0; ///< first comment without a next block
     bool tape_open_ = true;
-    bool program_open_ = false;
+    std::optional<ProgramBuilder> program_; ///< that is being read
 };
 
 } // namespace

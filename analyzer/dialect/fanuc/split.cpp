@@ -1,6 +1,7 @@
 //! The splitter. Every function looks at each byte a bounded number of times.
 #include "analyzer/dialect/fanuc/split.hpp"
 
+#include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/source/encoding.hpp"
 
@@ -9,28 +10,15 @@
 namespace maclint::fanuc {
 namespace {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
-constexpr bool is_line_end_or_semicolon(char c) { return c == '\n' || c == '\r' || c == ';'; }
-constexpr bool is_line_break(char c) { return c == '\n' || c == '\r'; }
-constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
 Offset size_of(std::string_view text) { return static_cast<Offset>(text.size()); }
-
-/// Behind the comment that opens at `open`: at its ')' plus one, or at its line's end.
-Offset behind_comment(std::string_view text, Offset open) {
-    Offset at = open + 1;
-    while (at < text.size() && text[at] != ')' && !is_line_break(text[at])) ++at;
-    return at < text.size() && text[at] == ')' ? at + 1 : at;
-}
 
 /// Behind blanks, line ends and comments.
 Offset skip_to_code(std::string_view text, Offset at) {
     while (at < text.size()) {
-        if (is_blank(text[at]) || is_line_end_or_semicolon(text[at]))
+        if (is_blank(text[at]) || ends_block(text[at]))
             ++at;
         else if (text[at] == '(')
-            at = behind_comment(text, at);
+            at = after_comment(text, at);
         else
             break;
     }
@@ -39,7 +27,7 @@ Offset skip_to_code(std::string_view text, Offset at) {
 
 bool ends_line(std::string_view text, Offset mark) {
     const Offset behind = skip_blanks(text, mark + 1);
-    return behind == text.size() || is_line_end_or_semicolon(text[behind]);
+    return behind == text.size() || ends_block(text[behind]);
 }
 
 /// The first tape mark between `from` and the end of its line; `from` is the head of a line or behind a mark.
@@ -48,7 +36,7 @@ std::optional<Offset> find_mark_in_line(std::string_view text, Offset from) {
     Offset at = from;
     while (at < text.size() && !is_line_break(text[at])) {
         if (text[at] == '(') {
-            at = behind_comment(text, at);
+            at = after_comment(text, at);
             continue;
         }
         if (text[at] == '%' && (heads_block || ends_line(text, at))) return at;
@@ -69,7 +57,7 @@ Offset line_end(std::string_view text, Offset at) {
 /// Whether a block like those of a program begins at `at`.
 bool begins_block(std::string_view text, Offset at) {
     if (at >= text.size()) return false;
-    const char letter = upper(text[at]);
+    const char letter = to_capital(text[at]);
     if (letter == '<' || letter == '#') return true;
     if (letter != 'O' && letter != ':' && letter != 'N' && letter != 'G' && letter != 'M') return false;
     const Offset value = skip_blanks(text, at + 1);
@@ -87,12 +75,12 @@ bool ends_program(std::string_view block) {
         return end;
     };
     std::size_t number = digits_begin(block.size());
-    if (number > 1 && upper(block[number - 1]) == 'P') {
+    if (number > 1 && to_capital(block[number - 1]) == 'P') {
         block = block.substr(0, number - 1);
         while (!block.empty() && is_blank(block.back())) block.remove_suffix(1);
         number = digits_begin(block.size());
     }
-    if (number == 0 || upper(block[number - 1]) != 'M') return false;
+    if (number == 0 || to_capital(block[number - 1]) != 'M') return false;
     const auto code = read_integer(block.substr(number));
     return code == 2 || code == 30 || code == 99;
 }
@@ -100,7 +88,7 @@ bool ends_program(std::string_view block) {
 /// Whether a program number stands at `at`, glued to the end of the program before it: where that ended
 /// without an end of block, the control punches `M99O0810`.
 bool glued_program(std::string_view text, Offset begin, Offset at) {
-    if (at == begin || upper(text[at]) != 'O' || !is_digit(text[at - 1])) return false;
+    if (at == begin || to_capital(text[at]) != 'O' || !is_digit(text[at - 1])) return false;
     if (at + 1 == text.size() || !is_digit(text[at + 1])) return false;
     return ends_program(text.substr(begin, at - begin));
 }
@@ -133,32 +121,31 @@ Offset skip_blanks(std::string_view text, Offset at) {
 
 void cut_block(std::string_view text, Offset begin, RawBlock& block) {
     block.comments.clear();
+    block.open_comment = false;
+    block.code = 0;
     const Offset first = skip_blanks(text, begin);
-    Offset at = first;
-    Offset last = first;
-    while (at < text.size() && !is_line_end_or_semicolon(text[at])) {
-        if (text[at] == '(') {
-            const Offset behind = behind_comment(text, at);
-            block.comments.push_back({at, behind});
-            at = behind;
-            last = at;
-            continue;
-        }
-        if (text[at] == '%' && at > first && ends_line(text, at)) {
-            block.span = {first, last};
-            block.next = at;
+    block.span = {first, first};
+    block.next = size_of(text);
+    Lexer lexer(text, {first, block.next});
+    while (const std::optional<Token> token = lexer.next()) {
+        const Span span = token->span;
+        if (token->kind == Token::Kind::end_of_block) {
+            block.next = span.end;
             return;
         }
-        if (glued_program(text, first, at)) {
-            block.span = {first, last};
-            block.next = at;
-            return;
+        if (token->kind == Token::Kind::comment) {
+            block.comments.push_back(span);
+            block.open_comment = !is_closed(text.substr(span.begin, span.length()));
+        } else {
+            const bool at_mark = text[span.begin] == '%' && span.begin > first && ends_line(text, span.begin);
+            if (at_mark || glued_program(text, first, span.begin)) {
+                block.next = span.begin;
+                return;
+            }
+            block.code += span.length();
         }
-        if (!is_blank(text[at])) last = at + 1;
-        ++at;
+        block.span.end = span.end;
     }
-    block.span = {first, last};
-    block.next = std::min(at + 1, size_of(text));
 }
 
 std::optional<Offset> find_tape_mark(std::string_view text, Offset from) {
@@ -181,7 +168,7 @@ TapeStart find_tape_start(std::string_view text) {
 
 Offset behind_opening_mark(std::string_view text, Offset mark) {
     const Offset at = skip_blanks(text, mark + 1);
-    if (at == text.size() || text[at] == '(' || text[at] == '%' || is_line_end_or_semicolon(text[at]) ||
+    if (at == text.size() || text[at] == '(' || text[at] == '%' || ends_block(text[at]) ||
         begins_block(text, at))
         return at;
     return line_end(text, at);
@@ -201,7 +188,7 @@ std::optional<ProgramHead> find_program_head(std::string_view text, Span block) 
     Offset at = skip_blanks(text, block.begin);
     if (at >= text.size()) return std::nullopt;
     const Offset begin = at;
-    const char letter = upper(text[at]);
+    const char letter = to_capital(text[at]);
     if (letter == 'O' || letter == ':') {
         at = skip_blanks(text, at + 1);
         const Offset digits = at;
@@ -212,10 +199,9 @@ std::optional<ProgramHead> find_program_head(std::string_view text, Span block) 
         }
     }
     if (at >= text.size() || text[at] != '<' || letter == ':') return std::nullopt;
-    const std::size_t close = text.find_first_of(">\r\n;(#[", at);
-    if (close == std::string_view::npos || text[close] != '>') return std::nullopt;
-    const auto behind = static_cast<Offset>(close) + 1;
-    return ProgramHead{{begin, behind}, std::nullopt, std::string(text.substr(at, behind - at))};
+    const std::optional<Offset> end = after_name(text, at);
+    if (!end) return std::nullopt;
+    return ProgramHead{{begin, *end}, std::nullopt, std::string(text.substr(at, *end - at))};
 }
 
 } // namespace maclint::fanuc

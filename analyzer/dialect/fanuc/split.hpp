@@ -1,22 +1,15 @@
 //! Cuts a Fanuc file into blocks: comments, ends of block, tape marks and program heads.
 #pragma once
 
+#include "analyzer/dialect/raw_block.hpp"
 #include "analyzer/source/span.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace maclint::fanuc {
-
-/// A block as it stands in the file.
-struct RawBlock {
-    Span span;                  ///< without blanks around it
-    Offset next;                ///< behind its end of block
-    std::vector<Span> comments; ///< brackets included; the last one may lack its ')'
-};
 
 /// Behind the blanks and the tape leader at `at`.
 [[nodiscard]] Offset skip_blanks(std::string_view text, Offset at);

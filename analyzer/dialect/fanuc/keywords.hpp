@@ -1,37 +1,11 @@
-//! The pieces of a block's text without any structure: what is left to look at when the parser gives up.
+//! Keywords, functions and operators, and what somebody meant who wrote another word.
 #pragma once
 
-#include "analyzer/source/span.hpp"
-
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace maclint::fanuc {
-
-struct Token {
-    enum class Kind : std::uint8_t {
-        letters, ///< letters in a row: keywords, functions, addresses
-        number,
-        variable, ///< `#101`
-        sharp,    ///< `#` alone, or before a bracket or a name
-        open,
-        close,
-        comment,
-        equals,
-        comparison, ///< `<`, `>=`, `==` ...
-        sign,       ///< `+`, `-`
-        operation,  ///< `*`, `/`
-        comma,
-        other,
-    };
-    Kind kind;
-    Span span; ///< in the file
-};
-
-/// Cuts the block at `block` in `file`.
-[[nodiscard]] std::vector<Token> tokens_of(std::string_view file, Span block);
 
 /// IF, GOTO, SIN, EQ ...: what may stand between or instead of address letters.
 [[nodiscard]] bool is_keyword(std::string_view capitals);

@@ -1,5 +1,5 @@
-//! The tokenizer, the word lists, and the search for the word that was meant.
-#include "analyzer/dialect/fanuc/tokens.hpp"
+//! Word lists, and the search for the word that was meant.
+#include "analyzer/dialect/fanuc/keywords.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/fanuc/functions.hpp"
@@ -11,12 +11,6 @@
 
 namespace maclint::fanuc {
 namespace {
-
-using Kind = Token::Kind;
-
-constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
 
 constexpr std::string_view control_words[] = {"IF", "THEN", "GOTO", "WHILE", "DO", "END"};
 constexpr std::string_view operator_words[] = {"EQ",  "NE", "GT",  "GE",  "LT", "LE",
@@ -90,95 +84,7 @@ bool is_abbreviation(std::string_view capitals) {
     return capitals.size() == 2 && capitals != "LN" && is_function(capitals);
 }
 
-/// The comparison that begins at `at`: one or two signs.
-Offset comparison_length(std::string_view text, Offset at) {
-    static constexpr std::string_view pairs[] = {"==", "<=", ">=", "=<", "=>", "<>", "!="};
-    for (const std::string_view pair : pairs)
-        if (text.substr(at).starts_with(pair)) return 2;
-    return text[at] == '<' || text[at] == '>' ? 1 : 0;
-}
-
-class Cutter {
-  public:
-    Cutter(std::string_view file, Span block)
-        : text_(file.substr(0, block.end))
-        , at_(block.begin) {}
-
-    std::vector<Token> run() {
-        while (at_ < text_.size()) {
-            const char c = text_[at_];
-            const Offset begin = at_;
-            if (is_blank(c))
-                ++at_;
-            else
-                tokens_.push_back({cut(c), {begin, at_}});
-        }
-        return std::move(tokens_);
-    }
-
-  private:
-    template<class Is>
-    void pass(const Is& is) {
-        while (at_ < text_.size() && is(text_[at_])) ++at_;
-    }
-
-    Kind cut(char c) {
-        if (is_letter(c)) return pass(is_letter), Kind::letters;
-        if (is_digit(c) || c == '.') {
-            pass([](char d) { return is_digit(d) || d == '.'; });
-            return Kind::number;
-        }
-        if (c == '#') return variable();
-        if (c == '(') return comment();
-        if (c == '<' && tokens_.empty() && pass_name()) return Kind::other;
-        if (const Offset length = comparison_length(text_, at_); length != 0)
-            return at_ += length, Kind::comparison;
-        ++at_;
-        switch (c) {
-        case '[': return Kind::open;
-        case ']': return Kind::close;
-        case '=': return Kind::equals;
-        case '+':
-        case '-': return Kind::sign;
-        case '*':
-        case '/': return Kind::operation;
-        case ',': return Kind::comma;
-        default: return Kind::other;
-        }
-    }
-
-    /// `<FLANGE>` in place of a program number.
-    bool pass_name() {
-        const std::size_t close = text_.find_first_of(">\r\n", at_);
-        if (close == std::string_view::npos || text_[close] != '>') return false;
-        at_ = static_cast<Offset>(close) + 1;
-        return true;
-    }
-
-    Kind variable() {
-        ++at_;
-        Offset digits = at_;
-        while (digits < text_.size() && is_blank(text_[digits])) ++digits;
-        if (digits >= text_.size() || !is_digit(text_[digits])) return Kind::sharp;
-        at_ = digits;
-        pass(is_digit);
-        return Kind::variable;
-    }
-
-    Kind comment() {
-        pass([](char d) { return d != ')' && d != '\n' && d != '\r'; });
-        if (at_ < text_.size() && text_[at_] == ')') ++at_;
-        return Kind::comment;
-    }
-
-    std::string_view text_;
-    Offset at_;
-    std::vector<Token> tokens_;
-};
-
 } // namespace
-
-std::vector<Token> tokens_of(std::string_view file, Span block) { return Cutter(file, block).run(); }
 
 bool is_function(std::string_view capitals) {
     return std::ranges::find(functions(), capitals, &FunctionRow::name) != functions().end();

@@ -1,0 +1,94 @@
+//! Writes a program: its expressions, effects, words, blocks, sections and names. Nothing else does.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace maclint {
+
+/// A program that is being read. One object writes block after block: its lists keep their memory.
+class ProgramBuilder {
+  public:
+    /// `text` is the whole file's.
+    ProgramBuilder(std::string name, std::string_view text, const ControlModel& control);
+
+    /// What has been written so far.
+    [[nodiscard]] const Program& program() const { return program_; }
+    /// The finished program; nothing can be written after it.
+    [[nodiscard]] Program take();
+
+    // ---- what the program is
+    void set_number(std::int64_t number) { program_.number = number; }
+    void set_name_span(Span span) { program_.name_span = span; }
+    /// A further name that a call may use; one that it has already is passed over.
+    void add_name(std::string_view name);
+    void set_local() { program_.local = true; }
+    void set_started(Program::Started started) { program_.started = started; }
+    void set_decoder(RunDecoder decode) { program_.decode = decode; }
+
+    // ---- sections
+    /// Ends the section before, if there is one.
+    void begin_section(std::string_view kind, Section::Executed executed, Span heading);
+    [[nodiscard]] bool has_sections() const { return !program_.sections.empty(); }
+
+    // ---- names of variables
+    /// The number of a name, which gets one when it is new.
+    [[nodiscard]] std::int32_t number_of_name(std::string_view name) {
+        return program_.names.number_of(name);
+    }
+    /// `name` stands for the variable.
+    void add_alias(Variable name, Variable variable) { program_.aliases.emplace(name, variable); }
+    /// The programs called from here see the variable, too.
+    void hand_down(Variable variable) { program_.handed_down.push_back(variable); }
+
+    // ---- expressions
+    ExpressionId add(Expression expression);
+    ExpressionId literal(double value, Span span) { return add({Literal{value, false}, span}); }
+    ExpressionId unreadable(Span span) { return add({Unreadable{}, span}); }
+    ExpressionId apply(Operation operation, std::span<const ExpressionId> operands, Span span);
+    /// Gives an expression the span of what stands around it.
+    ExpressionId widen(ExpressionId id, Span span);
+    /// A literal number gets the other sign, and the span of both.
+    ExpressionId negate_literal(ExpressionId id, Span span);
+    [[nodiscard]] const Expression& expression(ExpressionId id) const { return program_.expressions[id]; }
+    /// The number that the expression is; empty when it has to be calculated.
+    [[nodiscard]] std::optional<double> literal_value(ExpressionId id) const;
+
+    // ---- blocks
+    void begin_block();
+    /// `block` has all but its words and effects, which are those since begin_block().
+    void end_block(Block block);
+    /// Blocks that are not stored one by one; `net` is what they leave behind.
+    void add_run(PlainRun run, std::span<const ModalSetting> net);
+
+    // ---- what a block holds; between begin_block() and end_block()
+    void add_word(Word word) { program_.words.push_back(word); }
+    void add_effect(Effect effect) { effects_.push_back(std::move(effect)); }
+    /// Values that are computed and change nothing; none is no effect.
+    void add_values(std::span<const ExpressionId> values, Span span);
+    /// For Call::arguments.
+    [[nodiscard]] Slice add_arguments(std::span<const Argument> arguments);
+    /// The block does nothing after all: it stands in a list for the operator.
+    void drop_effects() { effects_.clear(); }
+    /// How many effects the block has so far.
+    [[nodiscard]] std::size_t effect_count() const { return effects_.size(); }
+    /// Puts the effects from number `first` on under a condition.
+    void guard(ExpressionId condition, std::size_t first, Span span);
+
+  private:
+    [[nodiscard]] Slice add_operands(std::span<const ExpressionId> operands);
+    void end_section();
+
+    Program program_;
+    std::vector<Effect> effects_; ///< of the block
+    Id first_word_ = 0;           ///< of the block
+};
+
+} // namespace maclint
