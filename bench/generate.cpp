@@ -84,14 +84,21 @@ class Tape {
 // ---- CAM output
 // ----------------------------------------------------------------------------------------------
 
+/// Which blocks have an N number.
+enum class Numbers : std::uint8_t { of_every_second_tool, everywhere };
+
 /// One job of raster passes over a freeform surface.
 class CamJob {
   public:
-    explicit CamJob(Tape& tape)
-        : tape_{tape} {
+    CamJob(Tape& tape, Numbers numbers)
+        : tape_{tape}
+        , numbers_{numbers} {
         tape_ << "%\nO0001 (MOULD INSERT, FINISHING)\n(POSTED FOR A 3 AXIS MILL, METRIC)\n";
         tape_ << "G00 G17 G21 G40 G49 G80 G90\n";
     }
+
+    /// The operator may go on in the middle of a tool's work.
+    void write_jump() { tape_ << "IF [#500 EQ 1] GOTO 15000\n"; }
 
     void write_pass() {
         if (tool_ == 0 || lines_since_tool_ >= lines_between_tool_changes) change_tool();
@@ -114,7 +121,7 @@ class CamJob {
   private:
     Tape& begin_line() {
         ++lines_since_tool_;
-        if (tool_ % 2 == 0) tape_ << "N" << lines_since_tool_ << " ";
+        if (numbers_ == Numbers::everywhere || tool_ % 2 == 0) tape_ << "N" << lines_since_tool_ << " ";
         return tape_;
     }
 
@@ -166,6 +173,7 @@ class CamJob {
     }
 
     Tape& tape_;
+    Numbers numbers_;
     std::size_t lines_since_tool_ = 0;
     std::size_t tool_ = 0;
     std::size_t pass_ = 0;
@@ -281,10 +289,38 @@ void write_variable(Tape& tape, std::size_t i) {
 
 std::string cam_output(std::size_t bytes) {
     Tape tape{bytes};
-    CamJob job{tape};
+    CamJob job{tape, Numbers::of_every_second_tool};
     do job.write_pass();
     while (tape.size() < bytes);
     job.finish();
+    return tape.take();
+}
+
+std::string numbered_cam_output(std::size_t bytes) {
+    Tape tape{bytes};
+    CamJob job{tape, Numbers::everywhere};
+    job.write_jump();
+    do job.write_pass();
+    while (tape.size() < bytes);
+    job.finish();
+    return tape.take();
+}
+
+std::string plain_turning(std::size_t bytes) {
+    constexpr std::size_t cuts_per_contour = 400;
+    Tape tape{bytes};
+    tape << "%shaft.nc\nMACHINING\nN1 G59 Z150\n";
+    std::size_t number = 1;
+    for (std::size_t cut = 0; tape.size() < bytes; ++cut) {
+        const auto step = static_cast<double>(cut % cuts_per_contour);
+        const auto x = micrometres(30.0 + 8.0 * std::sin(step * 0.05));
+        const auto z = micrometres(-0.25 * step);
+        tape << "N" << ++number << (cut % 16 == 15 ? " G2 X" : " G1 X") << x << " Z" << z;
+        if (cut % 16 == 15) tape << " R2.5";
+        tape << "\n";
+        if (cut % cuts_per_contour == cuts_per_contour - 1) tape << "N" << ++number << " G0 X100 Z5 [BACK]\n";
+    }
+    tape << "N" << ++number << " M30\nEND\n";
     return tape.take();
 }
 

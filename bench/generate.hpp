@@ -12,6 +12,13 @@ namespace maclint::bench {
 /// more.
 [[nodiscard]] std::string cam_output(std::size_t bytes);
 
+/// The same with an N number at every block, and one jump into the middle of a tool's work.
+[[nodiscard]] std::string numbered_cam_output(std::size_t bytes);
+
+/// A DIN PLUS program whose machining part has nothing but numbered blocks of literal words. At least `bytes`
+/// long.
+[[nodiscard]] std::string plain_turning(std::size_t bytes);
+
 /// A tape of macro programs of 30 to 60 lines (checks, saved modal state, loops, jumps, canned cycles), every
 /// one callable with G65. Each calls only the helper macros at the head of the tape. At least `bytes` long,
 /// at most one program more.

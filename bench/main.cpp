@@ -34,23 +34,24 @@ void measure(benchmark::State& state, const std::vector<std::string>& files,
     state.SetBytesProcessed(static_cast<std::int64_t>(bytes) * state.iterations());
 }
 
+void register_work(const std::string& name, const std::vector<std::string>& files,
+                   const std::function<void(const std::vector<std::string>&)>& work) {
+    benchmark::RegisterBenchmark(
+        name.c_str(), [files, work](benchmark::State& state) { measure(state, files, [&] { work(files); }); })
+        ->Unit(benchmark::kMillisecond)
+        ->Repetitions(repetitions)
+        ->ReportAggregatesOnly();
+}
+
 void register_speed(const std::string& name, const std::vector<std::string>& files,
                     std::string_view dialect = "fanuc") {
-    const auto work = [files, dialect] { benchmark::DoNotOptimize(lint(files, dialect)); };
-    benchmark::RegisterBenchmark((name + "/maclint").c_str(),
-                                 [files, work](benchmark::State& state) { measure(state, files, work); })
-        ->Unit(benchmark::kMillisecond)
-        ->Repetitions(repetitions)
-        ->ReportAggregatesOnly();
-    const auto parse = [files, dialect] {
-        for (const std::string& file : files)
-            benchmark::DoNotOptimize(maclint::bench::parse_in_one_piece(file, dialect));
-    };
-    benchmark::RegisterBenchmark((name + "/parser_alone").c_str(),
-                                 [files, parse](benchmark::State& state) { measure(state, files, parse); })
-        ->Unit(benchmark::kMillisecond)
-        ->Repetitions(repetitions)
-        ->ReportAggregatesOnly();
+    register_work(name + "/maclint", files, [dialect](const std::vector<std::string>& texts) {
+        benchmark::DoNotOptimize(lint(texts, dialect));
+    });
+    register_work(name + "/parser_alone", files, [dialect](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+            benchmark::DoNotOptimize(maclint::bench::parse_in_one_piece(text, dialect));
+    });
 }
 
 /// Peak memory in bytes of a child process that does the work; 0 when there is no child to be had.
@@ -107,6 +108,7 @@ int main(int argc, char** argv) {
     std::printf("Peak memory\n");
     print_memory("CAM output", 50 * megabyte, make::cam_output);
     print_memory("macro code", 2 * megabyte, make::macro_code);
+    print_memory("DIN PLUS, plain blocks", 10 * megabyte, make::plain_turning, "dinplus");
     print_memory("DIN PLUS", 2 * megabyte, make::expert_program, "dinplus");
     std::printf("\nGrowth from n to 2n (best of five)\n");
     print_growth("size, CAM output (bytes)", 10 * megabyte, make::cam_output);
@@ -121,10 +123,16 @@ int main(int argc, char** argv) {
     std::printf("\nSpeed, beside the parser alone on the same text in one piece\n");
     std::fflush(stdout);
     register_speed("cam/one_file", {make::cam_output(10 * megabyte)});
+    register_work("cam/every_value/maclint", {make::cam_output(10 * megabyte)},
+                  [](const std::vector<std::string>& files) {
+                      benchmark::DoNotOptimize(maclint::bench::lint_every_value(files));
+                  });
+    register_speed("cam/numbered_with_a_jump", {make::numbered_cam_output(10 * megabyte)});
     register_speed("cam/thousand_files", a_thousand(make::cam_output, 10 * megabyte));
     register_speed("macro/one_file", {make::macro_code(2 * megabyte)});
     register_speed("macro/thousand_files", make::macro_files(1000, 4 * megabyte / 1000));
     register_speed("dinplus/one_file", {make::expert_program(2 * megabyte)}, "dinplus");
+    register_speed("dinplus/plain", {make::plain_turning(5 * megabyte)}, "dinplus");
     register_speed("dinplus/thousand_files", a_thousand(make::expert_program, 4 * megabyte), "dinplus");
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();

@@ -2,12 +2,16 @@
 #include "bench/pipeline.hpp"
 
 #include "analyzer/dialect/dialect.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
 #include "rules/rule.hpp"
+#include "rules/word_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <memory>
+#include <span>
 
 #include <tree_sitter/api.h>
 
@@ -16,7 +20,37 @@ extern "C" const TSLanguage* tree_sitter_dinplus();
 
 namespace maclint::bench {
 
-std::size_t lint(const std::vector<std::string>& files, std::string_view dialect_name) {
+namespace {
+
+/// Reports what no word says: all values have to be looked at for it.
+void check_values(const WordsOfBlock& block, Reporter& reporter) {
+    constexpr double said_by_nobody = 1e15;
+    for (const Word& word : block.words) {
+        const auto* value = std::get_if<Literal>(&word.value);
+        if (value != nullptr && value->value >= said_by_nobody)
+            reporter.report(block.analysis.file(), word.span, "", {});
+    }
+}
+
+const Rule every_value{.code = "BENCH",
+                       .name = "every-value",
+                       .aliases = "",
+                       .summary = "",
+                       .why = "",
+                       .severity = Severity::note,
+                       .precision = Precision::high,
+                       .on_by_default = false,
+                       .off_reason = "",
+                       .data_flow = false,
+                       .messages = {},
+                       .bad = {},
+                       .good = {},
+                       .alarms = {},
+                       .sources = {},
+                       .check = WordCheck{"", WordCheck::Blocks::all, &check_values}};
+
+std::size_t lint_with(const std::vector<std::string>& files, std::string_view dialect_name,
+                      std::span<const Rule* const> more) {
     const Dialect& dialect = *find_dialect(dialect_name);
     const ControlModel& control = *find_control(dialect.default_control);
     std::vector<WorkspaceFile> workspace;
@@ -29,7 +63,18 @@ std::size_t lint(const std::vector<std::string>& files, std::string_view dialect
     const auto analysed = Workspace::analyse(std::move(workspace), {.complete = false, .jobs = 1});
     Selection selection;
     std::ranges::copy_if(all_rules(), std::back_inserter(selection.rules), &Rule::on_by_default);
+    selection.rules.insert(selection.rules.end(), more.begin(), more.end());
     return run_rules(*analysed, selection, 1).size();
+}
+
+} // namespace
+
+std::size_t lint(const std::vector<std::string>& files, std::string_view dialect) {
+    return lint_with(files, dialect, {});
+}
+
+std::size_t lint_every_value(const std::vector<std::string>& files, std::string_view dialect) {
+    return lint_with(files, dialect, std::array{&every_value});
 }
 
 std::size_t parse_in_one_piece(const std::string& text, std::string_view dialect) {

@@ -11,6 +11,10 @@ namespace maclint::bench {
 /// Reads, analyses and runs all default rules over the files as one workspace; the number of findings.
 [[nodiscard]] std::size_t lint(const std::vector<std::string>& files, std::string_view dialect = "fanuc");
 
+/// The same with a rule more, which looks at the value of every word.
+[[nodiscard]] std::size_t lint_every_value(const std::vector<std::string>& files,
+                                           std::string_view dialect = "fanuc");
+
 /// tree-sitter with our grammar of the dialect on the text in one piece; the number of nodes under the root.
 [[nodiscard]] std::size_t parse_in_one_piece(const std::string& text, std::string_view dialect = "fanuc");
 

@@ -1,6 +1,7 @@
 //! Puts ways through the flow graph into words.
 #include "rules/path.hpp"
 
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/source/encoding.hpp"
 
 #include <algorithm>
@@ -43,12 +44,11 @@ std::string words_for(const ProgramAnalysis& analysis, const flow::Edge& edge) {
 }
 
 /// The last block of a plain run's part that sets the group.
-Span last_setting(const Program& program, Span part, GroupId group) {
-    Span found = part;
-    program.for_each_block(part, [&](const PlainBlock& block) {
+Span last_setting(const Program& program, const flow::Node& node, GroupId group) {
+    Span found = node.part;
+    for_each_block(program, node.stretch(), [&](const BlockView& block) {
         for (const ModalSetting& setting : block.settings)
             if (setting.group == group) found = block.span;
-        return true;
     });
     return found;
 }
@@ -59,8 +59,7 @@ Span span_of(const ProgramAnalysis& analysis, const dataflow::Origin& origin) {
     case dataflow::Origin::Kind::effect: return program.effects[origin.id].span;
     case dataflow::Origin::Kind::expression: return program.expressions[origin.id].span;
     case dataflow::Origin::Kind::run:
-        return last_setting(program, analysis.graph().nodes[origin.node].part,
-                            static_cast<GroupId>(origin.id));
+        return last_setting(program, analysis.graph().nodes[origin.node], static_cast<GroupId>(origin.id));
     case dataflow::Origin::Kind::entry:
     case dataflow::Origin::Kind::none: break;
     }

@@ -52,9 +52,11 @@
     RULE(motion_mode_not_restored)              /* MAC504 */ \
     RULE(restore_from_wrong_variable)           /* MAC505 */ \
     RULE(saved_value_lost)                      /* MAC506 */ \
+    RULE(modal_group_conflict)                  /* MAC514 */ \
     RULE(single_block_suppression_not_restored) /* MAC515 */ \
     RULE(saved_after_change)                    /* MAC517 */ \
     RULE(modal_state_forced)                    /* MAC518 */ \
+    RULE(duplicate_address)                     /* MAC559 */ \
     RULE(modal_code_as_number)                  /* MAC574 */ \
     RULE(bracket_depth)                         /* MAC701 */ \
     RULE(float_equality)                        /* MAC710 */ \

@@ -13,6 +13,7 @@ namespace maclint {
 class ProgramAnalysis;
 class Workspace;
 class Reporter;
+struct WordsOfBlock;
 
 enum class Precision : std::uint8_t { low, medium, high, very_high };
 
@@ -47,6 +48,18 @@ struct RaisedByCommand {};
 using FileCheck = void (*)(const ProgramFile&, Reporter&);
 using ProgramCheck = void (*)(const ProgramAnalysis&, Reporter&);
 
+/// Looks at the words of one block after another. All such checks share one pass over the words of a program,
+/// which passes over plain blocks that none of them can want; others are shown to each.
+struct WordCheck {
+    std::string_view addresses; ///< of words that it looks at, separated by blanks; "": any
+    enum class Blocks : std::uint8_t {
+        all,        ///< that hold one of the addresses
+        repeated,   ///< in which one of the addresses stands more than once
+        conflicting ///< in which one modal group is set more than once
+    } blocks;
+    void (*check)(const WordsOfBlock&, Reporter&);
+};
+
 struct Rule {
     std::string_view code;    ///< "MAC303"
     std::string_view name;    ///< "jump-into-loop"
@@ -65,7 +78,7 @@ struct Rule {
     std::vector<Alarm> alarms;
     std::vector<std::string_view> sources;
     /// `SyntaxErrorKind`: whatever the text has of that kind, see rules/irregular.hpp.
-    std::variant<RaisedByCommand, SyntaxErrorKind, FileCheck, ProgramCheck> check;
+    std::variant<RaisedByCommand, SyntaxErrorKind, FileCheck, ProgramCheck, WordCheck> check;
 };
 
 /// Takes the findings of one rule.

@@ -4,6 +4,7 @@
 #include "analyzer/workspace/workspace.hpp"
 #include "rules/irregular.hpp"
 #include "rules/rule.hpp"
+#include "rules/word_check.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -21,6 +22,11 @@ void run_check(const Rule& rule, const ProgramAnalysis& program, Reporter& repor
     if (const auto* check = std::get_if<ProgramCheck>(&rule.check)) (*check)(program, reporter);
 }
 
+std::vector<Finding> check_words(const Selection&, const ProgramFile&) { return {}; }
+std::vector<Finding> check_words(const Selection& selection, const ProgramAnalysis& program) {
+    return check_words(program, selection.rules);
+}
+
 /// Everything that the selected rules find in a file or a program.
 template<class Thing>
 std::vector<Finding> check(const Selection& selection, const Thing& thing) {
@@ -30,6 +36,7 @@ std::vector<Finding> check(const Selection& selection, const Thing& thing) {
         run_check(*rule, thing, reporter);
         std::ranges::move(reporter.take(), std::back_inserter(findings));
     }
+    std::ranges::move(check_words(selection, thing), std::back_inserter(findings));
     return findings;
 }
 

@@ -1,6 +1,7 @@
 //! Effects: stores, modal groups, calls, and what a plain run leaves behind.
 #include "analyzer/dataflow/transfer.hpp"
 
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>
@@ -363,28 +364,11 @@ void Transfer::move(State& state) {
 
 void Transfer::run_of_plain_blocks(State& state, flow::NodeId node) {
     const flow::Node& n = graph_.nodes[node];
-    const auto& run = std::get<PlainRun>(program_.items[n.item]);
-    if (run.moves) move(state);
-    const auto set = [&](const ModalSetting& setting) {
+    if (moves(program_, n.stretch())) move(state);
+    for_each_last_setting(program_, n.stretch(), [&](const ModalSetting& setting) {
         set_code(state, setting.group, setting.value,
                  states_.table().origins({Origin::Kind::run, setting.group, node_}));
-    };
-    if (n.part.begin == run.span.begin && n.part.end == run.span.end) {
-        std::ranges::for_each(program_.net_of(run), set);
-        return;
-    }
-    std::vector<ModalSetting> net;
-    program_.for_each_block(n.part, [&](const PlainBlock& block) {
-        for (const ModalSetting& setting : block.settings) {
-            const auto known = std::ranges::find(net, setting.group, &ModalSetting::group);
-            if (known == net.end())
-                net.push_back(setting);
-            else
-                known->value = setting.value;
-        }
-        return true;
     });
-    std::ranges::for_each(net, set);
 }
 
 } // namespace maclint::dataflow

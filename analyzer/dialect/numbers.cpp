@@ -1,31 +1,14 @@
 //! Numbers: exact for up to 15 digits, which is more than any control keeps.
 #include "analyzer/dialect/numbers.hpp"
 
-#include <array>
-#include <charconv>
-#include <string>
+#include "analyzer/syntax/plain_scanner.hpp"
 
 namespace maclint {
 namespace {
 
 constexpr unsigned exact_digits = 15;
 
-double read_long(std::string_view text) {
-    std::string digits;
-    for (const char c : text)
-        if ((c >= '0' && c <= '9') || c == '.') digits += c;
-    double value = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return value;
-}
-
 } // namespace
-
-double scaled(std::uint64_t mantissa, unsigned decimals) {
-    static constexpr std::array<double, exact_digits + 1> powers{
-        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-    return static_cast<double>(mantissa) / powers[decimals];
-}
 
 Number read_number(std::string_view text) {
     std::uint64_t mantissa = 0;
@@ -44,8 +27,9 @@ Number read_number(std::string_view text) {
             negative = true;
         }
     }
-    const double value =
-        digits <= exact_digits && decimals <= exact_digits ? scaled(mantissa, decimals) : read_long(text);
+    const double value = digits <= exact_digits && decimals <= exact_digits
+                             ? syntax::scaled(mantissa, decimals)
+                             : syntax::read_long_number(text);
     return {negative && value != 0 ? -value : value, point};
 }
 

@@ -18,8 +18,4 @@ struct Number {
 /// The whole number in the digits of `text`, as long as it has at most 18 of them.
 [[nodiscard]] std::optional<std::int64_t> read_integer(std::string_view text);
 
-/// The value of a mantissa of up to 15 digits with `decimals` of them behind the point.
-/// One division, so the result is the double nearest to what is written.
-[[nodiscard]] double scaled(std::uint64_t mantissa, unsigned decimals);
-
 } // namespace maclint

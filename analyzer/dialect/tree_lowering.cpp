@@ -34,6 +34,12 @@ ExpressionId TreeLowering::with_sign(bool minus, ExpressionId value, bool is_num
     return apply(Operation::negate, operands, span);
 }
 
+decltype(Word::value) TreeLowering::written_value(std::optional<ExpressionId> id) const {
+    if (!id) return std::monostate{};
+    if (const auto* literal = std::get_if<Literal>(&expression(*id).node)) return *literal;
+    return *id;
+}
+
 const syntax::Node* TreeLowering::first_child(const Node& node) const {
     const Node* first = nullptr;
     for_each_child(node, [&](const Node& child) {

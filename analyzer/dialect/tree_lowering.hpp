@@ -57,6 +57,8 @@ class TreeLowering {
     [[nodiscard]] std::optional<double> literal_value(ExpressionId id) const {
         return builder_->literal_value(id);
     }
+    /// A word's value: a literal number, or the expression.
+    [[nodiscard]] decltype(Word::value) written_value(std::optional<ExpressionId> id) const;
 
     // ---- effects
     void effect(Effect effect) { builder_->add_effect(std::move(effect)); }

@@ -1,6 +1,7 @@
 //! Builds the control-flow graph: nodes in text order, then the edges of jumps, loops and returns.
 #include "analyzer/flow/graph.hpp"
 
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>
@@ -27,7 +28,10 @@ struct Wanted {
     [[nodiscard]] bool operator()(std::int64_t number) const {
         return any || std::ranges::binary_search(numbers, number);
     }
-    [[nodiscard]] bool nothing() const { return !any && numbers.empty(); }
+    [[nodiscard]] bool between(std::int64_t lowest, std::int64_t highest) const {
+        const auto from = std::ranges::lower_bound(numbers, lowest);
+        return any || (from != numbers.end() && *from <= highest);
+    }
 };
 
 /// An edge whose end is the next node to be made.
@@ -53,7 +57,8 @@ class Building {
         graph_.edges.reserve(2 * program_.items.size());
         for (const Section& section : program_.sections) {
             if (section.executed == Section::Executed::never) continue;
-            for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) take_item(i);
+            for_each_stretch(program_, section, wanted_,
+                             [this](const StretchView& stretch) { take_stretch(stretch); });
         }
         if (graph_.nodes.empty()) new_node(0, program_.span, {}, false);
         // A loop at the very end is left for nothing: only a node there tells its way out from its body.
@@ -135,38 +140,24 @@ class Building {
 
     void add_edge(const Edge& edge) { graph_.edges.push_back(edge); }
 
-    void take_item(ItemId item) {
-        std::visit(overloaded{[&](const Block& block) { take_block(item, block); },
-                              [&](const PlainRun& run) { take_run(item, run); }},
-                   program_.items[item]);
+    void take_stretch(const StretchView& view) {
+        if (!view.plain) return take_block(view.stretch.item, *view.first);
+        if (view.first != nullptr) add_label(*view.first, static_cast<NodeId>(graph_.nodes.size()));
+        new_node(view.stretch.item, view.stretch.span, {}, true);
     }
 
-    void take_run(ItemId item, const PlainRun& run) {
-        if (!run.has_sequence_numbers || wanted_.nothing()) {
-            new_node(item, run.span, {}, true);
-            return;
-        }
-        Offset begin = run.span.begin;
-        program_.for_each_block(run.span, [&](const PlainBlock& block) {
-            if (!block.sequence_number || !wanted_(*block.sequence_number)) return true;
-            if (block.span.begin > begin) new_node(item, {begin, block.span.begin}, {}, true);
-            begin = block.span.begin;
-            graph_.labels.push_back(Label{*block.sequence_number, static_cast<NodeId>(graph_.nodes.size()),
-                                          block.sequence_number_span, block.span});
-            return true;
-        });
-        new_node(item, {begin, run.span.end}, {}, true);
+    void add_label(const BlockView& block, NodeId node) {
+        graph_.labels.push_back({*block.number, node, block.number_span, block.span});
     }
 
-    void take_block(ItemId item, const Block& block) {
+    void take_block(ItemId item, const BlockView& block) {
         // A program does not begin with a choice: somewhere the way past the block must begin, too.
         const bool nowhere_yet = graph_.nodes.empty();
         if (block.skip_levels != 0 && (nowhere_yet || loose_.size() > most_passed_on))
             new_node(item, {block.span.begin, block.span.begin}, {}, false);
         const std::vector<Loose> before = block.skip_levels != 0 ? loose_ : std::vector<Loose>{};
         const auto first = static_cast<NodeId>(graph_.nodes.size());
-        if (block.sequence_number && wanted_(*block.sequence_number))
-            graph_.labels.push_back({*block.sequence_number, first, block.sequence_number_span, block.span});
+        if (block.number && wanted_(*block.number)) add_label(block, first);
         item_ = item;
         part_ = block.span;
         take_effects(block.effects);

@@ -18,7 +18,9 @@ struct Node {
     ItemId item;
     Span part;     ///< of the file: the block, or the part of the run
     Slice effects; ///< Program::effects; empty for runs
-    bool is_run;
+    bool is_run;   ///< plain blocks, see Stretch
+
+    [[nodiscard]] Stretch stretch() const { return {item, part}; }
 };
 
 enum class EdgeKind : std::uint8_t {

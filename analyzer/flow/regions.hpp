@@ -1,6 +1,7 @@
 //! Pairs what opens with what closes: loops, choices, and every way in which the pairing goes wrong.
 #pragma once
 
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <optional>
@@ -63,21 +64,5 @@ struct Regions {
 };
 
 [[nodiscard]] Regions pair_regions(const Program& program);
-
-/// Calls `visit(effect id)` for every effect of the program in text order, effects inside guards included.
-template<class Visit>
-void for_each_effect_in(const Program& program, Slice slice, const Visit& visit) {
-    for (Id i = slice.first; i < slice.first + slice.count; ++i) {
-        visit(i);
-        if (const auto* guarded = std::get_if<Guarded>(&program.effects[i].what))
-            for_each_effect_in(program, guarded->effects, visit);
-    }
-}
-
-template<class Visit>
-void for_each_effect(const Program& program, const Visit& visit) {
-    for (const Item& item : program.items)
-        if (const auto* block = std::get_if<Block>(&item)) for_each_effect_in(program, block->effects, visit);
-}
 
 } // namespace maclint::flow

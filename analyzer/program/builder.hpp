@@ -31,7 +31,7 @@ class ProgramBuilder {
     void add_name(std::string_view name);
     void set_local() { program_.local = true; }
     void set_started(Program::Started started) { program_.started = started; }
-    void set_decoder(RunDecoder decode) { program_.decode = decode; }
+    void set_plain_tables(decltype(Program::plain_tables) tables) { program_.plain_tables = tables; }
 
     // ---- sections
     /// Ends the section before, if there is one.

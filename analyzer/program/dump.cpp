@@ -1,6 +1,7 @@
 //! The printer.
 #include "analyzer/program/dump.hpp"
 
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 
 #include <array>
@@ -76,25 +77,17 @@ std::string describe(const Program& program, const Assign& assign) {
     return target + " := " + maclint::describe(program, assign.value);
 }
 
-std::string describe(const Program& program, const Block& block) {
+std::string describe(const Program& program, const BlockView& block) {
     std::string out;
-    if (block.sequence_number) out += 'N' + std::to_string(*block.sequence_number) + ' ';
+    if (block.number) out += 'N' + std::to_string(*block.number) + ' ';
     for (unsigned level = 0; level < 16; ++level)
         if ((block.skip_levels >> level & 1U) != 0) out += '/' + std::to_string(level) + ' ';
-    out += describe_slice(program, block.effects);
-    return out;
-}
-
-std::string describe(const Program& program, const PlainRun& run) {
-    std::string out = "run of " + std::to_string(run.blocks);
-    if (run.has_sequence_numbers) out += " numbered";
-    if (run.moves) out += " moving";
-    for (const ModalSetting& setting : program.net_of(run)) {
-        out += ", ";
-        out += program.control->groups[setting.group].name;
-        out += '=' + text_of(setting.value);
-    }
-    return out;
+    std::string effects = describe_slice(program, block.effects);
+    const auto add = [&](const std::string& effect) { effects += (effects.empty() ? "" : "; ") + effect; };
+    for (const ModalSetting& setting : block.settings)
+        add(std::string(program.control->groups[setting.group].name) + '=' + text_of(setting.value));
+    if (block.moves) add("move");
+    return out + effects;
 }
 
 } // namespace
@@ -204,10 +197,7 @@ std::string describe(const Program& program, const Effect& effect) {
 
 std::string describe(const Program& program) {
     std::string out;
-    for (const Item& item : program.items) {
-        out += std::visit([&](const auto& part) { return describe(program, part); }, item);
-        out += '\n';
-    }
+    for_each_block(program, [&](const BlockView& block) { out += describe(program, block) + '\n'; });
     return out;
 }
 

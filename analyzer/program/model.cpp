@@ -77,10 +77,6 @@ std::span<const Argument> Program::arguments_of(const Call& call) const {
     return std::span(arguments).subspan(call.arguments.first, call.arguments.count);
 }
 
-std::span<const ModalSetting> Program::net_of(const PlainRun& run) const {
-    return std::span(settings).subspan(run.net.first, run.net.count);
-}
-
 Span Program::span_of(ItemId item) const {
     return std::visit([](const auto& part) { return part.span; }, items[item]);
 }
@@ -107,10 +103,6 @@ void Program::fit() {
     words.shrink_to_fit();
     arguments.shrink_to_fit();
     settings.shrink_to_fit();
-}
-
-void Program::for_each_block(Span part, const std::function<bool(const PlainBlock&)>& visit) const {
-    decode(*this, part, visit);
 }
 
 } // namespace maclint

@@ -5,8 +5,10 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/source/source.hpp"
 #include "analyzer/source/span.hpp"
+#include "analyzer/syntax/plain_tables.hpp"
 
-#include <functional>
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -232,9 +234,11 @@ struct Effect {
 /// One word of a block: address and value as written.
 struct Word {
     std::string_view address; ///< "X", ",C", "LA"; upper case, static lifetime or into the source text
-    std::optional<ExpressionId> value;
+    std::variant<std::monostate, Literal, ExpressionId> value; ///< an expression is no literal number
     bool incremental;
     Span span;
+
+    [[nodiscard]] bool has_value() const { return !std::holds_alternative<std::monostate>(value); }
 };
 
 /// A block with anything beyond address letters and literal numbers.
@@ -248,27 +252,27 @@ struct Block {
 };
 
 /// One modal setting of a plain block.
-struct ModalSetting {
-    GroupId group;
-    double value;
+using ModalSetting = syntax::Setting;
+
+/// What is known of the words of a block, or of blocks in a row, without reading them.
+struct WordSummary {
+    syntax::AddressSet addresses;
+    syntax::AddressSet repeated; ///< in one block, where they may not by the tables
+    bool conflicts = false;      ///< a modal group is set twice in one block
 };
 
-/// Plain blocks in a row, not stored one by one; see Program::for_each_block.
+/// Plain blocks in a row, not stored one by one; see block_view.hpp.
 struct PlainRun {
     Span span;
-    std::uint32_t blocks;
-    bool moves; ///< at least one block moves an axis
-    bool has_sequence_numbers;
+    std::uint32_t blocks = 0;
+    std::int32_t lowest_number = INT32_MAX; ///< of its blocks that have numbers
+    std::int32_t highest_number = INT32_MIN;
+    std::uint8_t tables = 0; ///< row of Program::plain_tables by which they are read
+    bool moves = false;      ///< at least one block moves an axis
+    WordSummary words;
     Slice net; ///< Program::settings: the last setting of every group it touches
-};
 
-/// A block of a run, decoded from its bytes.
-struct PlainBlock {
-    Span span;
-    std::optional<std::int64_t> sequence_number;
-    Span sequence_number_span;
-    bool moves;
-    std::vector<ModalSetting> settings;
+    [[nodiscard]] bool has_numbers() const { return lowest_number <= highest_number; }
 };
 
 using Item = std::variant<Block, PlainRun>;
@@ -282,10 +286,6 @@ struct Section {
     Span heading = {}; ///< the line that begins it; empty for "program"
 };
 
-class Program;
-/// Reads the blocks of (a part of) a run again; stops when the visitor returns false.
-using RunDecoder = void (*)(const Program&, Span part, const std::function<bool(const PlainBlock&)>& visit);
-
 /// One program of a file.
 class Program {
   public:
@@ -297,7 +297,8 @@ class Program {
     Span name_span;                         ///< where the name stands; empty at the first block otherwise
     std::string_view text;                  ///< bytes of the whole file; all spans point into it
     const ControlModel* control = nullptr;
-    RunDecoder decode = nullptr;
+    /// By these, plain blocks are read again.
+    std::array<const syntax::PlainTables*, 2> plain_tables{};
     /// What the text says of how it is started; `unknown`: the calls and returns tell.
     enum class Started : std::uint8_t { unknown, by_hand, by_call } started = Started::unknown;
 
@@ -321,7 +322,6 @@ class Program {
     [[nodiscard]] std::span<const ExpressionId> values_of(const EvaluateWords& values) const;
     [[nodiscard]] std::span<const Effect> effects_in(Slice slice) const;
     [[nodiscard]] std::span<const Argument> arguments_of(const Call& call) const;
-    [[nodiscard]] std::span<const ModalSetting> net_of(const PlainRun& run) const;
     [[nodiscard]] Span span_of(ItemId item) const;
     /// The variable that a name stands for; any other place is itself.
     [[nodiscard]] Variable meant_by(Variable variable) const;
@@ -329,8 +329,6 @@ class Program {
     [[nodiscard]] std::string spell(Variable variable) const;
     /// Gives back memory that was taken for more blocks.
     void fit();
-    /// Every block of `part` of a run in order, until the visitor returns false.
-    void for_each_block(Span part, const std::function<bool(const PlainBlock&)>& visit) const;
 };
 
 // ---- files ----
@@ -372,7 +370,7 @@ struct DirectiveComment {
     Span next_block; ///< the next block that is no comment; empty at the end of the file
 };
 
-/// A block number that words of other sections may name.
+/// A block number that words of other sections name.
 struct BlockNumber {
     std::int64_t number;
     Span span;             ///< of the number

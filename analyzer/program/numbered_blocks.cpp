@@ -1,7 +1,7 @@
 //! Looks through blocks and plain runs for their numbers.
 #include "analyzer/program/numbered_blocks.hpp"
 
-#include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/block_view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,23 +10,6 @@
 namespace maclint {
 namespace {
 
-template<class Visit>
-void visit_numbers(const Program& program, const Item& item, const Visit& visit) {
-    std::visit(overloaded{[&](const Block& block) {
-                              if (block.sequence_number)
-                                  visit(*block.sequence_number, block.sequence_number_span);
-                          },
-                          [&](const PlainRun& run) {
-                              if (!run.has_sequence_numbers) return;
-                              program.for_each_block(run.span, [&](const PlainBlock& block) {
-                                  if (block.sequence_number)
-                                      visit(*block.sequence_number, block.sequence_number_span);
-                                  return true;
-                              });
-                          }},
-               item);
-}
-
 /// A literal block number.
 std::optional<std::int64_t> number_of(const Program& program, ExpressionId expression) {
     const auto* literal = std::get_if<Literal>(&program.expressions[expression].node);
@@ -34,6 +17,17 @@ std::optional<std::int64_t> number_of(const Program& program, ExpressionId expre
     if (literal == nullptr || !(std::abs(literal->value) < most)) return std::nullopt;
     return std::llround(literal->value);
 }
+
+/// The numbers that something names.
+struct Named {
+    std::vector<std::int64_t> numbers; ///< sorted
+
+    bool operator()(std::int64_t number) const { return std::ranges::binary_search(numbers, number); }
+    [[nodiscard]] bool between(std::int64_t lowest, std::int64_t highest) const {
+        const auto from = std::ranges::lower_bound(numbers, lowest);
+        return from != numbers.end() && *from <= highest;
+    }
+};
 
 } // namespace
 
@@ -60,15 +54,16 @@ const SectionKind* kind_of(const ControlModel& control, const Section& section) 
 }
 
 void index_block_numbers(ProgramFile& file) {
+    Named named;
+    for (const Program& program : file.programs)
+        for (const BlockUser& user : find_block_users(program)) named.numbers.push_back(user.number);
+    std::ranges::sort(named.numbers);
     for (std::uint32_t p = 0; p < file.programs.size(); ++p) {
         const Program& program = file.programs[p];
-        for (std::uint32_t s = 0; s < program.sections.size(); ++s) {
-            const Slice items = program.sections[s].items;
-            for (Id i = items.first; i < items.first + items.count; ++i)
-                visit_numbers(program, program.items[i], [&](std::int64_t number, Span span) {
-                    file.block_numbers.push_back({number, span, p, s});
-                });
-        }
+        for (std::uint32_t s = 0; s < program.sections.size(); ++s)
+            for_each_numbered_block(program, program.sections[s], named, [&](const BlockView& block) {
+                file.block_numbers.push_back({*block.number, block.number_span, p, s});
+            });
     }
     std::ranges::stable_sort(file.block_numbers, {}, &BlockNumber::number);
 }

@@ -30,11 +30,11 @@ struct BlockUser {
 [[nodiscard]] const SectionKind* kind_of(const ControlModel& control, const Section& section);
 
 /// Fills ProgramFile::block_numbers: for languages in which words name blocks of other sections or restart at
-/// them.
+/// them. Only the numbers that something names are taken in.
 void index_block_numbers(ProgramFile& file);
 
-/// The blocks of all programs of the file that carry one of the numbers, by number, then in text order. The
-/// file must be indexed.
+/// The blocks of all programs of the file that carry one of the numbers, which block users name, by number,
+/// then in text order. The file must be indexed.
 [[nodiscard]] std::vector<NumberedBlock> find_blocks(const ProgramFile& file,
                                                      const std::set<std::int64_t>& numbers);
 

@@ -1,6 +1,8 @@
 //! Counts the blocks of all programs of a file, those in plain runs included.
 #include "analyzer/program/readable.hpp"
 
+#include "analyzer/program/block_view.hpp"
+
 #include <algorithm>
 #include <variant>
 
@@ -9,10 +11,16 @@ namespace {
 
 constexpr std::size_t enough_to_judge = 10;
 
-bool is_unreadable(const Program& program, const Block& block) {
-    const auto effects = std::span(program.effects).subspan(block.effects.first, block.effects.count);
-    return std::ranges::any_of(
-        effects, [](const Effect& effect) { return std::holds_alternative<UnreadableBlock>(effect.what); });
+std::size_t count_unreadable(const Program& program) {
+    std::size_t count = 0;
+    for_each_block_with_effects(program, [&](const BlockView& block) {
+        const bool unreadable =
+            std::ranges::any_of(program.effects_in(block.effects), [](const Effect& effect) {
+                return std::holds_alternative<UnreadableBlock>(effect.what);
+            });
+        count += unreadable ? 1 : 0;
+    });
+    return count;
 }
 
 } // namespace
@@ -22,14 +30,8 @@ bool Readable::is_doubtful() const { return unreadable >= enough_to_judge && unr
 Readable count_readable(const ProgramFile& file) {
     Readable count;
     for (const Program& program : file.programs) {
-        for (const Item& item : program.items) {
-            if (const auto* run = std::get_if<PlainRun>(&item)) {
-                count.blocks += run->blocks;
-                continue;
-            }
-            ++count.blocks;
-            if (is_unreadable(program, std::get<Block>(item))) ++count.unreadable;
-        }
+        count.blocks += count_blocks(program);
+        count.unreadable += count_unreadable(program);
     }
     return count;
 }

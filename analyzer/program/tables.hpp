@@ -246,6 +246,8 @@ struct ControlModel {
     bool loops_left_by_jump = true; ///< a jump can leave a loop, so a condition that always holds is a custom
     std::vector<SectionKind> sections = {}; ///< empty: programs have no sections
     std::vector<ReferenceKind> references = {};
+    /// Addresses that a block may hold more than once, and those that it may where it calls a program.
+    std::vector<std::string_view> repeatable = {}, repeatable_arguments = {};
 
     /// The group of that role, or nothing.
     [[nodiscard]] std::optional<GroupId> group_with(ModalRole role) const;

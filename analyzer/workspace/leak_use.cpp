@@ -3,6 +3,7 @@
 #include "analyzer/workspace/leak_use.hpp"
 
 #include "analyzer/dataflow/feasible_paths.hpp"
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
@@ -107,7 +108,7 @@ class Search {
     /// Whether the group is as it was behind the run, and nobody has moved under it.
     bool visit_run(const ProgramAnalysis& program, const flow::Node& node, Point& point) {
         bool goes_on = true;
-        program.program().for_each_block(node.part, [&](const PlainBlock& block) {
+        for_each_block(program.program(), node.stretch(), [&](const BlockView& block) {
             for (const ModalSetting& setting : block.settings) {
                 goes_on &= setting.group != group_;
                 note_code(setting.group, setting.value, point);

@@ -38,7 +38,7 @@ class WorkspaceBuilder {
         const CallResolver resolver(programs_);
         for_each_parallel(programs_.size(), jobs_, [&](std::size_t i) {
             ProgramAnalysis& analysis = programs_[i];
-            flow::for_each_effect(analysis.program(), [&](EffectId id) {
+            for_each_effect(analysis.program(), [&](EffectId id) {
                 if (std::holds_alternative<Call>(analysis.program().effects[id].what))
                     analysis.calls_.push_back(resolver.resolve(analysis, id));
             });
@@ -142,7 +142,7 @@ class WorkspaceBuilder {
         if (started != Program::Started::unknown || !analysis.control().sections.empty())
             return started == Program::Started::by_hand;
         bool returns = false;
-        flow::for_each_effect(analysis.program(), [&](EffectId id) {
+        for_each_effect(analysis.program(), [&](EffectId id) {
             returns |= std::holds_alternative<Return>(analysis.program().effects[id].what);
         });
         return !returns;

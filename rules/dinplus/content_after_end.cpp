@@ -1,4 +1,5 @@
 //! DIN103: blocks behind END.
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -48,8 +49,13 @@ Span first_behind(const ProgramFile& file, Span heading) {
         if (behind && (first.end == 0 || span.begin < first.begin)) first = span;
     };
     for (const Program& program : file.programs) {
-        for (const Section& section : program.sections) take(section.heading);
-        for (Id item = 0; item < program.items.size(); ++item) take(program.span_of(item));
+        for (const Section& section : program.sections) {
+            take(section.heading);
+            for_each_block(program, section, [&](const BlockView& block) {
+                take(block.span);
+                return block.span.begin < heading.end;
+            });
+        }
     }
     return first;
 }

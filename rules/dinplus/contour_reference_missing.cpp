@@ -1,4 +1,5 @@
 //! DIN704: NS or NE names a block that is no contour block.
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -86,13 +87,11 @@ Contours contours_of(const ProgramFile& file) {
             const SectionKind* kind = kind_of(*program.control, section);
             if (kind == nullptr || kind->role != Role::contour) continue;
             contours.described = true;
-            for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) {
-                const auto* block = std::get_if<Block>(&program.items[i]);
-                if (block == nullptr) continue;
-                for (const Effect& effect : program.effects_in(block->effects))
+            for_each_block_with_effects(program, section.items, [&](const BlockView& block) {
+                for (const Effect& effect : program.effects_in(block.effects))
                     contours.complete &= !std::holds_alternative<Call>(effect.what) &&
                                          !std::holds_alternative<UnreadableBlock>(effect.what);
-            }
+            });
         }
     return contours;
 }

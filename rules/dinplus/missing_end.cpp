@@ -1,4 +1,5 @@
 //! DIN102: a main program without END.
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/dinplus/sections.hpp"
 #include "rules/rule.hpp"
@@ -45,23 +46,11 @@ namespace {
 /// The machining part breaks off with a block that nobody can read, or has none: the text is a sketch, or its
 /// last word is told as what it is.
 bool is_cut_off(const Program& program) {
-    if (program.items.empty() || program.sections.back().items.count == 0) return true;
-    const auto* last = std::get_if<Block>(&program.items.back());
-    return last != nullptr &&
-           std::ranges::any_of(program.effects_in(last->effects), [](const Effect& effect) {
+    if (program.sections.empty() || program.sections.back().items.count == 0) return true;
+    const auto last = last_block(program);
+    return last && std::ranges::any_of(program.effects_in(last->effects), [](const Effect& effect) {
                return std::holds_alternative<UnreadableBlock>(effect.what);
            });
-}
-
-Span last_of(const Program& program) {
-    const Item& last = program.items.back();
-    if (const auto* block = std::get_if<Block>(&last)) return block->span;
-    Span span = std::get<PlainRun>(last).span;
-    program.for_each_block(span, [&](const PlainBlock& block) {
-        span = block.span;
-        return true;
-    });
-    return span;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
@@ -74,7 +63,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         return kind.role == SectionKind::Role::machining && has_section(program, kind);
     });
     if (!runs || is_cut_off(program) || end == kinds.end() || has_section(program, *end)) return;
-    reporter.report(analysis.file(), last_of(program), "plain", {std::string(end->name)});
+    reporter.report(analysis.file(), last_block(program)->span, "plain", {std::string(end->name)});
 }
 
 } // namespace

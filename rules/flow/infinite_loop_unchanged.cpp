@@ -1,5 +1,6 @@
 //! MAC319: nothing that decides whether a loop ends changes in it.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -85,7 +86,7 @@ struct Deciders {
 bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     for (const flow::NodeId node : loop.body) {
         const flow::Node& n = analysis.graph().nodes[node];
-        if (n.is_run && std::get<PlainRun>(analysis.program().items[n.item]).moves) return false;
+        if (n.is_run && moves(analysis.program(), n.stretch())) return false;
         for (const Effect& effect : analysis.program().effects_in(n.effects))
             if (std::holds_alternative<Motion>(effect.what) || std::holds_alternative<Assign>(effect.what))
                 return false;

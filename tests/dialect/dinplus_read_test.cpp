@@ -1,4 +1,5 @@
 //! DIN PLUS files: sections, programs, comments, and any bytes.
+#include "analyzer/program/block_view.hpp"
 #include "tests/dialect/reading.hpp"
 
 #include <chrono>
@@ -299,7 +300,7 @@ TEST(DinBadInput, AnUnclosedCommentOfTenMegabytes) {
     const ProgramFile file = read_din(blocks);
     ASSERT_EQ(file.syntax_errors.size(), 1U);
     EXPECT_EQ(file.syntax_errors[0].kind, SyntaxErrorKind::unterminated_comment);
-    EXPECT_EQ(file.programs.at(0).items.size(), (blocks.size() - 24) / 9);
+    EXPECT_EQ(count_blocks(file.programs.at(0)), (blocks.size() - 24) / 9);
 }
 
 } // namespace

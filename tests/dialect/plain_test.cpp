@@ -1,14 +1,17 @@
 //! The plain lane: what it takes, and that it agrees with the grammar on every block that it takes.
-#include "analyzer/dialect/fanuc/lowering.hpp"
-#include "analyzer/dialect/fanuc/plain.hpp"
-#include "analyzer/dialect/fanuc/split.hpp"
+#include "analyzer/dialect/dinplus/plain.hpp"
+#include "analyzer/dialect/fanuc/codes.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/syntax/plain_scanner.hpp"
 #include "tests/dialect/reading.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,38 +19,79 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace maclint::fanuc {
+namespace maclint {
 namespace {
 
+using syntax::Lane;
 using ::testing::ElementsAre;
 
-Lane lane_of(std::string_view text) {
-    ScannedBlock block;
-    return scan_block(text, 0, codes_of(fanuc_control("fanuc")), block);
+const syntax::PlainTables& of_mills() { return fanuc::codes_of(*find_control("fanuc")).plain; }
+const syntax::PlainTables& of_commands() { return dinplus::plain_tables(dinplus::plain_sections::commands); }
+const syntax::PlainTables& of_descriptions() {
+    return dinplus::plain_tables(dinplus::plain_sections::descriptions);
+}
+
+Lane lane_of(std::string_view text, const syntax::PlainTables& tables = of_mills()) {
+    syntax::PlainBlock block;
+    return scan_block(text, 0, tables, block);
 }
 
 TEST(PlainLane, TakesWordsWithLiteralNumbers) {
-    for (const char* text : {"G1X10.5Y-3.", "N10", "N5G90 G54 X 1 Y - .5", "M3S1200", "T1", "x1.y2.",
-                             "(NOTE)G1X1.", "G02X1.I-5.J0F200.(ARC)", "G54.1P2", "G81X1.Y1.Z-5.R2.F100"})
+    for (const char* text :
+         {"G1X10.5Y-3.", "N10", "N5G90 G54 X 1 Y - .5", "M3S1200", "T1", "x1.y2.", "(NOTE)G1X1.",
+          "G02X1.I-5.J0F200.(ARC)", "G54.1P2", "G81X1.Y1.Z-5.R2.F100", "G50S2000S1"})
         EXPECT_EQ(lane_of(text), Lane::plain) << text;
     for (const char* text : {"", "  \t", "(COMMENT)", "(A)(B)\n", ";"})
         EXPECT_EQ(lane_of(text), Lane::blank) << text;
 }
 
 TEST(PlainLane, LeavesEverythingElseToTheGrammar) {
+    for (const char* text : {"#1=1",     "G1X#1", "X[1]",  "/G1X1.", "O1",    "%",     "M30",
+                             "M99",      "M98P1", "G65P1", "G4P100", "G28Z0", "M6T1",  "G1X",
+                             "G1X1.5.2", "X--1",  "G0N10", "GOTO5",  "N10.5", "(OPEN", "X1,C2.",
+                             "G54.12",   "G-1",   "\"A\"", "N#1",    "N",     "M3.5",  "(MACLINT ALLOW)"})
+        EXPECT_EQ(lane_of(text), Lane::grammar) << text;
+}
+
+TEST(PlainLane, TakesPlainBlocksOfDinPlus) {
     for (const char* text :
-         {"#1=1",  "G1X#1",          "X[1]",       "/G1X1.", "O1",     "%",        "M30",   "M99",   "M98P1",
-          "G65P1", "G4P100",         "G28Z0",      "M6T1",   "G1X",    "G1X1.5.2", "X--1",  "G0N10", "GOTO5",
-          "N10.5", "(OPEN",          "G50S2000S1", "X1,C2.", "G54.12", "G-1",      "\"A\"", "N#1",   "N",
-          "M3.5",  "(MACLINT ALLOW)"})
-        EXPECT_EQ(lane_of(text), std::string_view(text) == "G50S2000S1" ? Lane::plain : Lane::grammar)
-            << text;
+         {"N10 G1 X10.5 Z-3", "N10", "X10 Zi-5 [BACK]", "G810 P2", "N5 G0 XK30 YK-2.5", "G97 M8"})
+        EXPECT_EQ(lane_of(text, of_descriptions()), Lane::plain) << text;
+    EXPECT_EQ(lane_of("N10 G1 X10.5 Z-3 M8", of_commands()), Lane::plain);
+    EXPECT_EQ(lane_of("[ONLY]", of_commands()), Lane::blank);
+    // Words that need an effect of their own, and what is no word.
+    for (const char* text :
+         {"T1",   "G95 F0.2",  "G810 NS2 NE3", "M30",       "G14 Q0",  "G16 Q1",  "G4 F1",  "$1 G1 X1",
+          "/ X1", "GO X1",     "G1O X1",       "x10",       "IF 1",    "X#l1",    "X1.2.3", "X1,5",
+          "X5+1", "MACHINING", "NE 5",         "[maclint]", "X 5 (A)", "N5 G1 N6"})
+        EXPECT_EQ(lane_of(text, of_commands()), Lane::grammar) << text;
 }
 
 TEST(PlainLane, JoinsBlocksToRunsWithWhatTheyLeaveBehind) {
-    EXPECT_EQ(maclint::testing::lower("G90G0X1.\n\n(NOTE)\nN5G1Y2.F100\nF200"),
-              "run of 3 numbered moving, motion mode=1, distance mode=90, feed=200");
-    EXPECT_EQ(maclint::testing::lower("G17\n#1=1\nG18"), "run of 1, plane=17\n#1 := 1\nrun of 1, plane=18");
+    const ProgramFile file = maclint::testing::read("G90G0X1.\n\n(NOTE)\nN5G1Y2.F100\nF200");
+    const Program& program = file.programs.front();
+    ASSERT_EQ(program.items.size(), 1U);
+    const Stretch all{0, program.span};
+    EXPECT_TRUE(moves(program, all));
+    std::string left;
+    for_each_last_setting(program, all, [&](const ModalSetting& setting) {
+        left += std::string(program.control->groups[setting.group].name) + '=' +
+                std::to_string(static_cast<int>(setting.value)) + ' ';
+    });
+    EXPECT_EQ(left, "motion mode=1 distance mode=90 feed=200 ");
+    EXPECT_EQ(count_blocks(program), 3U);
+    EXPECT_EQ(maclint::testing::read("G17\n#1=1\nG18").programs.front().items.size(), 3U);
+}
+
+TEST(PlainLane, KnowsOfARunWhatItsBlocksRepeat) {
+    const auto summary = [](std::string_view text) {
+        const ProgramFile file = maclint::testing::read(text);
+        return std::get<PlainRun>(file.programs.front().items.front()).words;
+    };
+    EXPECT_TRUE(summary("G0 G90 X1. Y2. M3 M8\nX1. Y2.").repeated.empty());
+    EXPECT_FALSE(summary("G0 G90 X1. Y2.").conflicts);
+    EXPECT_EQ(summary("X1.\nX1. Y2. X3.").repeated, summary("X1.").addresses);
+    EXPECT_TRUE(summary("X1.\nG0 G1 X2.").conflicts);
 }
 
 TEST(PlainLane, DecodesItsBlocksAgain) {
@@ -55,33 +99,27 @@ TEST(PlainLane, DecodesItsBlocksAgain) {
     const ProgramFile file = maclint::testing::read(text);
     const Program& program = file.programs.front();
     std::vector<std::string> seen;
-    program.for_each_block(program.span_of(0), [&](const PlainBlock& block) {
+    for_each_block(program, [&](const BlockView& block) {
         std::string one(program.slice(block.span));
         one += block.moves ? " moves" : "";
-        if (block.sequence_number) one += " at " + std::to_string(*block.sequence_number);
+        if (block.number) one += " at " + std::to_string(*block.number);
         for (const ModalSetting& setting : block.settings)
             one += ' ' + std::to_string(setting.group) + '=' + std::to_string(setting.value).substr(0, 4);
         seen.push_back(std::move(one));
-        return true;
     });
     EXPECT_THAT(seen,
                 ElementsAre("N5G90G1X1. moves at 5 2=90.0 0=1.00", "G92X0Y0", "F10.5S-3 22=10.5 23=-3.0"));
     int first = 0;
-    program.for_each_block(program.span_of(0), [&](const PlainBlock&) { return ++first < 1; });
+    for_each_block(program, [&](const BlockView&) { return ++first < 1; });
     EXPECT_EQ(first, 1);
 }
 
-/// The sequence numbers of the program's runs, decoded again.
-std::vector<std::int64_t> numbers_in_runs(const Program& program) {
+/// The block numbers of the program.
+std::vector<std::int64_t> numbers_of(const Program& program) {
     std::vector<std::int64_t> numbers;
-    for (const Item& item : program.items) {
-        const auto* run = std::get_if<PlainRun>(&item);
-        if (run == nullptr) continue;
-        program.for_each_block(run->span, [&](const PlainBlock& block) {
-            if (block.sequence_number) numbers.push_back(*block.sequence_number);
-            return true;
-        });
-    }
+    for_each_block(program, [&](const BlockView& block) {
+        if (block.number) numbers.push_back(*block.number);
+    });
     return numbers;
 }
 
@@ -90,84 +128,150 @@ TEST(PlainLane, BlocksBehindWhatItCannotReadAreDecodedToo) {
         const ProgramFile file =
             maclint::testing::read("%\nO1\nN1 G1 X1.\n" + std::string(between) + "\nN2 G1 X2.\nN3 X3.\n");
         ASSERT_EQ(file.programs.size(), 1U) << between;
-        EXPECT_THAT(numbers_in_runs(file.programs[0]), ElementsAre(1, 2, 3)) << between;
+        EXPECT_THAT(numbers_of(file.programs[0]), ElementsAre(1, 2, 3)) << between;
     }
-    EXPECT_EQ(maclint::testing::lower("G1X1.\n(NOTE)\n\nX2.\n%\n"), "run of 2 moving, motion mode=1");
+    EXPECT_EQ(count_blocks(maclint::testing::read("G1X1.\n(NOTE)\n\nX2.\n%\n").programs.front()), 2U);
 }
 
-/// What a block does, from whichever lane.
-struct Meaning {
-    bool has_block = false, error = false, moves = false, other = false;
-    std::optional<std::int64_t> sequence_number;
-    std::vector<std::pair<GroupId, double>> settings;
-    friend bool operator==(const Meaning&, const Meaning&) = default;
+/// The numbers that a loop over stretches or numbered blocks looks for.
+struct Only {
+    std::int64_t wanted;
+    bool operator()(std::int64_t number) const { return number == wanted; }
+    [[nodiscard]] bool between(std::int64_t lowest, std::int64_t highest) const {
+        return lowest <= wanted && wanted <= highest;
+    }
 };
 
-Meaning by_scanner(const ScannedBlock& block, Lane lane) {
-    Meaning meaning;
-    meaning.has_block = lane == Lane::plain;
-    if (!meaning.has_block) return meaning;
-    meaning.moves = block.moves;
-    if (!block.sequence_span.empty()) meaning.sequence_number = block.sequence_number;
-    for (std::size_t i = 0; i < block.settings_count; ++i)
-        meaning.settings.emplace_back(block.settings[i].group, block.settings[i].value);
-    return meaning;
+TEST(PlainLane, CutsALongRowOfBlocksWhereANumberIsWanted) {
+    std::string text;
+    for (int i = 1; i <= 10'000; ++i) text += "N" + std::to_string(i) + " X1.\n";
+    const ProgramFile file = maclint::testing::read(text);
+    const Program& program = file.programs.front();
+    std::vector<std::string> heads;
+    Offset end = 0;
+    for_each_stretch(program, program.sections.front(), Only{6000}, [&](const StretchView& view) {
+        EXPECT_GE(view.stretch.span.begin, end) << "stretches do not overlap";
+        end = view.stretch.span.end;
+        EXPECT_TRUE(view.plain);
+        if (view.first != nullptr) heads.emplace_back(program.slice(view.first->number_span));
+    });
+    EXPECT_THAT(heads, ElementsAre("N6000"));
+    EXPECT_EQ(end, program.span.end);
+    std::vector<std::string> found;
+    for_each_numbered_block(program, program.sections.front(), Only{6000},
+                            [&](const BlockView& block) { found.emplace_back(program.slice(block.span)); });
+    EXPECT_THAT(found, ElementsAre("N6000 X1."));
+    EXPECT_EQ(count_blocks(program), 10'000U);
+    EXPECT_EQ(program.slice(last_block(program)->span), "N10000 X1.");
 }
 
-Meaning by_grammar(std::string_view text, const ControlModel& control) {
-    Meaning meaning;
-    syntax::Tree tree;
-    syntax::parse(grammar, std::string(text) + "\n", tree);
-    meaning.error = tree.has_error;
-    if (meaning.error) return meaning;
-    ProgramBuilder builder("O1", text, control);
-    std::vector<SyntaxError> syntax_errors;
-    BlockLowering(codes_of(control), syntax_errors)
-        .lower(tree, {0, static_cast<Offset>(text.size())}, builder);
-    meaning.other = !syntax_errors.empty();
-    const Program& program = builder.program();
-    if (program.items.empty()) return meaning;
-    const auto& block = std::get<Block>(program.items.front());
-    meaning.has_block = true;
-    meaning.sequence_number = block.sequence_number;
+// ---- both lanes
+
+/// What a block does and which words it has, whatever lane it came through.
+std::string meaning(const Program& program, const BlockView& block) {
+    std::string text;
+    if (block.number)
+        text += 'N' + std::to_string(*block.number) + ' ' + std::string(program.slice(block.number_span));
+    const auto set = [&](GroupId group, double value) {
+        text += " " + std::to_string(group) + "=" + std::to_string(value);
+    };
+    for (const ModalSetting& setting : block.settings) set(setting.group, setting.value);
+    if (block.moves) text += " move";
     for (const Effect& effect : program.effects_in(block.effects)) {
-        if (const auto* set = std::get_if<SetModal>(&effect.what)) {
-            const auto* value = std::get_if<Literal>(&program.expressions[set->value].node);
-            if (set->group && value != nullptr)
-                meaning.settings.emplace_back(*set->group, value->value);
-            else
-                meaning.other = true;
-        } else if (std::holds_alternative<Motion>(effect.what)) {
-            meaning.moves = true;
-        } else {
-            meaning.other = true;
-        }
+        const auto* setting = std::get_if<SetModal>(&effect.what);
+        const auto* value =
+            setting == nullptr ? nullptr : std::get_if<Literal>(&program.expressions[setting->value].node);
+        if (value != nullptr && setting->group)
+            set(*setting->group, value->value);
+        else
+            text += " " + describe(program, effect);
     }
-    return meaning;
+    return text;
 }
 
-/// Compares the lanes on every block of a text; tells how many blocks were plain.
-std::size_t compare_lanes(std::string_view text, const ControlModel& control, std::string_view where) {
+std::string meaning(const Program& program, std::span<const Word> words) {
+    std::string text;
+    for (const Word& word : words) {
+        text += std::string(word.address) + (word.incremental ? "i " : " ") +
+                std::string(program.slice(word.span));
+        if (const auto* value = std::get_if<Literal>(&word.value))
+            text += " is " + std::to_string(value->value) + (value->decimal_point ? "." : "");
+        text += "; ";
+    }
+    return text;
+}
+
+std::vector<std::string> meaning(const ProgramFile& file) {
+    std::vector<std::string> lines;
+    for (const Program& program : file.programs) {
+        lines.push_back(program.name);
+        for_each_block(program, [&](const BlockView& block) { lines.push_back(meaning(program, block)); });
+        const auto all = [](const WordSummary&) { return true; };
+        for_each_block_with_words(program, all, [&](const BlockView&, std::span<const Word> words) {
+            lines.push_back(meaning(program, words));
+        });
+    }
+    for (const SyntaxError& error : file.syntax_errors) lines.push_back(std::string(name_of(error.kind)));
+    return lines;
+}
+
+/// A text, and the same with a comment at each of its plain blocks that keeps it from the plain lane.
+struct BothLanes {
+    std::string grammar_only;
     std::size_t plain = 0;
-    ScannedBlock scanned;
-    RawBlock raw;
+};
+
+BothLanes forbid_plain_lane(std::string_view text, const syntax::PlainTables& tables,
+                            std::string_view comment) {
+    BothLanes lanes;
+    syntax::PlainBlock block;
+    Offset copied = 0;
     for (Offset at = 0; at < text.size();) {
-        cut_block(text, at, raw);
-        const Lane lane = scan_block(text, at, codes_of(control), scanned);
-        if (lane == Lane::grammar) {
-            at = raw.next > at ? raw.next : at + 1;
+        const Lane lane = scan_block(text, at, tables, block);
+        if (lane == Lane::grammar) { // on with the next line
+            at = static_cast<Offset>(std::min(text.find_first_of("\r\n", at), text.size() - 1)) + 1;
             continue;
         }
-        EXPECT_EQ(raw.next, scanned.next) << where << " at " << at;
-        const std::string_view block = text.substr(at, scanned.next - at);
-        const Meaning expected = by_grammar(block.substr(0, block.find_last_not_of("\r\n;") + 1), control);
-        EXPECT_EQ(by_scanner(scanned, lane), expected)
-            << where << ": " << block << (expected.error ? " (error)" : "");
-        plain += lane == Lane::plain ? 1 : 0;
-        at = scanned.next;
-        if (::testing::Test::HasFailure()) return plain;
+        if (lane == Lane::plain) {
+            ++lanes.plain;
+            lanes.grammar_only.append(text.substr(copied, block.span.end - copied)).append(comment);
+            copied = block.span.end;
+        }
+        at = block.next;
     }
-    return plain;
+    lanes.grammar_only.append(text.substr(copied));
+    return lanes;
+}
+
+/// Compares what both lanes make of a text; tells how many of its blocks are plain.
+std::size_t compare_lanes(std::string_view text, std::string_view control, std::string_view name,
+                          const syntax::PlainTables& tables, std::string_view comment) {
+    const BothLanes lanes = forbid_plain_lane(text, tables, comment);
+    const auto plain = meaning(maclint::testing::read_as(control, std::string(name), text));
+    const auto parsed = meaning(maclint::testing::read_as(control, std::string(name), lanes.grammar_only));
+    if (plain != parsed) {
+        const auto [a, b] = std::ranges::mismatch(plain, parsed);
+        ADD_FAILURE() << name << ", with the plain lane:\n"
+                      << (a == plain.end() ? "(end)" : *a) << "\nwithout:\n"
+                      << (b == parsed.end() ? "(end)" : *b) << "\n"
+                      << (text.size() < 500 ? text : "");
+    }
+    return lanes.plain;
+}
+
+std::size_t compare_fanuc(std::string_view text, std::string_view control, std::string_view name) {
+    return compare_lanes(text, control, name, of_mills(), "(maclint)");
+}
+
+std::size_t compare_dinplus(std::string_view text, std::string_view name) {
+    return compare_lanes(text, "dinplus", name, of_descriptions(), "[maclint]");
+}
+
+std::string from_pieces(std::mt19937& random, std::span<const char* const> pieces) {
+    std::string text;
+    const std::size_t count = random() % 14;
+    for (std::size_t i = 0; i < count; ++i) text += pieces[random() % pieces.size()];
+    return text;
 }
 
 TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocks) {
@@ -241,31 +345,124 @@ TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocks) {
     std::mt19937 random(20240501);
     std::size_t plain = 0;
     for (int round = 0; round < 4000 && !HasFailure(); ++round) {
-        std::string text;
-        const std::size_t count = random() % 14;
-        for (std::size_t i = 0; i < count; ++i) text += pieces[random() % std::size(pieces)];
-        plain += compare_lanes(text, fanuc_control("fanuc"), "generated");
-        plain += compare_lanes(text, fanuc_control("fanuc-lathe"), "generated");
+        const std::string text = from_pieces(random, pieces);
+        plain += compare_fanuc(text, "fanuc", "generated.nc");
+        plain += compare_fanuc(text, "fanuc-lathe", "generated.nc");
     }
     EXPECT_GT(plain, 2000U);
 }
 
-TEST(PlainLane, AgreesWithTheGrammarOnTheOuterCorpus) {
-    const std::filesystem::path corpus = std::filesystem::path(MACLINT_SHARED) / "corpus";
-    if (!std::filesystem::exists(corpus)) GTEST_SKIP() << "the outer corpus is not at " << corpus;
+TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocksOfDinPlus) {
+    static constexpr const char* pieces[] = {"N10 ",
+                                             "N5",
+                                             "n7 ",
+                                             "G0",
+                                             " G1 ",
+                                             "G2",
+                                             "G40",
+                                             "G95",
+                                             "G96",
+                                             "G97",
+                                             "G810",
+                                             "G14",
+                                             "G16",
+                                             "G4",
+                                             "G59",
+                                             "G999",
+                                             "G1000",
+                                             "G1.",
+                                             "GO",
+                                             "M3",
+                                             "M8",
+                                             "M30",
+                                             "M99",
+                                             "T1",
+                                             "X10",
+                                             " X10.5",
+                                             " Z-.5",
+                                             " Zi-3",
+                                             "Xi",
+                                             "XK5",
+                                             " YK-2",
+                                             " NS2",
+                                             " NE3",
+                                             " NE 3",
+                                             "LE5",
+                                             "LE 5",
+                                             "IF1",
+                                             "OR1",
+                                             "EQ2",
+                                             "L1",
+                                             "F0.2",
+                                             " S200",
+                                             "Q1",
+                                             " Q0",
+                                             "HID3",
+                                             "ABC1",
+                                             "X 1",
+                                             "X- 1",
+                                             "X+1",
+                                             "X1.2.3",
+                                             "X1,5",
+                                             "+1",
+                                             "O",
+                                             "[A]",
+                                             " [B;C] ",
+                                             "[//]",
+                                             "[OPEN",
+                                             "\"A\"",
+                                             " ",
+                                             "\t",
+                                             "\n",
+                                             "\n",
+                                             "\r\n",
+                                             "\n",
+                                             ";",
+                                             "//",
+                                             "/",
+                                             "$1 ",
+                                             "#l1",
+                                             "=",
+                                             "12345678901234567",
+                                             ".",
+                                             "IF #l1>5\n",
+                                             "THEN\n",
+                                             "ENDIF\n",
+                                             "END\n",
+                                             "FINISHED\n",
+                                             "MACHINING\n",
+                                             "VAR\n",
+                                             "T1 ID\"X\""};
+    std::mt19937 random(20240502);
     std::size_t plain = 0;
-    for (const char* group : {"fanuc-macro", "fanuc-plain"}) {
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus / group)) {
-            if (!entry.is_regular_file()) continue;
-            std::ifstream file(entry.path(), std::ios::binary);
-            const std::string text((std::istreambuf_iterator<char>(file)), {});
-            const ControlModel& control = *maclint::testing::read_as("fanuc", "x.nc", text).control;
-            plain += compare_lanes(text, control, entry.path().string());
-            if (HasFailure()) return;
-        }
+    for (int round = 0; round < 6000 && !HasFailure(); ++round) {
+        const std::string blocks = from_pieces(random, pieces);
+        for (const char* section : {"MACHINING\n", "FINISHED\n", "TURRET\n"})
+            plain += compare_dinplus(section + blocks, "generated.nc");
     }
-    EXPECT_GT(plain, 100'000U);
+    EXPECT_GT(plain, 2000U);
+}
+
+std::size_t compare_folder(const std::filesystem::path& folder, std::string_view language) {
+    std::size_t plain = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file() || ::testing::Test::HasFailure()) continue;
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::string text((std::istreambuf_iterator<char>(file)), {});
+        plain += language == "dinplus" ? compare_dinplus(text, entry.path().string())
+                                       : compare_fanuc(text, "fanuc", entry.path().string());
+    }
+    return plain;
+}
+
+TEST(PlainLane, AgreesWithTheGrammarOnTheOuterCorpus) {
+    const std::filesystem::path shared(MACLINT_SHARED);
+    if (!std::filesystem::exists(shared / "corpus")) GTEST_SKIP() << "there is no outer corpus at " << shared;
+    EXPECT_GT(compare_folder(shared / "corpus/fanuc-macro", "fanuc") +
+                  compare_folder(shared / "corpus/fanuc-plain", "fanuc"),
+              100'000U);
+    EXPECT_GT(compare_folder(shared / "reference/dinplus-examples", "dinplus"), 500U);
 }
 
 } // namespace
-} // namespace maclint::fanuc
+} // namespace maclint

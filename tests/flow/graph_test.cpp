@@ -80,7 +80,7 @@ TEST(Graph, BlocksThatMayBeSkippedOneBehindAnotherKeepTheGraphSmall) {
 TEST(Graph, TheNodeOfAnEffectIsKnown) {
     const auto workspace = test::analyse_fanuc("O1\nIF[#1EQ#0]THEN #2=1\n/#3=1 M98P2\nGOTO10\nN10 M30\n");
     const flow::Graph& graph = workspace->programs().front().graph();
-    flow::for_each_effect(workspace->programs().front().program(), [&](EffectId id) {
+    for_each_effect(workspace->programs().front().program(), [&](EffectId id) {
         const auto node = graph.node_of(id);
         ASSERT_TRUE(node);
         EXPECT_LE(graph.nodes[*node].effects.first, id);

@@ -2,6 +2,7 @@
 #include "analyzer/dialect/dinplus/collect.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/dinplus/plain.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
 
 #include <algorithm>
@@ -58,7 +59,10 @@ Span span_in(std::string_view text, std::string_view name) {
 } // namespace
 
 Part& Programs::open(std::string name) {
-    return parts_.emplace_back(Part{ProgramBuilder(std::move(name), source_.bytes(), control_), {}});
+    Part& part = parts_.emplace_back(Part{ProgramBuilder(std::move(name), source_.bytes(), control_), {}});
+    part.program.set_plain_tables(
+        {&plain_tables(plain_sections::commands), &plain_tables(plain_sections::descriptions)});
+    return part;
 }
 
 /// The main part, named after its file.
@@ -146,6 +150,11 @@ Part& Programs::current() {
     ProgramBuilder& program = parts_[current_].program;
     if (!program.has_sections()) program.begin_section(without_sections, Executed::when_reached, {});
     return parts_[current_];
+}
+
+const Preceding& Programs::preceding() const {
+    static const Preceding nothing_yet;
+    return current_ == nothing ? nothing_yet : parts_[current_].before;
 }
 
 void Programs::leave_section() {

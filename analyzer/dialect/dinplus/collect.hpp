@@ -33,6 +33,8 @@ class Programs {
     void open_section(const SectionWord& word, Span heading);
     /// Where the next block belongs.
     [[nodiscard]] Part& current();
+    /// What the blocks before tell about the next one.
+    [[nodiscard]] const Preceding& preceding() const;
     /// At the end of the file.
     void close();
 

@@ -46,7 +46,8 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
         break;
     }
     if (word.value) word.literal = literal_value(*word.value);
-    if (!word.address.empty()) builder_->add_word({word.address, word.value, incremental, span(node)});
+    if (!word.address.empty())
+        builder_->add_word({word.address, written_value(word.value), incremental, span(node)});
     return word;
 }
 

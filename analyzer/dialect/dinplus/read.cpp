@@ -8,12 +8,14 @@
 #include "analyzer/dialect/dinplus/keywords.hpp"
 #include "analyzer/dialect/dinplus/lexer.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/dialect/dinplus/plain.hpp"
 #include "analyzer/dialect/dinplus/plausible.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
 #include "analyzer/dialect/dinplus/split.hpp"
 #include "analyzer/dialect/error_throttle.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/program/plain_run.hpp"
 #include "analyzer/syntax/parse_cache.hpp"
 
 #include <algorithm>
@@ -44,6 +46,9 @@ class Reader {
 
     ProgramFile run() {
         for (Offset at = 0; at < text_.size();) {
+            at = pass_plain(at);
+            close_run(); // the decoder of a run reads on to its end: nothing but plain blocks stands in it
+            if (at == text_.size()) break;
             cut_block(text_, at, raw_);
             at = raw_.next;
             if (!raw_.span.empty()) take();
@@ -58,6 +63,34 @@ class Reader {
     }
 
   private:
+    /// Takes the plain blocks that stand there, and passes over blanks and comments between them.
+    Offset pass_plain(Offset at) {
+        const Preceding& before = programs_.preceding();
+        if (before.waiting_if) return at; // its THEN is missing if the next block is not that
+        const bool commands = before.effects && before.context == Context::machining;
+        const std::uint8_t section = commands ? plain_sections::commands : plain_sections::descriptions;
+        const syntax::PlainTables& tables = plain_tables(section);
+        syntax::PlainBlock block;
+        while (at < text_.size()) {
+            const syntax::Lane lane = syntax::scan_block(text_, at, tables, block);
+            if (lane == syntax::Lane::grammar) break;
+            at = block.next;
+            if (lane == syntax::Lane::blank) continue;
+            if (waiting_ < file_.comments.size()) tell_comments(block.span);
+            throttle_.record(false);
+            if (run_.is_full()) close_run();
+            run_.add(block);
+            run_section_ = section;
+        }
+        return at;
+    }
+
+    void close_run() {
+        if (run_.empty()) return;
+        programs_.current().program.add_run(run_.run(run_section_), run_.net());
+        run_ = {};
+    }
+
     void take() {
         if (raw_.open_comment) {
             const Span open = raw_.comments.back();
@@ -230,6 +263,8 @@ class Reader {
     ProgramFile file_;
     Programs programs_;
     BlockLowering lowering_;
+    PlainRunTotals run_;
+    std::uint8_t run_section_ = 0;
     RawBlock raw_;
     std::string code_; ///< of the block, without its comments
     std::string key_;  ///< of the block, for the cache

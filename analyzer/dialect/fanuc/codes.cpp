@@ -1,6 +1,7 @@
 //! The code table and its index.
 #include "analyzer/dialect/fanuc/codes.hpp"
 
+#include "analyzer/dialect/fanuc/plain.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 
 #include <algorithm>
@@ -72,28 +73,6 @@ constexpr CodeFact facts[] = {
 
 std::size_t tenths(double code) { return static_cast<std::size_t>(std::lround(code * 10)); }
 
-std::array<Letter, 256> letter_classes(Machine machine) {
-    std::array<Letter, 256> table{};
-    const auto set = [&](std::string_view characters, Letter letter) {
-        for (const char c : characters) {
-            table[static_cast<unsigned char>(c)] = letter;
-            if (c >= 'A' && c <= 'Z') table[static_cast<unsigned char>(c - 'A' + 'a')] = letter;
-        }
-    };
-    set(" \t", Letter::blank);
-    set("\r\n;", Letter::end);
-    set("(", Letter::comment);
-    set("ABCIJKUVWXYZ", Letter::axis);
-    set("DEHLPQRT", Letter::other);
-    set("G", Letter::g);
-    set("M", Letter::m);
-    set("F", Letter::f);
-    set("S", Letter::s);
-    set("N", Letter::n);
-    if (machine == Machine::lathe) set("T", Letter::not_plain); // T0101 changes the tool there
-    return table;
-}
-
 CodeTable build(const ControlModel& control) {
     CodeTable table{};
     table.g.fill({.group = no_group, .traits = 0});
@@ -111,11 +90,12 @@ CodeTable build(const ControlModel& control) {
         else
             table.m[static_cast<std::size_t>(fact.code)] = fact.traits;
     }
-    table.letters = letter_classes(control.machine);
     table.feed = control.group_with(ModalRole::feed).value_or(no_group);
     table.speed = control.group_with(ModalRole::speed).value_or(no_group);
     table.local_offset = control.group_with(ModalRole::local_offset).value_or(no_group);
     table.g[tenths(52)].group = no_group; // set or cancelled by its words, see lowering
+    table.tool_changes_at_once = control.machine == Machine::lathe;
+    table.plain = plain_tables(table);
     return table;
 }
 

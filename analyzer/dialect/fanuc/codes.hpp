@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program/tables.hpp"
+#include "analyzer/syntax/plain_tables.hpp"
 
 #include <array>
 #include <cstdint>
@@ -34,10 +35,7 @@ struct Code {
     GroupId group;
     std::uint8_t traits;
 };
-constexpr GroupId no_group = UINT8_MAX;
-
-/// What a letter starts in a plain block.
-enum class Letter : std::uint8_t { not_plain, blank, end, comment, axis, other, g, m, f, s, n };
+constexpr GroupId no_group = syntax::no_group;
 
 /// The code facts and modal groups of a machine type, indexed.
 struct CodeTable {
@@ -46,11 +44,15 @@ struct CodeTable {
     std::array<Code, g_codes> g;
     std::array<std::uint8_t, m_codes> m;
     std::array<GroupId, 100> m_groups; ///< of M00 to M99
-    std::array<Letter, 256> letters;
     GroupId feed;
     GroupId speed;
     GroupId local_offset;
+    bool tool_changes_at_once; ///< by T alone, as lathes do: T0101
+    syntax::PlainTables plain; ///< for blocks that need no grammar
 
+    [[nodiscard]] bool is_axis(char letter) const {
+        return plain.bytes[static_cast<unsigned char>(letter)].start == syntax::PlainStart::axis;
+    }
     /// The row of a literal G code; codes that no table holds set nothing and do nothing.
     [[nodiscard]] Code g_code(double code) const;
     [[nodiscard]] std::uint8_t m_code(double code) const;

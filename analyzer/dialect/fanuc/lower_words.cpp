@@ -37,10 +37,6 @@ class SetCounter {
     char last_ = 0;
 };
 
-bool is_axis(const CodeTable& codes, char letter) {
-    return codes.letters[static_cast<unsigned char>(letter)] == Letter::axis;
-}
-
 /// G65, G66, G66.1
 bool is_macro_call(double code) { return code == 65 || code == 66 || code == 66.1; }
 
@@ -77,7 +73,8 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
         word.value = lower_expression(*value);
     }
     if (word.value) word.literal = literal_value(*word.value);
-    builder_->add_word({address_text(word.letter, word.comma), word.value, incremental, span(node)});
+    builder_->add_word(
+        {address_text(word.letter, word.comma), written_value(word.value), incremental, span(node)});
     return word;
 }
 
@@ -162,7 +159,7 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
         } else if (word.letter == 'M' && word.literal && codes_.m_group(*word.literal) != no_group) {
             effect({SetModal{codes_.m_group(*word.literal), *word.value}, here});
         } else {
-            moves |= is_axis(codes_, word.letter);
+            moves |= codes_.is_axis(word.letter);
             if (!word.literal) computed_.push_back(*word.value);
         }
     }
@@ -170,7 +167,7 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
     if (moves && (traits & (no_axes | no_words)) == 0) effect({Motion{(traits & without_feed) != 0}, span});
     if ((traits & synchronises) != 0) effect({Synchronise{}, span});
     for (const NcWord& word : words) {
-        const bool lathe_tool = word.letter == 'T' && codes_.letters['T'] == Letter::not_plain;
+        const bool lathe_tool = word.letter == 'T' && codes_.tool_changes_at_once;
         if (lathe_tool && !word.comma && word.value && !own_words)
             effect({ToolChange{}, this->span(*word.node)});
         if (word.letter == 'M' && !word.comma && word.literal) lower_machine_function(word, words, span);
@@ -246,7 +243,7 @@ void BlockLowering::set_local_offset(std::span<const NcWord> words, Span span) {
     bool named = false;
     bool shifts = false;
     for (const NcWord& word : words) {
-        if (word.comma || !is_axis(codes_, word.letter) || !word.value) continue;
+        if (word.comma || !codes_.is_axis(word.letter) || !word.value) continue;
         named = true;
         shifts |= !word.literal || *word.literal != 0;
     }

@@ -8,11 +8,11 @@
 #include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/machine_type.hpp"
-#include "analyzer/dialect/fanuc/plain.hpp"
 #include "analyzer/dialect/fanuc/plausible.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/program/plain_run.hpp"
 #include "analyzer/syntax/parse_cache.hpp"
 
 #include <algorithm>
@@ -71,18 +71,19 @@ class Reader {
             tape_open_ = true;
             return behind_opening_mark(text_, at);
         }
-        ScannedBlock block;
+        syntax::PlainBlock block;
         while (at < text_.size()) {
-            const Lane lane = scan_block(text_, at, codes_, block);
-            if (lane == Lane::grammar) break;
-            if (lane == Lane::plain) take_plain(block);
+            const syntax::Lane lane = syntax::scan_block(text_, at, codes_.plain, block);
+            if (lane == syntax::Lane::grammar) break;
+            if (lane == syntax::Lane::plain) take_plain(block);
             at = block.next;
         }
         return at < text_.size() ? read_with_grammar(at) : at;
     }
 
-    void take_plain(const ScannedBlock& block) {
+    void take_plain(const syntax::PlainBlock& block) {
         if (waiting_ < file_.comments.size()) tell_comments(block.span);
+        if (run_.is_full()) close_run();
         run_.add(block);
     }
 
@@ -122,7 +123,7 @@ class Reader {
 
     ProgramBuilder& open_program(std::string name, std::optional<std::int64_t> number) {
         ProgramBuilder& program = program_.emplace(std::move(name), text_, *file_.control);
-        program.set_decoder(decode_run);
+        program.set_plain_tables({&codes_.plain});
         program.begin_section("program", Section::Executed::when_reached, {});
         if (number) program.set_number(*number);
         add_spellings(program);
@@ -159,7 +160,9 @@ class Reader {
     }
 
     void close_run() {
-        if (!run_.empty()) run_.close(program());
+        if (run_.empty()) return;
+        program().add_run(run_.run(0), run_.net());
+        run_ = {};
     }
 
     void lower(Span block) {
@@ -254,7 +257,7 @@ class Reader {
     const CodeTable& codes_;
     ProgramFile file_;
     BlockLowering lowering_;
-    RunTotals run_;
+    PlainRunTotals run_;
     RawBlock raw_;
     std::string code_; ///< of the block, without its comments
     std::string key_;  ///< of the block, for the cache

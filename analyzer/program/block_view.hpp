@@ -1,0 +1,267 @@
+//! One view of a block, whatever lane it came through, and the only loops over the blocks of a program.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+#include "analyzer/syntax/plain_scanner.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace maclint {
+
+/// A block as its readers see it; good as long as its visitor runs.
+struct BlockView {
+    Span span; ///< without its end of line
+    std::optional<std::int64_t> number = {};
+    Span number_span = {};
+    std::uint16_t skip_levels = 0; ///< bit n: skip level n (bit 1 for a bare '/'); 0: never skipped
+    Slice effects = {};            ///< Program::effects, in execution order
+    /// What a block of addresses and literal numbers does without effects of its own: it sets these, then it
+    /// moves.
+    std::span<const ModalSetting> settings = {};
+    bool moves = false;
+};
+
+/// Blocks in a row which the flow passes as one: a block with effects of its own, or others, as many as there
+/// are. `item` says where they are kept.
+struct Stretch {
+    ItemId item;
+    Span span;
+};
+
+namespace blocks {
+
+/// Calls a visitor; one that returns false wants no more.
+template<class Visit, class... Things>
+bool goes_on(const Visit& visit, const Things&... things) {
+    if constexpr (std::is_void_v<std::invoke_result_t<const Visit&, const Things&...>>) {
+        visit(things...);
+        return true;
+    } else {
+        return visit(things...);
+    }
+}
+
+inline BlockView view_of(const Block& block) {
+    return {.span = block.span,
+            .number = block.sequence_number,
+            .number_span = block.sequence_number_span,
+            .skip_levels = block.skip_levels,
+            .effects = block.effects};
+}
+
+inline BlockView view_of(const syntax::PlainBlock& block) {
+    BlockView view{.span = block.span, .settings = block.settings(), .moves = block.moves};
+    if (block.number_span.empty()) return view;
+    view.number = block.number;
+    view.number_span = block.number_span;
+    return view;
+}
+
+/// Reads plain blocks again: `scan(text, at, tables, block)` each, then `visit(BlockView)`. False when the
+/// visitor wants no more.
+template<class Scan, class Visit>
+bool scan_again(const Program& program, const PlainRun& run, Span part, const Scan& scan,
+                const Visit& visit) {
+    const syntax::PlainTables& tables = *program.plain_tables[run.tables];
+    const std::string_view text = program.text.substr(0, part.end);
+    syntax::PlainBlock block;
+    for (Offset at = part.begin; at < part.end; at = block.next) {
+        const syntax::Lane lane = scan(text, at, tables, block);
+        assert(lane != syntax::Lane::grammar && "the reader ends a run before such a block");
+        if (lane == syntax::Lane::grammar) return true;
+        if (lane == syntax::Lane::plain && !goes_on(visit, view_of(block))) return false;
+    }
+    return true;
+}
+
+template<class Visit>
+bool visit_part(const Program& program, const PlainRun& run, Span part, const Visit& visit) {
+    return scan_again(program, run, part, syntax::scan_block, visit);
+}
+
+template<class Visit>
+bool visit_item(const Program& program, const Item& item, const Visit& visit) {
+    if (const auto* run = std::get_if<PlainRun>(&item)) return visit_part(program, *run, run->span, visit);
+    return goes_on(visit, view_of(std::get<Block>(item)));
+}
+
+/// The address of a decoded word: upper case, or as it is written where the tables have no name for it.
+inline std::string_view address_of(std::string_view text, const syntax::PlainTables& tables,
+                                   const syntax::PlainWord& word) {
+    const std::string_view name = tables.names[word.id];
+    return name.empty() ? text.substr(word.address.begin, word.address.length()) : name;
+}
+
+template<class Wanted>
+bool any_number_wanted(const PlainRun& run, const Wanted& wanted) {
+    return run.has_numbers() && wanted.between(run.lowest_number, run.highest_number);
+}
+
+} // namespace blocks
+
+/// All blocks of the program in text order. A visitor that returns false ends the loop.
+template<class Visit>
+void for_each_block(const Program& program, const Visit& visit) {
+    for (const Item& item : program.items)
+        if (!blocks::visit_item(program, item, visit)) return;
+}
+
+/// The blocks of a section.
+template<class Visit>
+void for_each_block(const Program& program, const Section& section, const Visit& visit) {
+    for (Id i = section.items.first; i < section.items.first + section.items.count; ++i)
+        if (!blocks::visit_item(program, program.items[i], visit)) return;
+}
+
+/// The blocks that have effects of their own, of the program or of a section; no other block is read again.
+template<class Visit>
+void for_each_block_with_effects(const Program& program, Slice items, const Visit& visit) {
+    for (Id i = items.first; i < items.first + items.count; ++i) {
+        const auto* block = std::get_if<Block>(&program.items[i]);
+        if (block != nullptr && block->effects.count != 0) visit(blocks::view_of(*block));
+    }
+}
+template<class Visit>
+void for_each_block_with_effects(const Program& program, const Visit& visit) {
+    for_each_block_with_effects(program, {0, static_cast<Id>(program.items.size())}, visit);
+}
+
+/// The blocks of a stretch.
+template<class Visit>
+void for_each_block(const Program& program, const Stretch& stretch, const Visit& visit) {
+    const Item& item = program.items[stretch.item];
+    if (const auto* run = std::get_if<PlainRun>(&item))
+        blocks::visit_part(program, *run, stretch.span, visit);
+    else
+        blocks::goes_on(visit, blocks::view_of(std::get<Block>(item)));
+}
+
+/// The blocks of a section whose numbers are wanted: `wanted(number)`, and `wanted.between(lowest, highest)`
+/// whether any number there may be.
+template<class Wanted, class Visit>
+void for_each_numbered_block(const Program& program, const Section& section, const Wanted& wanted,
+                             const Visit& visit) {
+    const auto look = [&](const BlockView& block) {
+        if (block.number && wanted(*block.number)) visit(block);
+    };
+    for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) {
+        const Item& item = program.items[i];
+        const auto* run = std::get_if<PlainRun>(&item);
+        if (run == nullptr || blocks::any_number_wanted(*run, wanted))
+            blocks::visit_item(program, item, look);
+    }
+}
+
+/// What a loop over stretches hands out.
+struct StretchView {
+    Stretch stretch;
+    /// Its first block, where that has effects of its own or a number that is wanted.
+    const BlockView* first;
+    bool plain; ///< no block of it has effects of its own
+};
+
+/// The stretches of a section; a block whose number is wanted begins one.
+template<class Wanted, class Visit>
+void for_each_stretch(const Program& program, const Section& section, const Wanted& wanted,
+                      const Visit& visit) {
+    for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) {
+        const auto* run = std::get_if<PlainRun>(&program.items[i]);
+        if (run == nullptr) {
+            const BlockView block = blocks::view_of(std::get<Block>(program.items[i]));
+            visit(StretchView{{i, block.span}, &block, false});
+            continue;
+        }
+        Offset begin = run->span.begin;
+        std::optional<BlockView> first;
+        if (blocks::any_number_wanted(*run, wanted))
+            blocks::visit_part(program, *run, run->span, [&](const BlockView& block) {
+                if (!block.number || !wanted(*block.number)) return;
+                if (block.span.begin > begin)
+                    visit(StretchView{{i, {begin, block.span.begin}}, first ? &*first : nullptr, true});
+                begin = block.span.begin;
+                first = block;
+            });
+        visit(StretchView{{i, {begin, run->span.end}}, first ? &*first : nullptr, true});
+    }
+}
+
+/// Whether any block of a plain stretch moves.
+[[nodiscard]] bool moves(const Program& program, const Stretch& stretch);
+
+/// The last settings in a part of plain blocks in a row, one a group.
+[[nodiscard]] std::vector<ModalSetting> last_settings(const Program& program, const PlainRun& run, Span part);
+
+/// What a plain stretch leaves set: `visit(ModalSetting)`, one a group.
+template<class Visit>
+void for_each_last_setting(const Program& program, const Stretch& stretch, const Visit& visit) {
+    const auto& run = std::get<PlainRun>(program.items[stretch.item]);
+    if (stretch.span == run.span)
+        std::ranges::for_each(std::span(program.settings).subspan(run.net.first, run.net.count), visit);
+    else
+        std::ranges::for_each(last_settings(program, run, stretch.span), visit);
+}
+
+/// All effects of the slice, those under conditions included, as `visit(EffectId)` in text order.
+template<class Visit>
+void for_each_effect_in(const Program& program, Slice slice, const Visit& visit) {
+    for (Id i = slice.first; i < slice.first + slice.count; ++i) {
+        visit(i);
+        if (const auto* guarded = std::get_if<Guarded>(&program.effects[i].what))
+            for_each_effect_in(program, guarded->effects, visit);
+    }
+}
+
+/// The effects of all blocks.
+template<class Visit>
+void for_each_effect(const Program& program, const Visit& visit) {
+    for_each_block_with_effects(
+        program, [&](const BlockView& block) { for_each_effect_in(program, block.effects, visit); });
+}
+
+// ---- words
+
+/// The addresses that are named, separated by blanks; all of them for "".
+[[nodiscard]] syntax::AddressSet addresses_named(const Program& program, std::string_view names);
+
+/// `visit(BlockView, words)` for the blocks that have words. Plain blocks are only read where
+/// `wanted(summary)` wants them, or blocks beside them.
+template<class Wanted, class Visit>
+void for_each_block_with_words(const Program& program, const Wanted& wanted, const Visit& visit) {
+    std::vector<Word> words;
+    const auto scan = [&](std::string_view text, Offset at, const syntax::PlainTables& tables,
+                          syntax::PlainBlock& block) {
+        words.clear();
+        return syntax::scan_words(text, at, tables, block, [&](const syntax::PlainWord& word) {
+            words.push_back({blocks::address_of(text, tables, word), Literal{word.value, word.decimal_point},
+                             word.incremental, word.span});
+        });
+    };
+    for (const Item& item : program.items) {
+        if (const auto* block = std::get_if<Block>(&item)) {
+            const auto stored = std::span(program.words).subspan(block->words.first, block->words.count);
+            if (!stored.empty()) visit(blocks::view_of(*block), stored);
+            continue;
+        }
+        const auto& run = std::get<PlainRun>(item);
+        if (!wanted(run.words)) continue;
+        blocks::scan_again(program, run, run.span, scan, [&](const BlockView& block) {
+            if (!words.empty()) visit(block, std::span<const Word>(words));
+        });
+    }
+}
+
+/// Number of blocks, those without words left out.
+[[nodiscard]] std::size_t count_blocks(const Program& program);
+/// The last block, without its settings; nothing in a program without blocks.
+[[nodiscard]] std::optional<BlockView> last_block(const Program& program);
+
+} // namespace maclint

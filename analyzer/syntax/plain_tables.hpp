@@ -1,0 +1,107 @@
+//! The tables from which the plain scanner reads: what bytes, addresses and codes mean in a dialect.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace maclint::syntax {
+
+/// An address as the scanner knows it: a number that the dialect gives it.
+using AddressId = std::uint8_t;
+
+/// Addresses, by their numbers.
+class AddressSet {
+  public:
+    static constexpr std::size_t capacity = 64;
+
+    constexpr AddressSet() = default;
+    void add(AddressId id) { bits_ |= bit(id); }
+    void add(AddressSet other) { bits_ |= other.bits_; }
+    [[nodiscard]] constexpr bool contains(AddressId id) const { return (bits_ & bit(id)) != 0; }
+    [[nodiscard]] constexpr bool meets(AddressSet other) const { return (bits_ & other.bits_) != 0; }
+    [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
+    [[nodiscard]] int size() const { return std::popcount(bits_); }
+    [[nodiscard]] constexpr AddressSet without(AddressSet other) const {
+        AddressSet rest;
+        rest.bits_ = bits_ & ~other.bits_;
+        return rest;
+    }
+    friend constexpr bool operator==(AddressSet, AddressSet) = default;
+
+  private:
+    static constexpr std::uint64_t bit(AddressId id) { return std::uint64_t{1} << id; }
+    std::uint64_t bits_ = 0;
+};
+
+/// The last value given to a modal group.
+struct Setting {
+    std::uint8_t group;
+    double value;
+};
+constexpr std::uint8_t no_group = UINT8_MAX;
+
+/// What codes mean for the words beside them, as bits that add up; the upper ones belong to the dialect: a
+/// block in which a code and a value have one in common is not plain.
+namespace plain_traits {
+constexpr std::uint8_t not_plain = 1 << 0, ///< the block needs the grammar
+    no_axes = 1 << 1,                      ///< axis words beside it are no target of a move
+    moves = 1 << 2,                        ///< axes move, with or without words
+    first_own = 1 << 3;
+} // namespace plain_traits
+
+/// What a byte, or the address that begins with it, is in a plain block.
+enum class PlainStart : std::uint8_t {
+    not_plain,
+    blank,
+    end,     ///< of the block
+    comment, ///< up to PlainTables::comment_end, on one line
+    number,  ///< a word whose number means nothing to the scanner
+    axis,    ///< as `number`; the block moves if nothing speaks against it
+    value,   ///< a word whose number is the value of a modal group
+    code,    ///< a word whose number is a row of a code table
+    block_number,
+};
+
+struct PlainCode {
+    std::uint8_t group = no_group; ///< that it sets
+    std::uint8_t traits = 0;
+};
+
+/// The codes of an address.
+struct PlainCodes {
+    std::vector<PlainCode> rows;
+    unsigned decimals = 0; ///< at most so many are written; the index of a row is the code without its point
+};
+
+/// The tables of a dialect, or of one kind of section.
+struct PlainTables {
+    struct Row {
+        PlainStart start = PlainStart::not_plain;
+        AddressId id = 0;
+        std::uint8_t which = 0;  ///< value: the group; code: the table in `codes`
+        std::uint8_t traits = 0; ///< a code that has one of these, too, makes the block not plain
+    };
+    std::array<Row, 256> bytes;
+    std::vector<Row> pairs; ///< addresses of two capitals, see pair(); empty where there are none
+    std::array<PlainCodes, 2> codes;
+    std::array<std::string_view, AddressSet::capacity> names; ///< of addresses; empty: as written
+    AddressSet may_repeat; ///< addresses that may stand in a block more than once
+    char comment_end = 0;
+    char incremental = 0;               ///< may stand behind an address; 0: nothing may
+    bool blanks_behind_address = false; ///< blanks may stand between address and number
+    char not_behind_number = 0;         ///< no word begins with it directly behind a number; 0: any may
+    std::uint32_t longest = 0;          ///< a longer block is not plain
+    /// Whether a comment speaks to the analyser; the block is not plain then. Asked where it holds an `m`.
+    bool (*is_directive)(std::string_view comment) = nullptr;
+
+    static constexpr std::size_t letters = 26;
+    [[nodiscard]] static std::size_t pair(char first, char second) {
+        return static_cast<std::size_t>(first - 'A') * letters + static_cast<std::size_t>(second - 'A');
+    }
+};
+
+} // namespace maclint::syntax
