@@ -60,7 +60,7 @@ void BlockLowering::lower_words(std::span<const Node* const> nodes) {
     for (const NcWord& word : words)
         if (word.value && !word.literal) computed_.push_back(*word.value);
     builder_->add_values(computed_, all);
-    if (before_->context == Context::machining) lower_commands(words, all);
+    if (open_->context == Context::machining) lower_commands(words, all);
 }
 
 void BlockLowering::lower_commands(std::span<const NcWord> words, Span span) {
