@@ -1,5 +1,6 @@
 //! Lowering of words: what the words of a block do together.
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/dinplus/lexer.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
@@ -10,8 +11,6 @@ namespace {
 
 /// Words that move axes in a block without a code of its own: the last motion goes on [l.10297].
 constexpr std::string_view axes[] = {"X", "Z", "Y", "C", "B", "XK", "YK", "U", "V", "W"};
-
-constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
 bool is_axis(std::string_view address) { return std::ranges::find(axes, address) != std::end(axes); }
 
