@@ -164,8 +164,8 @@ ExpressionId BlockLowering::lower_indirect(const Node& node) {
 }
 
 const Variable* BlockLowering::alias_of(std::string_view name) const {
-    const auto row = before_->aliases.find(name);
-    return row == before_->aliases.end() ? nullptr : &row->second;
+    const auto row = open_->aliases.find(name);
+    return row == open_->aliases.end() ? nullptr : &row->second;
 }
 
 /// A name is known by what stands behind `#`, `_` included.
