@@ -272,8 +272,10 @@ class Solver {
             if (space.handed_down && !space.written_once) written.push_back(program_.spell(variable));
         };
         for (const Store& store : facts_.stores) add(store.variable);
-        for (const Clobber& clobber : facts_.clobbers)
+        for (const Clobber& clobber : facts_.clobbers) {
+            if (!clobber.variable && spaces[clobber.space].handed_down) return std::nullopt;
             if (clobber.variable) add(*clobber.variable);
+        }
         for (const CallMade& call : facts_.calls) {
             const auto& below = callees_(call.effect).written_for_callers;
             if (!below) return std::nullopt;

@@ -82,6 +82,11 @@ class States {
     [[nodiscard]] const ValueTable& table() const { return table_; }
     [[nodiscard]] PersistentMap& trees() { return maps_; }
     [[nodiscard]] Entry entry() const { return knowledge_.entry; }
+    /// Variables of programs further up that are known to be handed down to this one.
+    [[nodiscard]] std::span<const Variable> handed_down() const {
+        return knowledge_.handed_down ? std::span<const Variable>(*knowledge_.handed_down)
+                                      : std::span<const Variable>{};
+    }
 
   private:
     using Widening = const std::function<void(const Value& old, Value& now)>;

@@ -219,6 +219,12 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
         states_.write(state, group, std::move(either));
         return;
     }
+    if (value.vacancy == Vacancy::unknown) {
+        // The value, or what was in force where the variable is vacant: a value of its own.
+        const SymbolId either = states_.table().symbols({Symbol::Kind::opaque, effect_, 8, node_});
+        states_.write(state, group, {{{either, origin}}, false});
+        return;
+    }
     if (const auto code = value.constant()) return set_code(state, group, *code, origin);
     states_.write(state, group, {{{value.symbol, origin}}, false});
 }
@@ -252,24 +258,30 @@ void Transfer::call(State& state, const Call& call) {
             (void)evaluate(state, *number, Use::word);
     }
     const CallKind& kind = program_.control->calls[call.kind];
-    if (kind.trigger == CallTrigger::once) return run_program(state, effect_, call);
+    if (kind.trigger == CallTrigger::once) {
+        const State before = state;
+        run_program(state, effect_, call);
+        if (!flow::surely_runs(program_, call)) state = states_.join(before, state, node_);
+        return;
+    }
     if (const auto group = modal_call_group_) set_code(state, *group, kind.modal_code, here());
+}
+
+void Transfer::run_unknown_program(State& state, bool shared_frame) {
+    havoc_shared(state);
+    for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
+        if (shared_frame && program_.control->spaces[i].scope == Scope::frame)
+            havoc(state, static_cast<SpaceId>(i));
+    change_handed_down(state, {});
+    havoc_groups(state, std::nullopt);
 }
 
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
     const Summary& summary = callees_(id);
     if (facts_ != nullptr)
         facts_->calls.push_back({node_, id, summary.known, !summary.known || summary.may_stop});
-    if (!summary.known) {
-        havoc_shared(state);
-        if (program_.control->calls[call.kind].frame == Frame::shared)
-            for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-                if (program_.control->spaces[i].scope == Scope::frame) havoc(state, static_cast<SpaceId>(i));
-        change_handed_down(state, summary);
-        havoc_groups(state, std::nullopt);
-        return;
-    }
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
+    if (!summary.known) return run_unknown_program(state, shared_frame);
     const auto visible = [&](SpaceId space) {
         return shared_frame || program_.control->spaces[space].scope != Scope::frame;
     };
@@ -293,14 +305,22 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
     change_groups(state, summary);
 }
 
-/// What this program hands down to all that it calls, they may change.
+/// What this program hands down to all that it calls, they may change, and what was handed down to it.
 void Transfer::change_handed_down(State& state, const Summary& summary) {
     const auto& written = summary.written_for_callers;
+    const auto may_be_written = [&](Variable variable) {
+        return !program_.control->spaces[variable.space].written_once &&
+               (!written || std::ranges::find(*written, program_.spell(variable)) != written->end());
+    };
     for (const Variable variable : program_.handed_down) {
-        if (program_.control->spaces[variable.space].written_once) continue;
-        if (written && std::ranges::find(*written, program_.spell(variable)) == written->end()) continue;
+        if (!may_be_written(variable)) continue;
         const Variable meant = program_.meant_by(variable);
         clobber(state, meant, opaque_variable(meant, 7));
+    }
+    for (const Variable variable : states_.handed_down()) {
+        const auto& own = program_.handed_down;
+        if (may_be_written(variable) && std::ranges::find(own, variable) == own.end())
+            clobber(state, variable, opaque_variable(variable, 7));
     }
 }
 
@@ -343,6 +363,14 @@ Value Transfer::opaque_variable(Variable variable, std::uint32_t what_for) {
     return value;
 }
 
+/// Whether the part is the code of a modal call, or may be.
+bool Transfer::is_modal_call(const ModalPart& part) const {
+    const auto code = states_.table().number_of(part.symbol);
+    return !code || std::ranges::any_of(program_.control->calls, [&](const CallKind& kind) {
+        return kind.trigger != CallTrigger::once && kind.modal_code == *code;
+    });
+}
+
 void Transfer::move(State& state) {
     const auto group = modal_call_group_;
     if (!group) return;
@@ -353,9 +381,16 @@ void Transfer::move(State& state) {
         if (origin.kind != Origin::Kind::effect) continue;
         const auto* call = std::get_if<Call>(&program_.effects[origin.id].what);
         if (call == nullptr) continue;
+        const bool made_here = program_.control->calls[call->kind].trigger != CallTrigger::once;
+        if (!made_here && !is_modal_call(part)) continue;
         State moved = state;
         effect_ = origin.id; // a plain run has no effect of its own
-        run_program(moved, effect_, *call);
+        if (made_here) {
+            run_program(moved, effect_, *call);
+        } else { // a program called before has left a modal call of its own in force
+            if (facts_ != nullptr) facts_->calls.push_back({node_, effect_, false, true});
+            run_unknown_program(moved, false);
+        }
         states_.write(moved, *group, states_.read(state, *group));
         state = states_.join(state, moved, node_);
     }
@@ -364,27 +399,28 @@ void Transfer::move(State& state) {
 void Transfer::run_of_plain_blocks(State& state, flow::NodeId node) {
     const flow::Node& n = graph_.nodes[node];
     const auto& run = std::get<PlainRun>(program_.items[n.item]);
-    if (run.moves) move(state);
     const auto set = [&](const ModalSetting& setting) {
         set_code(state, setting.group, setting.value,
                  states_.table().origins({Origin::Kind::run, setting.group, node_}));
     };
     if (n.part.begin == run.span.begin && n.part.end == run.span.end) {
         std::ranges::for_each(program_.net_of(run), set);
-        return;
+    } else {
+        std::vector<ModalSetting> net;
+        program_.for_each_block(n.part, [&](const PlainBlock& block) {
+            for (const ModalSetting& setting : block.settings) {
+                const auto known = std::ranges::find(net, setting.group, &ModalSetting::group);
+                if (known == net.end())
+                    net.push_back(setting);
+                else
+                    known->value = setting.value;
+            }
+            return true;
+        });
+        std::ranges::for_each(net, set);
     }
-    std::vector<ModalSetting> net;
-    program_.for_each_block(n.part, [&](const PlainBlock& block) {
-        for (const ModalSetting& setting : block.settings) {
-            const auto known = std::ranges::find(net, setting.group, &ModalSetting::group);
-            if (known == net.end())
-                net.push_back(setting);
-            else
-                known->value = setting.value;
-        }
-        return true;
-    });
-    std::ranges::for_each(net, set);
+    // A program called after each move runs between these settings and after them.
+    if (run.moves) move(state);
 }
 
 } // namespace maclint::dataflow

@@ -49,6 +49,8 @@ class Transfer {
     void havoc_groups(State& state, std::optional<char> letter);
     void call(State& state, const Call& call);
     void run_program(State& state, EffectId id, const Call& call);
+    void run_unknown_program(State& state, bool shared_frame);
+    [[nodiscard]] bool is_modal_call(const ModalPart& part) const;
     void change_handed_down(State& state, const Summary& summary);
     void change_groups(State& state, const Summary& summary);
     void havoc(State& state, SpaceId space);

@@ -100,16 +100,9 @@ class Building {
         if (program_.control->calls[call.kind].trigger != CallTrigger::once) return;
         ReturnTargets paths = returns_(id);
         if (paths.to_next_block && paths.labels.empty()) return;
-        paths.to_next_block |= !surely_runs(call);
+        paths.to_next_block |= !surely_runs(program_, call);
         wanted_.numbers.insert(wanted_.numbers.end(), paths.labels.begin(), paths.labels.end());
         return_targets_.emplace(id, std::move(paths));
-    }
-
-    /// A count that may be 0, or vacant, may call nothing.
-    [[nodiscard]] bool surely_runs(const Call& call) const {
-        if (!call.repeat) return true;
-        const auto times = constant_target(program_, *call.repeat);
-        return times && *times > 0;
     }
 
     void want(std::optional<std::int64_t> number) {
@@ -159,18 +152,21 @@ class Building {
     }
 
     void take_block(ItemId item, const Block& block) {
-        // A program does not begin with a choice: somewhere the way past the block must begin, too.
+        // A program does not begin with a choice: somewhere the way past the block must begin, too. And a
+        // jump to the block may find it skipped.
         const bool nowhere_yet = graph_.nodes.empty();
-        if (block.skip_levels != 0 && (nowhere_yet || loose_.size() > most_passed_on))
+        const bool is_target = block.sequence_number && wanted_(*block.sequence_number);
+        const auto first = static_cast<NodeId>(graph_.nodes.size());
+        if (is_target)
+            graph_.labels.push_back({*block.sequence_number, first, block.sequence_number_span, block.span});
+        if (block.skip_levels != 0 && (is_target || nowhere_yet || loose_.size() > most_passed_on))
             new_node(item, {block.span.begin, block.span.begin}, {}, false);
         const std::vector<Loose> before = block.skip_levels != 0 ? loose_ : std::vector<Loose>{};
-        const auto first = static_cast<NodeId>(graph_.nodes.size());
-        if (block.sequence_number && wanted_(*block.sequence_number))
-            graph_.labels.push_back({*block.sequence_number, first, block.sequence_number_span, block.span});
+        const std::size_t nodes_before = graph_.nodes.size();
         item_ = item;
         part_ = block.span;
         take_effects(block.effects);
-        if (graph_.nodes.size() == first) new_node(item, block.span, {block.effects.first, 0}, false);
+        if (graph_.nodes.size() == nodes_before) new_node(item, block.span, {block.effects.first, 0}, false);
         for (Loose loose : before) {
             if (loose.kind == EdgeKind::next) loose.kind = EdgeKind::skip;
             loose_.push_back(loose);
@@ -545,6 +541,12 @@ std::optional<std::int64_t> constant_target(const Program& program, ExpressionId
     if (literal == nullptr) return std::nullopt;
     if (!(std::abs(literal->value) < most)) return std::numeric_limits<std::int64_t>::max();
     return std::llround(literal->value);
+}
+
+bool surely_runs(const Program& program, const Call& call) {
+    if (!call.repeat) return true;
+    const auto times = constant_target(program, *call.repeat);
+    return times && *times > 0;
 }
 
 bool returns_behind_call(const Program& program, const Exit& exit) {

@@ -121,6 +121,9 @@ using Returns = std::function<ReturnTargets(EffectId call)>;
 
 [[nodiscard]] Graph build_graph(const Program& program, const Regions& regions, const Returns& returns);
 
+/// Whether the called program runs at least once: a count may be 0, or vacant.
+[[nodiscard]] bool surely_runs(const Program& program, const Call& call);
+
 /// The number that a jump's target expression names when it is a plain constant.
 [[nodiscard]] std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target);
 

@@ -122,6 +122,8 @@ class WorkspaceBuilder {
         analysis.regions_ = flow::pair_regions(program);
         analysis.graph_ = flow::build_graph(program, analysis.regions_, [&](EffectId call) {
             const dataflow::Summary& summary = callees(call);
+            if (const CallSite* site = analysis.call_at(call); site != nullptr && site->in_cycle)
+                return flow::ReturnTargets{true, labels_returned_to(programs_[*site->target].program())};
             return flow::ReturnTargets{summary.returns, summary.resume_labels};
         });
         const bool main = runs_on_its_own(analysis);
@@ -133,6 +135,18 @@ class WorkspaceBuilder {
                 program, analysis.regions_, analysis.graph_, *analysis.data_, *cycles);
         }
         analysis.is_macro_ = !main && takes_arguments(analysis);
+    }
+
+    /// All sequence numbers of callers that the program's text names (M99 P), reached or not.
+    static std::vector<std::int64_t> labels_returned_to(const Program& program) {
+        std::vector<std::int64_t> labels;
+        flow::for_each_effect(program, [&](EffectId id) {
+            const auto* back = std::get_if<Return>(&program.effects[id].what);
+            if (back == nullptr || !back->resume_label) return;
+            if (const auto label = flow::constant_target(program, *back->resume_label))
+                labels.push_back(*label);
+        });
+        return labels;
     }
 
     static bool runs_on_its_own(const ProgramAnalysis& analysis) {

@@ -1,0 +1,72 @@
+//! Lays the executed sections of a program out.
+#include "analyzer/execution/layout.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace maclint::execution {
+
+Layout::Layout(const Program& program, const flow::Regions& regions)
+    : program_(program)
+    , regions_(regions)
+    , within_(program.effects.size()) {
+    for (const Section& section : program.sections) {
+        if (section.executed == Section::Executed::never) continue;
+        for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) {
+            const Item& item = program.items[i];
+            if (const auto* block = std::get_if<Block>(&item)) {
+                index(block->effects, steps_.size(), std::nullopt);
+                steps_.push_back({i, block->span, block->sequence_number, block, {}, false});
+                continue;
+            }
+            program.for_each_block(std::get<PlainRun>(item).span, [&](const PlainBlock& plain) {
+                steps_.push_back(
+                    {i, plain.span, plain.sequence_number, nullptr, plain.settings, plain.moves});
+                return true;
+            });
+        }
+    }
+}
+
+void Layout::index(Slice effects, std::size_t step, std::optional<EffectId> guard) {
+    const EffectId end = effects.first + effects.count;
+    for (EffectId id = effects.first; id < end; ++id) {
+        within_[id] = Within{step, end, guard};
+        if (const auto* guarded = std::get_if<Guarded>(&program_.effects[id].what))
+            index(guarded->effects, step, id);
+    }
+}
+
+std::optional<std::size_t> Layout::find(std::int64_t number, std::size_t from) const {
+    const auto has_it = [&](const Step& step) { return step.number == number; };
+    const auto start = steps_.begin() + static_cast<std::ptrdiff_t>(from);
+    auto found = std::find_if(start, steps_.end(), has_it);
+    if (found == steps_.end()) {
+        found = std::find_if(steps_.begin(), start, has_it);
+        if (found == start) return std::nullopt;
+    }
+    return static_cast<std::size_t>(found - steps_.begin());
+}
+
+std::size_t Layout::step_of(EffectId effect) const {
+    assert(within_[effect]);
+    return within_[effect]->step;
+}
+
+Position Layout::after(EffectId effect) const {
+    assert(within_[effect]);
+    const Within& within = *within_[effect];
+    if (effect + 1 < within.end) return {within.step, effect + 1};
+    if (within.guard) return after(*within.guard);
+    return {within.step + 1, std::nullopt};
+}
+
+const flow::Region* Layout::region_of(EffectId effect) const {
+    const auto id = regions_.with(effect);
+    if (!id) return nullptr;
+    const flow::Region& region = regions_.all[*id];
+    // Without its end, or crossing another, it is read as plain text: nobody knows what the control does.
+    return region.close && !region.crossed ? &region : nullptr;
+}
+
+} // namespace maclint::execution
