@@ -220,8 +220,7 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
         return;
     }
     if (value.vacancy == Vacancy::unknown) {
-        // The value, or what was in force where the variable is vacant: a value of its own.
-        const SymbolId either = states_.table().symbols({Symbol::Kind::opaque, effect_, 8, node_});
+        const SymbolId either = states_.table().symbols({Symbol::Kind::if_set, value.symbol, effect_, node_});
         states_.write(state, group, {{{either, origin}}, false});
         return;
     }
