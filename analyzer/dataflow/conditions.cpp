@@ -85,6 +85,7 @@ void collect(const Program& program, ExpressionId id, ReadSet& set) {
     std::visit(overloaded{
                    [](const Literal&) {},
                    [](const Text&) {},
+                   [](const BlockName&) {},
                    [](const Vacant&) {},
                    [&](const Load& load) { set.variables.push_back(load.variable); },
                    [&](const Apply& apply) {

@@ -37,15 +37,23 @@ void Layout::index(Slice effects, std::size_t step, std::optional<EffectId> guar
     }
 }
 
-std::optional<std::size_t> Layout::find(std::int64_t number, std::size_t from) const {
-    const auto has_it = [&](const Step& step) { return step.number == number; };
-    const auto start = steps_.begin() + static_cast<std::ptrdiff_t>(from);
-    auto found = std::find_if(start, steps_.end(), has_it);
-    if (found == steps_.end()) {
-        found = std::find_if(steps_.begin(), start, has_it);
-        if (found == start) return std::nullopt;
-    }
-    return static_cast<std::size_t>(found - steps_.begin());
+std::optional<std::size_t> Layout::find(const Label& label, std::size_t from, LabelSearch search) const {
+    const auto has_it = [&](std::size_t step) {
+        if (const auto* name = std::get_if<BlockName>(&label))
+            return steps_[step].block != nullptr && steps_[step].block->name == *name;
+        return steps_[step].number == std::get<std::int64_t>(label);
+    };
+    const bool own_first = search == LabelSearch::forward_then_top;
+    if (search != LabelSearch::backward)
+        for (std::size_t step = own_first ? from : from + 1; step < steps_.size(); ++step)
+            if (has_it(step)) return step;
+    if (search == LabelSearch::forward_then_top)
+        for (std::size_t step = 0; step < from; ++step)
+            if (has_it(step)) return step;
+    if (search == LabelSearch::backward || search == LabelSearch::forward_then_backward)
+        for (std::size_t step = from + 1; step-- > 0;)
+            if (has_it(step)) return step;
+    return std::nullopt;
 }
 
 std::size_t Layout::step_of(EffectId effect) const {

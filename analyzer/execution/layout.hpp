@@ -30,8 +30,9 @@ class Layout {
     explicit Layout(const Program& program, const flow::Regions& regions);
 
     [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
-    /// The step of that number, looked for from `from` to the end and then from the top.
-    [[nodiscard]] std::optional<std::size_t> find(std::int64_t number, std::size_t from) const;
+    /// The step of the label at which a search that begins in the step `from` stops.
+    [[nodiscard]] std::optional<std::size_t> find(const Label& label, std::size_t from,
+                                                  LabelSearch search) const;
     /// The step whose block holds the effect, which is one that can be executed.
     [[nodiscard]] std::size_t step_of(EffectId effect) const;
     /// What comes when the effect is done and does not jump.

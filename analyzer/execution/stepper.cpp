@@ -2,6 +2,7 @@
 #include "analyzer/execution/stepper.hpp"
 
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/workspace/bind.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +87,9 @@ void Stepper::resume(std::optional<double> label) {
     std::optional<std::int64_t> number;
     if (label) {
         number = label_of(*label);
-        const auto target = number && !ended.modal ? top().layout->find(*number, 0) : std::nullopt;
+        const auto target = number && !ended.modal
+                                ? top().layout->find(*number, 0, LabelSearch::forward_then_top)
+                                : std::nullopt;
         if (!target) return fault();
         top().at = {*target, {}};
     }
@@ -248,6 +251,9 @@ void Stepper::structure(EffectId id, const RegionMark& structure) {
     case RegionMark::Part::middle: // the branch above ends
     case RegionMark::Part::leave: return go_to(*region->close);
     case RegionMark::Part::close:
+        if (region->region_kind == RegionKind::until_loop && structure.condition) {
+            if (decide(*structure.condition) || done()) return;
+        }
         if (is_loop(region->region_kind)) top().at = {top().layout->step_of(region->open), region->open};
         return;
     }
@@ -284,12 +290,18 @@ void Stepper::select(const flow::Region& region) {
 }
 
 void Stepper::jump(const Jump& jump) {
-    const Content content = evaluate(jump.target);
-    if (done()) return;
-    const double target = content.value_or(0);
-    if (!flow::constant_target(text(), jump.target)) report(JumpComputed{target});
-    const auto number = label_of(target);
-    const auto step = number ? top().layout->find(*number, top().layout->step_of(*effect_)) : std::nullopt;
+    std::optional<Label> label = flow::constant_target(text(), jump.target);
+    const bool is_name = label && std::holds_alternative<BlockName>(*label);
+    if (!is_name) {
+        const Content content = evaluate(jump.target);
+        if (done()) return;
+        const double target = content.value_or(0);
+        if (!label) report(JumpComputed{target});
+        label = label_of(target);
+    }
+    const auto step =
+        label ? top().layout->find(*label, top().layout->step_of(*effect_), jump.search) : std::nullopt;
+    if (!step && jump.missing == MissingLabel::skip) return;
     if (!step) return fault(); // alarm 128
     top().at = {*step, {}};
 }
@@ -298,8 +310,12 @@ void Stepper::call(EffectId id, const Call& call) {
     const CallKind& kind = control().calls[call.kind];
     const CallSite* site = top().analysis->call_at(id);
     Pending pending{id, call.kind, site == nullptr ? std::nullopt : site->target, {}, 1, false};
-    for (const Argument& argument : text().arguments_of(call))
-        pending.arguments.push_back({argument.formal, evaluate(argument.value)});
+    const Program* callee =
+        pending.target ? &top().analysis->workspace().programs()[*pending.target].program() : nullptr;
+    for (const Argument& argument : text().arguments_of(call)) {
+        const Content content = evaluate(argument.value);
+        if (const auto formal = bound_to(argument, callee)) pending.arguments.push_back({*formal, content});
+    }
     if (call.repeat) {
         // A word with a vacant variable is ignored.
         const double times = std::round(evaluate(*call.repeat).value_or(1));

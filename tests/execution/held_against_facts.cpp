@@ -428,7 +428,7 @@ void HeldAgainstFacts::check_exit(execution::Stepper& stepper, const execution::
         bool all = true;
         for (std::size_t group = 0; group < analysis.control().groups.size(); ++group) {
             const double code = stepper.code(static_cast<GroupId>(group));
-            if (allows(analysis.data().modal(exit.state, static_cast<GroupId>(group)), code)) continue;
+            if (allows(analysis.data().modal(exit, static_cast<GroupId>(group)), code)) continue;
             all = false;
             wrong = std::string(analysis.control().groups[group].name) + " is " + spell(code);
         }
@@ -446,8 +446,8 @@ void HeldAgainstFacts::check_summary(execution::Stepper& stepper, const executio
         return claim(summary.may_stop, "summary: stops", "it stops");
     if (!left.label) claim(summary.returns, "summary: returns", "it returns behind the call");
     if (left.label)
-        claim(std::ranges::find(summary.resume_labels, static_cast<std::int64_t>(*left.label)) !=
-                  summary.resume_labels.end(),
+        claim(std::ranges::find(summary.resume_labels, dataflow::CallersLabel(static_cast<std::int64_t>(
+                                                           *left.label))) != summary.resume_labels.end(),
               "summary: labels", "it returns to " + spell(left.label));
     const Watched& watched = watched_[&analysis];
     for (std::size_t i = 0; i < watched.size(); ++i) {

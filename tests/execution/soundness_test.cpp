@@ -51,7 +51,8 @@ class RandomEnvironment {
     double code(const ControlModel& control, GroupId id, bool main) {
         const ModalGroup& group = control.groups[id];
         if (group.reset && (main || group.members.empty())) return *group.reset;
-        return group.members.empty() ? static_cast<double>(dice_.between(0, 3)) : dice_.one_of(group.members);
+        return group.members.empty() ? static_cast<double>(dice_.between(0, 3))
+                                     : dice_.one_of(group.members).number;
     }
 
     Content value_of(const Program& program, const Expression& expression) {

@@ -2,6 +2,7 @@
 #include "analyzer/dialect/dinplus/collect.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/dinplus/channels.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
 
 #include <algorithm>
@@ -154,8 +155,11 @@ void Programs::leave_section() {
 }
 
 void Programs::close() {
-    for (OpenProgram& program : open_)
-        if (program.builder.has_sections()) file_.programs.push_back(program.builder.take());
+    for (OpenProgram& program : open_) {
+        if (!program.builder.has_sections()) continue;
+        assign_channels(program.builder);
+        file_.programs.push_back(program.builder.take());
+    }
 }
 
 } // namespace maclint::dinplus

@@ -1,5 +1,6 @@
 //! Lowering of blocks and statements.
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/dinplus/channels.hpp"
 #include "analyzer/dialect/dinplus/diagnose.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
@@ -70,7 +71,9 @@ std::span<const syntax::Node* const> BlockLowering::take_head(Block& block,
     std::size_t taken = 0;
     for (; taken < items.size() && is_head(kind_of(*items[taken])); ++taken) {
         const Node& node = *items[taken];
-        if (kind_of(node) == Kind::skip) {
+        if (kind_of(node) == Kind::slide) {
+            block.channels |= channels_in(text(node));
+        } else if (kind_of(node) == Kind::skip) {
             block.skip_levels |= skip_levels(text(node));
         } else if (kind_of(node) == Kind::block_number && !block.sequence_number) {
             block.sequence_number = read_integer(text(node));

@@ -173,7 +173,7 @@ Variable BlockLowering::named_variable(const Node& node, SpaceId space) {
     std::string_view written = text(node);
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
     if (const Variable* alias = alias_of(written)) return *alias;
-    return {space, builder_->number_of_name(written)};
+    return {space, builder_->number_of_name(space, written)};
 }
 
 /// What is written like a constant or a named variable: `_sd`, `#_depth`, `__la`, `#__la`.

@@ -2,6 +2,7 @@
 #include "analyzer/dialect/dinplus/read.hpp"
 
 #include "analyzer/dialect/block_reader.hpp"
+#include "analyzer/dialect/dinplus/channels.hpp"
 #include "analyzer/dialect/dinplus/collect.hpp"
 #include "analyzer/dialect/dinplus/diagnose.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
@@ -144,7 +145,9 @@ class Language {
     [[nodiscard]] Block unreadable_head(const RawBlock& raw) const {
         Block block{};
         block.span = raw.span;
-        Offset at = after_marks(text_, first_code(raw));
+        const Offset head = first_code(raw);
+        Offset at = after_marks(text_, head);
+        block.channels = channels_in(text_.substr(head, at - head));
         if (at >= block.span.end || (text_[at] != 'N' && text_[at] != 'n')) return block;
         const Offset letter = at;
         at = skip_blanks(text_, at + 1);
