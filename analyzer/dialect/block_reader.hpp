@@ -101,12 +101,11 @@ class BlockReader {
             report(SyntaxErrorKind::oversized_block, {raw_.span.begin, raw_.span.begin + shown}, "");
             return dialect_.add_unreadable(raw_);
         }
-        static const syntax::Tree nothing{.nodes = {}, .has_error = true};
         const Span block = raw_.span;
         const bool throttling = throttle_.is_throttling();
         std::optional<SyntaxError> cause;
         if (throttling) cause = Dialect::find_cause(text_, block);
-        const syntax::Tree& tree = !cause && Dialect::is_plausible(text_, block) ? tree_of(block) : nothing;
+        const syntax::Tree& tree = cause ? unparsed() : tree_of(block);
         throttle_.record(tree.has_error);
         if (!tree.has_error) return dialect_.lower(tree, raw_);
         if (!raw_.open_comment || !Dialect::open_comment_takes_code) {
@@ -117,11 +116,19 @@ class BlockReader {
         dialect_.add_unreadable(raw_);
     }
 
-    /// The block's tree, good until the next block; every thread has a cache of its own.
+    static const syntax::Tree& unparsed() {
+        static const syntax::Tree nothing{.nodes = {}, .has_error = true};
+        return nothing;
+    }
+
+    /// The block's tree, good until the next block; every thread has a cache of its own. What is plausible
+    /// can be seen in the key as well as in the block.
     const syntax::Tree& tree_of(Span block) {
         thread_local syntax::ParseCache cache(Dialect::grammar);
         Dialect::make_cache_key(text_.substr(block.begin, block.length()), key_);
-        return cache.parse(key_);
+        if (const syntax::Tree* known = cache.find(key_)) return *known;
+        const bool plausible = Dialect::is_plausible(key_, {0, static_cast<Offset>(key_.size())});
+        return plausible ? cache.parse(key_) : unparsed();
     }
 
     void report_open_comment() {

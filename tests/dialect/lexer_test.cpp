@@ -77,7 +77,7 @@ TEST(FanucLexer, DigitsAndCommentsAreEqualInTheCacheKey) {
     EXPECT_EQ(fanuc_key("N15 G1 X-2.5 #12=3 (note 7)"), "N00 G0 X-0.0 #00=0 (------)");
     EXPECT_EQ(fanuc_key("(open 7"), "(------");
     EXPECT_EQ(fanuc_key("/2 N10"), "/2 N00"); // a skip level is one of 1 to 9
-    EXPECT_EQ(fanuc_key("#<a(1>=5"), "#<a(1>=0");
+    EXPECT_EQ(fanuc_key("#<a(b>=5"), "#<a(b>=0");
 }
 
 TEST(DinLexer, TokensAreWhatALineIsMadeOf) {
