@@ -1,16 +1,19 @@
 //! What the solver knows at a word that reads a variable, or at a program's end: each worked out by hand.
 #include "tests/support/analysed.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 namespace maclint {
 namespace {
 
-using dataflow::Value;
 using dataflow::Vacancy;
+using dataflow::Value;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -77,9 +80,9 @@ TEST(Solver, AStoreThroughAnIndexOfAnySizeReachesAllThatItCan) {
 
 TEST(Solver, ACallThatMayNotRunMayChangeNothing) {
     const auto after = [](const std::string& call) {
-        const auto workspace = test::analyse_files({{"O1.nc", "O0001\n#100=1\n" + call + "\nX#100\nM30\n"},
-                                                    {"O2.nc", "O0002\n#100=5\nM99\n"}},
-                                                   {.complete = true, .jobs = 1});
+        const auto workspace = test::analyse_files(
+            {{"O1.nc", "O0001\n#100=1\n" + call + "\nX#100\nM30\n"}, {"O2.nc", "O0002\n#100=5\nM99\n"}},
+            {.complete = true, .jobs = 1});
         return last_read(workspace->programs().front());
     };
     EXPECT_EQ(after("G65 P2").low, 5);
@@ -94,6 +97,67 @@ TEST(Solver, AWordWithAVariableThatMayBeVacantMayKeepWhatWasInForce) {
     const auto& comparison = workspace->programs().front().facts().comparisons.front();
     EXPECT_TRUE(comparison.truth.can_hold);
     EXPECT_TRUE(comparison.truth.can_fail);
+}
+
+bool may_be(const ProgramAnalysis& analysis, const dataflow::ModalValue& value, double code) {
+    return value.unknown || std::ranges::any_of(value.parts, [&](const dataflow::ModalPart& part) {
+               return analysis.data().table().number_of(part.symbol) == code;
+           });
+}
+
+TEST(Solver, AModalCallRunsItsProgramAfterTheCodesOfTheMove) {
+    const auto workspace =
+        test::analyse_files({{"O1.nc", "O0001\nG66 P2\nG91 X1\nG67\nM30\n"}, {"O2.nc", "O0002\nG90\nM99\n"}},
+                            {.complete = true, .jobs = 1});
+    const ProgramAnalysis& main = workspace->programs().front();
+    EXPECT_TRUE(may_be(main, at_exit(main, ModalRole::distance), 90));
+}
+
+TEST(Solver, AModalCallThatACalledProgramLeavesInForceRunsAnything) {
+    const auto after = [](const std::string& left) {
+        const auto workspace = test::analyse_files({{"O1.nc", "O0001\n#100=1\nG65 P2\nX1\nX#100\nM30\n"},
+                                                    {"O2.nc", "O0002\n" + left + "M99\n"},
+                                                    {"O3.nc", "O0003\n#100=5\nM99\n"}},
+                                                   {.complete = true, .jobs = 1});
+        return last_read(workspace->programs().front()).constant();
+    };
+    EXPECT_EQ(after("G66 P3\n"), std::nullopt);
+    EXPECT_EQ(after("G66 P3\nG67\n"), 1);
+    EXPECT_EQ(after(""), 1);
+}
+
+TEST(Solver, AJumpToABlockThatMayBeSkippedGoesOnBehindIt) {
+    const Value value = last_read("#1=1\nGOTO5\n/N5#1=2\nX#1\nM30\n");
+    EXPECT_EQ(value.low, 1);
+    EXPECT_EQ(value.high, 2);
+}
+
+TEST(Solver, AReturnToANumberIsFollowedWhereProgramsCallEachOther) {
+    const auto workspace =
+        test::analyse_files({{"O1.nc", "O0001\nG65 P2 A1\nM30\n"},
+                             {"O2.nc", "O0002\nIF[#1EQ1]GOTO3\nG65 P2 A1\nM99\nN3M99 P9\nN9X1\nM99\n"}},
+                            {.complete = true, .jobs = 1});
+    const ProgramAnalysis& callee = workspace->programs().back();
+    const auto& labels = callee.graph().labels;
+    const auto nine = std::ranges::find(labels, 9, &flow::Label::number);
+    ASSERT_NE(nine, labels.end());
+    EXPECT_TRUE(callee.data().reached(nine->node));
+}
+
+TEST(Solver, WhatAProgramFurtherUpHandsDownMayBeChangedByACall) {
+    const auto after = [](const std::string& store) {
+        const auto workspace =
+            test::analyse_files({{"main.nc", "VAR\n#_k=#l90(4)\nMACHINING\nL\"S\" V1\nM30\n"},
+                                 {"S.ncs", "MACHINING\n#l90=1\n#l5=2\nL\"T\" V1\nG0 X#l90 Z#l5\nRETURN\n"},
+                                 {"T.ncs", "MACHINING\n" + store + "\nRETURN\n"}},
+                                {.complete = true, .jobs = 1});
+        const auto& reads = workspace->programs()[1].facts().reads;
+        return std::pair(reads[reads.size() - 2].value.constant(), reads.back().value.constant());
+    };
+    using Constants = std::pair<std::optional<double>, std::optional<double>>;
+    EXPECT_EQ(after("#l90=7"), Constants(std::nullopt, 2));
+    EXPECT_EQ(after("#l(#g1)=7"), Constants(std::nullopt, 2)); // any of them
+    EXPECT_EQ(after("#l5=7"), Constants(1, 2));                // its own
 }
 
 TEST(Solver, BoundsOfComparisonsAreKnownInTheBranch) {
