@@ -160,8 +160,9 @@ class Writer {
     std::string assignment() { return variable() + "=" + expression(2); }
 
     std::string index() {
-        switch (dice_.below(4)) {
+        switch (dice_.below(5)) {
         case 0: return variable();
+        case 4: return std::to_string(dice_.one_of(std::array{1, 100, 101})) + "+#1000";
         case 1: return std::to_string(dice_.between(100, 103));
         case 2: return "100+ABS[" + variable() + "]";
         default: return variable() + "+" + std::to_string(dice_.one_of(std::array{1, 2, 100}));
