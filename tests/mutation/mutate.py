@@ -24,12 +24,12 @@ import mutants
 FOLDERS = ['dataflow', 'flow', 'semantics', 'workspace']  # of analyzer/
 # Folders of tests/ whose tests are the nearest to a folder of analyzer/; then come the rules', then all.
 NEAREST = {
-    'dataflow': ['dataflow', 'execution', 'semantics'],
-    'flow': ['flow', 'dataflow'],
+    'dataflow': ['dataflow', 'execution', 'semantics', 'model'],
+    'flow': ['flow', 'dataflow', 'model'],
     'semantics': ['semantics', 'execution', 'dataflow'],
-    'workspace': ['workspace'],
+    'workspace': ['workspace', 'model'],
 }
-NEXT = ['rules', 'workspace', 'dataflow', 'execution']
+NEXT = ['rules', 'workspace', 'dataflow', 'execution', 'model']
 COPIED = ['CMakeLists.txt', 'README.md', 'CONTRIBUTING.md', 'analyzer', 'bench', 'cli', 'cmake', 'corpus', 'docs', 'grammar', 'rules', 'tests']
 MEMORY = 3 << 30  # bytes that a broken program may take
 LEAST_KILLED = 0.9
