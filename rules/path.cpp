@@ -35,6 +35,7 @@ std::string words_for(const ProgramAnalysis& analysis, const flow::Edge& edge) {
     case flow::EdgeKind::computed:
         return "jumps to line " + line_number(analysis.file(), analysis.graph().nodes[edge.to].part.begin);
     case flow::EdgeKind::back: return "the loop starts again";
+    case flow::EdgeKind::pass: return "the other channels go on";
     case flow::EdgeKind::skip: return "the block is skipped when its switch is on";
     case flow::EdgeKind::resume:
         return "the called program returns to line " +

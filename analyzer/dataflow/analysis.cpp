@@ -239,7 +239,10 @@ class Solver {
         for (const ExitState& exit : facts_.exits) {
             if (exit.exit.kind != flow::ExitKind::returns && exit.exit.kind != flow::ExitKind::runs_off)
                 continue;
-            left = states_.join(left, exit.state, static_cast<flow::NodeId>(graph_.nodes.size()));
+            State state = exit.state;
+            const Channels leaving = graph_.channels_at(exit.exit.node).running;
+            states_.leave_out(state, static_cast<Channels>(graph_.all_channels & ~leaving));
+            left = states_.join(left, state, static_cast<flow::NodeId>(graph_.nodes.size()));
             if (exit.exit.effect)
                 add_resume_label(std::get<Return>(program_.effects[*exit.exit.effect].what));
         }
@@ -257,7 +260,7 @@ class Solver {
                 summary.variables.push_back(
                     {variable_of(key), value.vacancy, value.low, value.high, value.integer, value.exactness});
             } else if (is_group_key(key)) {
-                summary.groups.push_back(describe(static_cast<GroupId>(key), states_.table().modals[id]));
+                summary.groups.push_back(describe(group_of(key), states_.table().modals[id]));
             }
         });
     }
@@ -272,10 +275,12 @@ class Solver {
             if (space.handed_down && !space.written_once) written.push_back(program_.spell(variable));
         };
         for (const Store& store : facts_.stores) add(store.variable);
-        for (const Clobber& clobber : facts_.clobbers)
+        for (const Clobber& clobber : facts_.clobbers) {
+            if (!clobber.variable && spaces[clobber.space].handed_down) return std::nullopt;
             if (clobber.variable) add(*clobber.variable);
+        }
         for (const CallMade& call : facts_.calls) {
-            const auto& below = callees_(call.effect).written_for_callers;
+            const auto& below = callees_(call.effect).summary.written_for_callers;
             if (!below) return std::nullopt;
             written.insert(written.end(), below->begin(), below->end());
         }
@@ -313,8 +318,11 @@ class Solver {
         return false;
     }
 
-    [[nodiscard]] GroupChange describe(GroupId group, const ModalValue& value) const {
-        GroupChange change{group, false, {}, value.unknown};
+    [[nodiscard]] GroupChange describe(ChannelGroup of, const ModalValue& value) const {
+        constexpr Channels all = 0xFFFF;
+        const GroupId group = of.group;
+        const Channels channels = graph_.channels.empty() ? all : static_cast<Channels>(1U << of.channel);
+        GroupChange change{group, false, {}, value.unknown, channels};
         for (const ModalPart& part : value.parts) {
             if (states_.table().entry_group_of(part.symbol) == group)
                 change.may_keep = true;
@@ -329,7 +337,7 @@ class Solver {
     void add_resume_label(const Return& back) {
         if (!back.resume_label) return;
         if (const auto label = flow::constant_target(program_, *back.resume_label))
-            result_.summary_.resume_labels.push_back(*label);
+            result_.summary_.resume_labels.push_back(callers_label(program_, *label));
     }
 
     const Program& program_;
@@ -376,8 +384,12 @@ Analysis::~Analysis() = default;
 
 Entry Analysis::entry() const { return states_->entry(); }
 const ValueTable& Analysis::table() const { return states_->table(); }
-const ModalValue& Analysis::modal(const State& state, GroupId group) const {
-    return states_->read(state, group);
+ModalValue Analysis::modal(const State& state, flow::NodeId node, GroupId group) const {
+    const auto [running, uncertain] = graph_->channels_at(node);
+    if (uncertain == 0) return states_->read(state, running, group);
+    ModalValue value = states_->read(state, static_cast<Channels>(running & ~uncertain), group);
+    value.unknown = true;
+    return value;
 }
 bool Analysis::is_vacant_at_entry(Variable variable) const { return states_->is_vacant_at_entry(variable); }
 

@@ -30,8 +30,15 @@ class Analysis {
 
     [[nodiscard]] const ValueTable& table() const;
     [[nodiscard]] const Origin& origin(OriginId id) const { return table().origins[id]; }
-    /// What a group can be in a state of facts().
-    [[nodiscard]] const ModalValue& modal(const State& state, GroupId group) const;
+    /// What a group can be in a state of facts(), in the channels that run the node; unknown where it is not
+    /// known whether they do.
+    [[nodiscard]] ModalValue modal(const State& state, flow::NodeId node, GroupId group) const;
+    [[nodiscard]] ModalValue modal(const PointState& point, GroupId group) const {
+        return modal(point.state, point.node, group);
+    }
+    [[nodiscard]] ModalValue modal(const ExitState& left_with, GroupId group) const {
+        return modal(left_with.state, left_with.exit.node, group);
+    }
     /// Whether nothing can have set the variable when the program begins.
     [[nodiscard]] bool is_vacant_at_entry(Variable variable) const;
 

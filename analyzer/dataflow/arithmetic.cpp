@@ -46,8 +46,17 @@ Range absolute(const Value& a) {
     return {0, std::max(-a.low, a.high)};
 }
 
+/// What a function that grows with its operand does to both ends.
+Range at_both_ends(Operation operation, const Value& value) {
+    const auto at = [&](double end) {
+        const semantics::Result result = semantics::compute(operation, std::span<const double>(&end, 1));
+        const auto* number = std::get_if<double>(&result);
+        return number == nullptr ? std::nan("") : *number;
+    };
+    return hull({at(value.low), at(value.high)});
+}
+
 Range range_of(Operation operation, std::span<const Value> v) {
-    const auto monotone = [&](auto f) { return hull({f(v[0].low), f(v[0].high)}); };
     switch (operation) {
     case Operation::add: return hull({v[0].low + v[1].low, v[0].high + v[1].high});
     case Operation::subtract: return hull({v[0].low - v[1].high, v[0].high - v[1].low});
@@ -55,11 +64,10 @@ Range range_of(Operation operation, std::span<const Value> v) {
     case Operation::divide: return divide(v[0], v[1]);
     case Operation::negate: return {-v[0].high, -v[0].low};
     case Operation::absolute: return absolute(v[0]);
-    case Operation::round: return monotone([](double x) { return std::round(x); });
-    case Operation::truncate: return monotone([](double x) { return std::trunc(x); });
-    case Operation::round_up: return monotone([](double x) { return x < 0 ? std::floor(x) : std::ceil(x); });
-    case Operation::square_root:
-        return v[0].low < 0 ? Range{0, infinity} : monotone([](double x) { return std::sqrt(x); });
+    case Operation::round:
+    case Operation::truncate:
+    case Operation::round_up: return at_both_ends(operation, v[0]);
+    case Operation::square_root: return v[0].low < 0 ? Range{0, infinity} : at_both_ends(operation, v[0]);
     case Operation::sine:
     case Operation::cosine: return {-1, 1};
     case Operation::exponential: return {0, infinity};
@@ -72,7 +80,7 @@ Range range_of(Operation operation, std::span<const Value> v) {
 /// What an operation does to whole numbers and to rounding; the facts are those of binary arithmetic.
 struct Semantics {
     Operation operation;
-    enum class Whole : std::uint8_t { never, if_operands, always } whole;
+    enum class Whole : std::uint8_t { never, if_operands, if_exponent_too, always } whole;
     enum class Rounds : std::uint8_t { never, unless_whole, always, by_divisor, havocs } rounds;
 };
 
@@ -86,7 +94,7 @@ constexpr auto semantics = std::to_array<Semantics>({
     {Operation::multiply, W::if_operands, R::unless_whole},
     {Operation::divide, W::never, R::by_divisor},
     {Operation::modulo, W::if_operands, R::unless_whole},
-    {Operation::power, W::if_operands, R::unless_whole},
+    {Operation::power, W::if_exponent_too, R::unless_whole},
     {Operation::negate, W::if_operands, R::never},
     {Operation::absolute, W::if_operands, R::never},
     {Operation::bit_and, W::always, R::havocs},
@@ -144,6 +152,16 @@ OriginId vacancy_origin_of(std::span<const Value> v) {
 
 bool all_whole(std::span<const Value> v) {
     return std::ranges::all_of(v, [](const Value& value) { return value.integer; });
+}
+
+bool is_whole(W whole, std::span<const Value> v) {
+    switch (whole) {
+    case W::never: return false;
+    case W::if_operands: return all_whole(v);
+    case W::if_exponent_too: return all_whole(v) && v[1].low >= 0; // POW[2,-1] is 0.5
+    case W::always: return true;
+    }
+    return false;
 }
 
 bool is_power_of_two(double number) {
@@ -220,7 +238,7 @@ Value compute(ValueTable& table, Operation operation, std::span<const Value> ope
     result.low = range.low;
     result.high = range.high;
     if (row != nullptr) {
-        result.integer = row->whole == W::always || (row->whole == W::if_operands && all_whole(operands));
+        result.integer = is_whole(row->whole, operands);
         result.exactness = exactness_of(row->rounds, operands);
         if (result.exactness == Exactness::rounded) {
             const auto rounded = std::ranges::find(operands, Exactness::rounded, &Value::exactness);
@@ -241,10 +259,6 @@ Value compute(ValueTable& table, Operation operation, std::span<const Value> ope
 
 bool is_inexact(const Value& value) {
     return value.exactness == Exactness::rounded || is_inexact_constant(value);
-}
-
-bool is_comparison(Operation operation) {
-    return operation >= Operation::equal && operation <= Operation::greater_equal;
 }
 
 Operation opposite(Operation operation) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/value.hpp"
+#include "analyzer/semantics/concrete.hpp"
 
 #include <span>
 
@@ -26,7 +27,7 @@ struct Truth {
 /// hold.
 [[nodiscard]] bool is_inexact(const Value& value);
 
-[[nodiscard]] bool is_comparison(Operation operation);
+using semantics::is_comparison;
 /// LT for GE and so on; what holds when the comparison fails.
 [[nodiscard]] Operation opposite(Operation operation);
 /// GT for LT and so on; the same comparison with its sides exchanged.

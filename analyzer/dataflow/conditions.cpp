@@ -12,6 +12,8 @@
 namespace maclint::dataflow {
 namespace {
 
+using semantics::is_vacancy_test;
+
 /// One comparison that is known to hold.
 struct Atom {
     ExpressionId left, right;
@@ -20,10 +22,6 @@ struct Atom {
 
 const Apply* as_apply(const Program& program, ExpressionId id) {
     return std::get_if<Apply>(&program.expressions[id].node);
-}
-
-bool is_vacancy_test(Operation operation) {
-    return operation == Operation::is_vacant || operation == Operation::is_set;
 }
 
 /// What must hold when the condition turned out so; choices between alternatives are left out.
@@ -87,6 +85,7 @@ void collect(const Program& program, ExpressionId id, ReadSet& set) {
     std::visit(overloaded{
                    [](const Literal&) {},
                    [](const Text&) {},
+                   [](const BlockName&) {},
                    [](const Vacant&) {},
                    [&](const Load& load) { set.variables.push_back(load.variable); },
                    [&](const Apply& apply) {

@@ -24,13 +24,14 @@ Value Transfer::number(ExpressionId id, double number) {
 }
 
 Value Transfer::record_read(const State& state, Variable variable, ExpressionId id, Use use) {
-    const Value value = states_.read(state, variable);
+    const Value value = is_ambiguous(variable) ? opaque(id) : states_.read(state, variable);
     if (facts_ != nullptr) facts_->reads.push_back({node_, effect_, id, variable, value, use});
     return value;
 }
 
 Value Transfer::load_modal(const State& state, GroupId group, ExpressionId id) {
-    const ModalValue& modal = states_.read(state, group);
+    ModalValue modal = states_.read(state, channels_.running, group);
+    modal.unknown |= channels_.uncertain != 0;
     if (facts_ != nullptr) facts_->modal_reads.push_back({node_, id, group, modal});
     Value value = opaque(id);
     value.vacancy = Vacancy::set;
@@ -42,7 +43,8 @@ Value Transfer::load_modal(const State& state, GroupId group, ExpressionId id) {
     if (const auto code = states_.table().number_of(modal.parts.front().symbol))
         return number_value(states_.table(), *code);
     value.symbol = modal.parts.front().symbol;
-    if (const auto code = states_.entry_code(state, group);
+    const auto channel = static_cast<std::uint8_t>(std::countr_zero(channels_.running));
+    if (const auto code = states_.entry_code(state, {channel, group});
         code && states_.table().entry_group_of(value.symbol)) {
         value.low = value.high = *code;
     }
@@ -229,22 +231,27 @@ void Transfer::refine_entry_code(State& state, const Value& value, Operation ope
     const auto group = states_.table().entry_group_of(value.symbol);
     const auto code = other.constant();
     if (!group || !code) return;
-    if (operation == Operation::equal) know_entry_code(state, *group, *code);
+    const auto know = [&](double known) {
+        for_each_channel(channels_.running, [&](std::uint8_t channel) {
+            know_entry_code(state, {channel, *group}, known);
+        });
+    };
+    if (operation == Operation::equal) know(*code);
     const auto& members = program_.control->groups[*group].members;
     if (operation == Operation::not_equal && members.size() == 2 &&
-        (members[0] == *code || members[1] == *code))
-        know_entry_code(state, *group, members[0] == *code ? members[1] : members[0]);
+        (members[0].number == *code || members[1].number == *code))
+        know(members[0].number == *code ? members[1].number : members[0].number);
 }
 
 /// The caller's code is this one here: where the program has set it, it has set the caller's.
-void Transfer::know_entry_code(State& state, GroupId group, double code) {
-    states_.know_entry_code(state, group, code);
-    ModalValue value = states_.read(state, group);
+void Transfer::know_entry_code(State& state, ChannelGroup of, double code) {
+    states_.know_entry_code(state, of, code);
+    ModalValue value = states_.read(state, of);
     for (ModalPart& part : value.parts)
         if (states_.table().number_of(part.symbol) == code)
-            part.symbol = states_.table().symbols({Symbol::Kind::entry_group, group, 0, 0});
+            part.symbol = states_.table().symbols({Symbol::Kind::entry_group, of.group, 0, 0});
     std::ranges::sort(value.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
-    states_.write(state, group, std::move(value));
+    states_.write(state, of, std::move(value));
 }
 
 namespace {

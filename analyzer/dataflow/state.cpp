@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/state.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -60,17 +61,46 @@ Vacancy States::vacancy_at_entry(Variable variable) const {
             std::ranges::find(*knowledge_.arguments, variable, &std::pair<Variable, Vacancy>::first);
         return known == knowledge_.arguments->end() ? Vacancy::vacant : known->second;
     }
-    const auto& formals = program_.control->formals;
     const auto& passed = knowledge_.passed_somewhere;
-    const bool argument = std::ranges::find(formals, variable) != formals.end() ||
-                          std::ranges::find(passed, variable) != passed.end();
+    const bool argument = program_.is_formal(variable) || std::ranges::find(passed, variable) != passed.end();
     return argument ? Vacancy::maybe : Vacancy::vacant;
 }
 
 bool States::is_vacant_at_entry(Variable variable) const {
     const VariableSpace& space = program_.control->spaces[variable.space];
-    return space.scope == Scope::frame && space.initial_value != InitialValue::zero &&
+    return space.scope == Scope::frame && !initial_number(variable) &&
            vacancy_at_entry(variable) == Vacancy::vacant;
+}
+
+/// What a local variable holds in front of the first store, unless the call sets it; nothing: it is vacant.
+std::optional<double> States::initial_number(Variable variable) const {
+    const Declaration* declaration = program_.declaration_of(variable);
+    if (declaration != nullptr && declaration->initial) return declaration->initial;
+    return program_.control->spaces[variable.space].initial_value == InitialValue::zero ? std::optional(0.0)
+                                                                                        : std::nullopt;
+}
+
+Value States::typed(const Value& value, Variable variable) {
+    const VariableType type = program_.type_of(variable);
+    if (type == VariableType::number || value.vacancy == Vacancy::vacant) return value;
+    Value held = value;
+    if (type == VariableType::text) {
+        held.symbol = table_.symbols({Symbol::Kind::opaque, value.symbol, variable.space, 4});
+        return held;
+    }
+    if (const auto number = value.constant()) {
+        const double stored = type == VariableType::truth ? (*number != 0 ? 1 : 0) : std::round(*number);
+        if (stored != *number) held = number_value(table_, stored);
+    } else if (!value.integer || (type == VariableType::truth && (value.low < 0 || value.high > 1))) {
+        held.symbol = table_.symbols({Symbol::Kind::opaque, value.symbol, variable.space, 5});
+        held.low = type == VariableType::truth ? 0 : std::round(value.low);
+        held.high = type == VariableType::truth ? 1 : std::round(value.high);
+        held.nonzero = false;
+    }
+    held.integer = true;
+    held.exactness = Exactness::exact;
+    held.rounding = 0;
+    return held;
 }
 
 Value States::entry_value(Variable variable) {
@@ -81,12 +111,21 @@ Value States::entry_value(Variable variable) {
     value.symbol = table_.symbols({Symbol::Kind::entry, key_of(variable), 0, 0});
     if (space.scope == Scope::frame) {
         value.vacancy = vacancy_at_entry(variable);
+        const auto initial = initial_number(variable);
         if (value.vacancy == Vacancy::vacant)
-            return space.initial_value == InitialValue::zero ? number_value(table_, 0)
-                                                             : vacant_value(table_, origin);
-        if (value.vacancy == Vacancy::maybe) value.vacancy_origin = origin;
+            return initial ? number_value(table_, *initial) : vacant_value(table_, origin);
+        if (initial)
+            value.vacancy = Vacancy::set;
+        else if (value.vacancy == Vacancy::maybe)
+            value.vacancy_origin = origin;
     } else if (space.scope == Scope::machine) {
         value.vacancy = Vacancy::set;
+    }
+    const VariableType type = program_.type_of(variable);
+    value.integer = type == VariableType::integer || type == VariableType::truth;
+    if (type == VariableType::truth) {
+        value.low = 0;
+        value.high = 1;
     }
     return value;
 }
@@ -104,20 +143,32 @@ std::uint32_t States::absent(const State& state, Key key) {
     return id;
 }
 
-std::uint32_t States::absent_modal(Key key) { return entry_modals_[static_cast<GroupId>(key)]; }
+std::uint32_t States::absent_modal(Key key) { return entry_modals_[group_of(key).group]; }
 
 Value States::read(const State& state, Variable variable) {
     const auto found = maps_.find(state.root, key_of(variable));
     return table_.values[found ? *found : absent(state, key_of(variable))];
 }
 
-const ModalValue& States::read(const State& state, GroupId group) {
-    const auto found = maps_.find(state.root, key_of(group));
-    return table_.modals[found ? *found : absent_modal(key_of(group))];
+const ModalValue& States::read(const State& state, ChannelGroup of) {
+    const auto found = maps_.find(state.root, key_of(of));
+    return table_.modals[found ? *found : absent_modal(key_of(of))];
 }
 
-std::optional<double> States::entry_code(const State& state, GroupId group) const {
-    const auto found = maps_.find(state.root, entry_code_key(group));
+ModalValue States::read(const State& state, Channels channels, GroupId group) {
+    if (std::has_single_bit(channels))
+        return read(state, ChannelGroup{static_cast<std::uint8_t>(std::countr_zero(channels)), group});
+    ModalValue all;
+    for_each_channel(channels, [&](std::uint8_t channel) {
+        const ModalValue& one = read(state, ChannelGroup{channel, group});
+        all.unknown |= one.unknown;
+        for (const ModalPart& part : one.parts) add_part(all, part);
+    });
+    return all;
+}
+
+std::optional<double> States::entry_code(const State& state, ChannelGroup of) const {
+    const auto found = maps_.find(state.root, entry_code_key(of));
     return found ? table_.number_of(*found) : std::nullopt;
 }
 
@@ -125,13 +176,22 @@ void States::write(State& state, Variable variable, const Value& value) {
     state.root = maps_.set(state.root, key_of(variable), table_.values(value));
 }
 
-void States::write(State& state, GroupId group, ModalValue value) {
+void States::write(State& state, ChannelGroup of, ModalValue value) {
     if (value.parts.size() > most_modal_parts) value = {{}, true};
-    state.root = maps_.set(state.root, key_of(group), table_.modals(value));
+    state.root = maps_.set(state.root, key_of(of), table_.modals(value));
 }
 
-void States::know_entry_code(State& state, GroupId group, double code) {
-    state.root = maps_.set(state.root, entry_code_key(group), table_.constant(code));
+void States::know_entry_code(State& state, ChannelGroup of, double code) {
+    state.root = maps_.set(state.root, entry_code_key(of), table_.constant(code));
+}
+
+void States::leave_out(State& state, Channels channels) {
+    const std::uint32_t nothing = table_.modals(ModalValue{});
+    for_each_channel(channels, [&](std::uint8_t channel) {
+        for (std::size_t group = 0; group < entry_modals_.size(); ++group)
+            state.root =
+                maps_.set(state.root, key_of(ChannelGroup{channel, static_cast<GroupId>(group)}), nothing);
+    });
 }
 
 void States::havoc(State& state, SpaceId space, const Origin& site) {

@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/persistent_map.hpp"
 #include "analyzer/dataflow/value.hpp"
 
+#include <bit>
 #include <functional>
 #include <optional>
 #include <span>
@@ -27,6 +28,8 @@ struct EntryKnowledge {
     std::optional<std::vector<std::pair<Variable, Vacancy>>> arguments;
     /// Some caller shares its locals with the program: what they hold at the start, nobody knows.
     bool locals_are_callers = false;
+    /// Numbers of shared names that several names have (SharedNames); sorted.
+    std::span<const std::int32_t> ambiguous_names = {};
     /// Variables that a program further up may hand down; absent: nobody knows which.
     std::optional<std::vector<Variable>> handed_down = std::vector<Variable>{};
 };
@@ -36,9 +39,29 @@ struct EntryKnowledge {
 }
 constexpr Key group_keys = Key{0x100} << 32U;
 constexpr Key entry_code_keys = Key{0x200} << 32U;
-[[nodiscard]] constexpr Key key_of(GroupId group) { return group_keys | group; }
+/// A modal group as one channel has it. A program that names no channel runs in channel 0.
+struct ChannelGroup {
+    std::uint8_t channel;
+    GroupId group;
+};
+constexpr unsigned bits_of_group = 8;
+[[nodiscard]] constexpr Key key_of(ChannelGroup of) {
+    return group_keys | Key{of.channel} << bits_of_group | of.group;
+}
+[[nodiscard]] constexpr ChannelGroup group_of(Key key) {
+    return {static_cast<std::uint8_t>(key >> bits_of_group), static_cast<GroupId>(key)};
+}
 /// Under this key a state holds the code that the caller's group is known to have on this way.
-[[nodiscard]] constexpr Key entry_code_key(GroupId group) { return entry_code_keys | group; }
+[[nodiscard]] constexpr Key entry_code_key(ChannelGroup of) {
+    return entry_code_keys | Key{of.channel} << bits_of_group | of.group;
+}
+
+/// Calls `visit(channel)` for each of them.
+template<class Visit>
+void for_each_channel(Channels channels, const Visit& visit) {
+    for (unsigned rest = channels; rest != 0; rest &= rest - 1)
+        visit(static_cast<std::uint8_t>(std::countr_zero(rest)));
+}
 [[nodiscard]] constexpr bool is_variable_key(Key key) { return key < group_keys; }
 [[nodiscard]] constexpr bool is_group_key(Key key) { return key >= group_keys && key < entry_code_keys; }
 [[nodiscard]] constexpr Variable variable_of(Key key) {
@@ -60,11 +83,15 @@ class States {
     [[nodiscard]] State at_entry() const;
     [[nodiscard]] bool is_vacant_at_entry(Variable variable) const;
     [[nodiscard]] Value read(const State& state, Variable variable);
-    [[nodiscard]] const ModalValue& read(const State& state, GroupId group);
-    [[nodiscard]] std::optional<double> entry_code(const State& state, GroupId group) const;
+    [[nodiscard]] const ModalValue& read(const State& state, ChannelGroup of);
+    /// All that the group can be in any of the channels.
+    [[nodiscard]] ModalValue read(const State& state, Channels channels, GroupId group);
+    [[nodiscard]] std::optional<double> entry_code(const State& state, ChannelGroup of) const;
     void write(State& state, Variable variable, const Value& value);
-    void write(State& state, GroupId group, ModalValue value);
-    void know_entry_code(State& state, GroupId group, double code);
+    void write(State& state, ChannelGroup of, ModalValue value);
+    void know_entry_code(State& state, ChannelGroup of, double code);
+    /// These channels do not come this way: until other ways join, their groups have no value at all.
+    void leave_out(State& state, Channels channels);
     /// Everything in the space may have changed; `site` makes the new values differ from others.
     void havoc(State& state, SpaceId space, const Origin& site);
 
@@ -82,11 +109,20 @@ class States {
     [[nodiscard]] const ValueTable& table() const { return table_; }
     [[nodiscard]] PersistentMap& trees() { return maps_; }
     [[nodiscard]] Entry entry() const { return knowledge_.entry; }
+    /// Variables of programs further up that are known to be handed down to this one.
+    [[nodiscard]] std::span<const Variable> handed_down() const {
+        return knowledge_.handed_down ? std::span<const Variable>(*knowledge_.handed_down)
+                                      : std::span<const Variable>{};
+    }
+    [[nodiscard]] std::span<const std::int32_t> ambiguous_names() const { return knowledge_.ambiguous_names; }
+    /// The value as a variable of that type holds it.
+    [[nodiscard]] Value typed(const Value& value, Variable variable);
 
   private:
     using Widening = const std::function<void(const Value& old, Value& now)>;
     [[nodiscard]] State merge(const State& a, const State& b, std::uint32_t node, Widening& widening);
     [[nodiscard]] Value entry_value(Variable variable);
+    [[nodiscard]] std::optional<double> initial_number(Variable variable) const;
     [[nodiscard]] Vacancy vacancy_at_entry(Variable variable) const;
     [[nodiscard]] bool may_be_handed_down(Variable variable) const;
     /// The value, by number, of a variable that a state does not hold.

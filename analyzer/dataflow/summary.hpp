@@ -5,7 +5,9 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -23,7 +25,17 @@ struct GroupChange {
     bool may_keep;             ///< on some way the caller's code is in force again
     std::vector<double> codes; ///< codes that the program may leave behind
     bool other;                ///< it may leave something else behind
+    Channels channels;         ///< in which; all where it names none
 };
+
+/// A label of the caller: a number, or a name as it is spelled.
+using CallersLabel = std::variant<std::int64_t, std::string>;
+
+/// A label as the program that names it spells it for its caller.
+[[nodiscard]] inline CallersLabel callers_label(const Program& program, const Label& label) {
+    if (const auto* number = std::get_if<std::int64_t>(&label)) return *number;
+    return program.spell(label);
+}
 
 struct Summary {
     bool known = false;   ///< false: the program is not there, everything may change
@@ -33,13 +45,22 @@ struct Summary {
         variables; ///< all that it may write and the caller can see (locals for calls that share them)
     std::vector<SpaceId> havoc; ///< spaces of which anything may have changed
     std::vector<GroupChange> groups;
-    std::vector<std::int64_t> resume_labels; ///< M99 P
+    std::vector<CallersLabel> resume_labels; ///< M99 P
     /// Variables, as they are spelled, that it writes and that may be the caller's, handed down to it;
     /// absent: any of them.
     std::optional<std::vector<std::string>> written_for_callers;
 };
 
-/// The summary of the program that a call means; never null, an unknown program has Summary{}.
-using Callees = std::function<const Summary&(EffectId call)>;
+/// A variable of the caller that is a parameter of the callee: what is stored in one is stored in the other.
+struct PassedReference {
+    Variable formal, variable;
+};
+
+/// What a call runs.
+struct Callee {
+    const Summary& summary;                      ///< Summary{} of a program that is not known
+    std::span<const PassedReference> references; ///< of a program that is known
+};
+using Callees = std::function<Callee(EffectId call)>;
 
 } // namespace maclint::dataflow

@@ -32,8 +32,13 @@ OriginId Transfer::here() {
     return known;
 }
 
-State Transfer::run(flow::NodeId node, State state) {
+void Transfer::enter(flow::NodeId node) {
     node_ = node;
+    channels_ = graph_.channels_at(node);
+}
+
+State Transfer::run(flow::NodeId node, State state) {
+    enter(node);
     evaluated_.reset();
     compared_.reset();
     const flow::Node& n = graph_.nodes[node];
@@ -50,16 +55,26 @@ State Transfer::run(flow::NodeId node, State state) {
 
 State Transfer::along(const flow::Edge& edge, State after) {
     if (!after.reached) return after;
-    node_ = edge.from;
-    if (edge.condition) {
+    enter(edge.from);
+    if (channels_.running != graph_.all_channels) {
+        using Kind = flow::EdgeKind;
+        const auto others = static_cast<Channels>(graph_.all_channels & ~channels_.running);
+        if (edge.kind == Kind::pass) states_.leave_out(after, channels_.running);
+        if (edge.kind == Kind::jump || edge.kind == Kind::computed || edge.kind == Kind::resume)
+            states_.leave_out(after, others);
+    }
+    // A condition that not all channels ask does not decide for the others.
+    if (edge.condition && channels_.running == graph_.all_channels) {
         if (!evaluated_ || evaluated_->first != *edge.condition)
             evaluated_.emplace(*edge.condition, evaluate_condition(after, *edge.condition));
         const Truth truth = evaluated_->second;
         if (edge.holds ? !truth.can_hold : !truth.can_fail) return {};
         refine(after, *edge.condition, edge.holds);
     } else if (edge.label) {
+        const auto* number = std::get_if<std::int64_t>(&graph_.labels[*edge.label].label);
+        if (number == nullptr) return after; // nothing is known of texts
         const auto& jump = std::get<Jump>(program_.effects[*edge.jump].what);
-        if (!evaluate(after, jump.target, Use::jump).can_be(static_cast<double>(*edge.label))) return {};
+        if (!evaluate(after, jump.target, Use::jump).can_be(static_cast<double>(*number))) return {};
     }
     return after;
 }
@@ -126,6 +141,10 @@ void Transfer::assign(State& state, const Assign& assign) {
 }
 
 void Transfer::store(State& state, Variable variable, Value value, ExpressionId expression) {
+    // Channels have variables of their own, and run at the same time.
+    if (channels_.running != graph_.all_channels || is_ambiguous(variable))
+        return clobber(state, variable, opaque_variable(variable, 8));
+    value = states_.typed(value, variable);
     if (facts_ != nullptr)
         facts_->stores.push_back({node_, effect_, variable, expression, value, states_.read(state, variable),
                                   step_of(state, variable, expression)});
@@ -146,7 +165,12 @@ void Transfer::store_at(State& state, const StoreAt& target, const Value& value,
             store(state, {range->space, rounded}, value, expression);
         return;
     }
-    for (const VariableRange& range : family.ranges) {
+    clobber_indexed(state, target.family, index);
+}
+
+/// The variables of a family that the index can mean may have changed.
+void Transfer::clobber_indexed(State& state, FamilyId of, const Value& index) {
+    for (const VariableRange& range : program_.control->families[of].ranges) {
         if (range.meaning != Meaning::variable || !(index.low <= range.last && range.first <= index.high))
             continue;
         const double first = std::max<double>(index.low, range.first);
@@ -159,6 +183,13 @@ void Transfer::store_at(State& state, const StoreAt& target, const Value& value,
              ++number)
             clobber(state, {range.space, number}, opaque_variable({range.space, number}, 5));
     }
+}
+
+/// Another variable has the same number.
+bool Transfer::is_ambiguous(Variable variable) const {
+    const VariableSpace& space = program_.control->spaces[variable.space];
+    return space.named && space.scope != Scope::frame &&
+           std::ranges::binary_search(states_.ambiguous_names(), variable.number);
 }
 
 /// Recognises v = v + amount, v = amount + v and v = v - amount.
@@ -210,35 +241,65 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
         return; // a word with a vacant variable is ignored [SEED-001:187-195]
     const OriginId origin = here();
     if (value.vacancy == Vacancy::maybe) {
-        ModalValue either = states_.read(state, group);
-        // The same value set before, F#9 in the block above: this word has set it again, or neither has.
-        const auto others = std::ranges::remove_if(
-            either.parts, [&](const ModalPart& p) { return p.symbol == value.symbol; });
-        either.parts.cut_off(others.begin());
-        either.parts.push_back({value.symbol, origin});
-        std::ranges::sort(either.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
-        states_.write(state, group, std::move(either));
+        for_each_channel(channels_.running, [&](std::uint8_t channel) {
+            ModalValue either = states_.read(state, ChannelGroup{channel, group});
+            // The same value set before, F#9 in the block above: this word has set it again, or neither has.
+            const auto others = std::ranges::remove_if(
+                either.parts, [&](const ModalPart& p) { return p.symbol == value.symbol; });
+            either.parts.cut_off(others.begin());
+            either.parts.push_back({value.symbol, origin});
+            std::ranges::sort(either.parts, {},
+                              [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
+            write_group(state, {channel, group}, std::move(either));
+        });
+        return;
+    }
+    if (value.vacancy == Vacancy::unknown) {
+        const SymbolId either = states_.table().symbols({Symbol::Kind::if_set, value.symbol, effect_, node_});
+        for_each_channel(channels_.running, [&](std::uint8_t channel) {
+            write_group(state, {channel, group}, {{{either, origin}}, false});
+        });
         return;
     }
     if (const auto code = value.constant()) return set_code(state, group, *code, origin);
-    states_.write(state, group, {{{value.symbol, origin}}, false});
+    for_each_channel(channels_.running, [&](std::uint8_t channel) {
+        write_group(state, {channel, group}, {{{value.symbol, origin}}, false});
+    });
+}
+
+/// A channel that does not come here sets nothing; one of which that is not known may have.
+void Transfer::write_group(State& state, ChannelGroup of, ModalValue value) {
+    if (!graph_.channels.empty()) {
+        const ModalValue& before = states_.read(state, of);
+        if (before.parts.empty() && !before.unknown) return;
+        if ((channels_.uncertain >> of.channel & 1U) != 0) {
+            value = before;
+            value.unknown = true;
+        }
+    }
+    states_.write(state, of, std::move(value));
 }
 
 void Transfer::set_code(State& state, GroupId group, double code, OriginId origin) {
-    SymbolId symbol = states_.table().constant(code);
-    // On a way where the caller's code is known to be this one, setting it puts the caller's code back.
-    if (states_.entry_code(state, group) == code)
-        symbol = states_.table().symbols({Symbol::Kind::entry_group, group, 0, 0});
-    states_.write(state, group, {{{symbol, origin}}, false});
+    for_each_channel(channels_.running, [&](std::uint8_t channel) {
+        SymbolId symbol = states_.table().constant(code);
+        // On a way where the caller's code is known to be this one, setting it puts the caller's code back.
+        if (states_.entry_code(state, {channel, group}) == code)
+            symbol = states_.table().symbols({Symbol::Kind::entry_group, group, 0, 0});
+        write_group(state, {channel, group}, {{{symbol, origin}}, false});
+    });
 }
 
 /// Without a letter: all groups.
 void Transfer::havoc_groups(State& state, std::optional<char> letter) {
     for (std::size_t i = 0; i < program_.control->groups.size(); ++i) {
         if (letter && program_.control->groups[i].letter != *letter) continue;
-        ModalValue value = states_.read(state, static_cast<GroupId>(i));
-        value.unknown = true;
-        states_.write(state, static_cast<GroupId>(i), std::move(value));
+        for_each_channel(channels_.running, [&](std::uint8_t channel) {
+            const ChannelGroup of{channel, static_cast<GroupId>(i)};
+            ModalValue value = states_.read(state, of);
+            value.unknown = true;
+            write_group(state, of, std::move(value));
+        });
     }
 }
 
@@ -253,33 +314,42 @@ void Transfer::call(State& state, const Call& call) {
             (void)evaluate(state, *number, Use::word);
     }
     const CallKind& kind = program_.control->calls[call.kind];
-    if (kind.trigger == CallTrigger::once) return run_program(state, effect_, call);
+    if (kind.trigger == CallTrigger::once) {
+        const State before = state;
+        run_program(state, effect_, call);
+        if (!flow::surely_runs(program_, call)) state = states_.join(before, state, node_);
+        return;
+    }
     if (const auto group = modal_call_group_) set_code(state, *group, kind.modal_code, here());
 }
 
+void Transfer::run_unknown_program(State& state, bool shared_frame) {
+    havoc_shared(state);
+    for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
+        if (shared_frame && program_.control->spaces[i].scope == Scope::frame)
+            havoc(state, static_cast<SpaceId>(i));
+    change_handed_down(state, {});
+    havoc_groups(state, std::nullopt);
+}
+
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
-    const Summary& summary = callees_(id);
+    const Callee callee = callees_(id);
+    const Summary& summary = callee.summary;
     if (facts_ != nullptr)
         facts_->calls.push_back({node_, id, summary.known, !summary.known || summary.may_stop});
-    if (!summary.known) {
-        havoc_shared(state);
-        if (program_.control->calls[call.kind].frame == Frame::shared)
-            for (std::size_t i = 0; i < program_.control->spaces.size(); ++i)
-                if (program_.control->spaces[i].scope == Scope::frame) havoc(state, static_cast<SpaceId>(i));
-        change_handed_down(state, summary);
-        havoc_groups(state, std::nullopt);
-        return;
-    }
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
+    if (!summary.known) {
+        clobber_passed(state, call);
+        return run_unknown_program(state, shared_frame);
+    }
     const auto visible = [&](SpaceId space) {
         return shared_frame || program_.control->spaces[space].scope != Scope::frame;
     };
     for (const SpaceId space : summary.havoc)
         if (visible(space)) havoc(state, space);
-    for (const VariableChange& change : summary.variables) {
-        if (!visible(change.variable.space)) continue;
+    const auto change_variable = [&](Variable variable, const VariableChange& change) {
         Value value;
-        value.symbol = opaque_variable(change.variable, 6).symbol;
+        value.symbol = opaque_variable(variable, 6).symbol;
         value.vacancy = change.vacancy;
         value.vacancy_origin =
             change.vacancy == Vacancy::maybe || change.vacancy == Vacancy::vacant ? here() : 0;
@@ -288,33 +358,65 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         value.integer = change.integer;
         value.exactness = change.exactness == Exactness::rounded ? Exactness::unknown : change.exactness;
         value.origin = here();
-        clobber(state, change.variable, value);
+        clobber(state, variable, value);
+    };
+    for (const VariableChange& change : summary.variables) {
+        for (const PassedReference& passed : callee.references)
+            if (passed.formal == change.variable) change_variable(passed.variable, change);
+        if (visible(change.variable.space)) change_variable(change.variable, change);
     }
     change_handed_down(state, summary);
     change_groups(state, summary);
 }
 
-/// What this program hands down to all that it calls, they may change.
+/// A program of which nothing is known may store in what is, or may be, passed by reference.
+void Transfer::clobber_passed(State& state, const Call& call) {
+    for (const Argument& argument : program_.arguments_of(call)) {
+        if (argument.passing == Passing::by_value) continue;
+        const auto& node = program_.expressions[argument.value].node;
+        if (const auto* load = std::get_if<Load>(&node))
+            clobber(state, load->variable, opaque_variable(load->variable, 9));
+        else if (const auto* indexed = std::get_if<LoadAt>(&node))
+            clobber_indexed(state, indexed->family, evaluate(state, indexed->index, Use::index));
+    }
+}
+
+/// What this program hands down to all that it calls, they may change, and what was handed down to it.
 void Transfer::change_handed_down(State& state, const Summary& summary) {
     const auto& written = summary.written_for_callers;
+    const auto may_be_written = [&](Variable variable) {
+        return !program_.control->spaces[variable.space].written_once &&
+               (!written || std::ranges::find(*written, program_.spell(variable)) != written->end());
+    };
     for (const Variable variable : program_.handed_down) {
-        if (program_.control->spaces[variable.space].written_once) continue;
-        if (written && std::ranges::find(*written, program_.spell(variable)) == written->end()) continue;
+        if (!may_be_written(variable)) continue;
         const Variable meant = program_.meant_by(variable);
         clobber(state, meant, opaque_variable(meant, 7));
+    }
+    for (const Variable variable : states_.handed_down()) {
+        const auto& own = program_.handed_down;
+        if (may_be_written(variable) && std::ranges::find(own, variable) == own.end())
+            clobber(state, variable, opaque_variable(variable, 7));
     }
 }
 
 void Transfer::change_groups(State& state, const Summary& summary) {
     const OriginId origin = here();
     for (const GroupChange& change : summary.groups) {
-        ModalValue value = change.may_keep ? states_.read(state, change.group) : ModalValue{};
-        for (const double code : change.codes)
-            value.parts.push_back({states_.table().constant(code), origin});
-        value.unknown |= change.other;
-        std::ranges::sort(value.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
-        value.parts.cut_off(std::ranges::unique(value.parts).begin());
-        states_.write(state, change.group, std::move(value));
+        for_each_channel(channels_.running, [&](std::uint8_t channel) {
+            const bool surely_here = (change.channels >> channel & 1U) != 0;
+            if (!surely_here && channel != 0) return;
+            const bool keeps = change.may_keep || !surely_here;
+            ModalValue value =
+                keeps ? states_.read(state, ChannelGroup{channel, change.group}) : ModalValue{};
+            for (const double code : change.codes)
+                value.parts.push_back({states_.table().constant(code), origin});
+            value.unknown |= change.other || !surely_here;
+            std::ranges::sort(value.parts, {},
+                              [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
+            value.parts.cut_off(std::ranges::unique(value.parts).begin());
+            write_group(state, {channel, change.group}, std::move(value));
+        });
     }
 }
 
@@ -344,31 +446,50 @@ Value Transfer::opaque_variable(Variable variable, std::uint32_t what_for) {
     return value;
 }
 
+/// Whether the part is the code of a modal call, or may be.
+bool Transfer::is_modal_call(const ModalPart& part) const {
+    const auto code = states_.table().number_of(part.symbol);
+    return !code || std::ranges::any_of(program_.control->calls, [&](const CallKind& kind) {
+        return kind.trigger != CallTrigger::once && kind.modal_code == *code;
+    });
+}
+
 void Transfer::move(State& state) {
     const auto group = modal_call_group_;
     if (!group) return;
     // Moving while a modal call is active runs its program [SEED-001:466].
-    const auto parts = states_.read(state, *group).parts;
+    const auto parts = states_.read(state, channels_.running, *group).parts;
     for (const ModalPart& part : parts) {
         const Origin& origin = states_.table().origins[part.origin];
         if (origin.kind != Origin::Kind::effect) continue;
         const auto* call = std::get_if<Call>(&program_.effects[origin.id].what);
         if (call == nullptr) continue;
+        const bool made_here = program_.control->calls[call->kind].trigger != CallTrigger::once;
+        if (!made_here && !is_modal_call(part)) continue;
         State moved = state;
         effect_ = origin.id; // a plain run has no effect of its own
-        run_program(moved, effect_, *call);
-        states_.write(moved, *group, states_.read(state, *group));
+        if (made_here) {
+            run_program(moved, effect_, *call);
+        } else { // a program called before has left a modal call of its own in force
+            if (facts_ != nullptr) facts_->calls.push_back({node_, effect_, false, true});
+            run_unknown_program(moved, false);
+        }
+        for_each_channel(channels_.running, [&](std::uint8_t channel) {
+            states_.write(moved, ChannelGroup{channel, *group},
+                          states_.read(state, ChannelGroup{channel, *group}));
+        });
         state = states_.join(state, moved, node_);
     }
 }
 
 void Transfer::run_of_plain_blocks(State& state, flow::NodeId node) {
     const flow::Node& n = graph_.nodes[node];
-    if (moves(program_, n.stretch())) move(state);
     for_each_last_setting(program_, n.stretch(), [&](const ModalSetting& setting) {
         set_code(state, setting.group, setting.value,
                  states_.table().origins({Origin::Kind::run, setting.group, node_}));
     });
+    // A program called after each move runs between these settings and after them.
+    if (moves(program_, n.stretch())) move(state);
 }
 
 } // namespace maclint::dataflow

@@ -34,7 +34,7 @@ class Transfer {
     void refine_side(State& state, ExpressionId side, const Value& value, Operation operation, Value other);
     [[nodiscard]] bool excludes(const Value& value, const Value& other) const;
     void refine_variable(State& state, Variable variable, Operation operation, const Value& other);
-    void know_entry_code(State& state, GroupId group, double code);
+    void know_entry_code(State& state, ChannelGroup of, double code);
     void refine_entry_code(State& state, const Value& value, Operation operation, const Value& other);
     [[nodiscard]] Value record_read(const State& state, Variable variable, ExpressionId id, Use use);
 
@@ -43,18 +43,25 @@ class Transfer {
     [[nodiscard]] std::optional<Step> step_of(const State& state, Variable variable, ExpressionId value);
     void store(State& state, Variable variable, Value value, ExpressionId expression);
     void store_at(State& state, const StoreAt& target, const Value& value, ExpressionId expression);
+    void clobber_indexed(State& state, FamilyId family, const Value& index);
+    void clobber_passed(State& state, const Call& call);
+    [[nodiscard]] bool is_ambiguous(Variable variable) const;
     void set_modal(State& state, const SetModal& set);
     void set_group(State& state, GroupId group, const Value& value);
     void set_code(State& state, GroupId group, double code, OriginId origin);
+    void write_group(State& state, ChannelGroup of, ModalValue value);
     void havoc_groups(State& state, std::optional<char> letter);
     void call(State& state, const Call& call);
     void run_program(State& state, EffectId id, const Call& call);
+    void run_unknown_program(State& state, bool shared_frame);
+    [[nodiscard]] bool is_modal_call(const ModalPart& part) const;
     void change_handed_down(State& state, const Summary& summary);
     void change_groups(State& state, const Summary& summary);
     void havoc(State& state, SpaceId space);
     void havoc_shared(State& state);
     void clobber(State& state, Variable variable, const Value& value);
     void move(State& state);
+    void enter(flow::NodeId node);
     void run_of_plain_blocks(State& state, flow::NodeId node);
     [[nodiscard]] OriginId here();
     [[nodiscard]] Value number(ExpressionId id, double number);
@@ -68,6 +75,7 @@ class Transfer {
     std::vector<SymbolId> constants_; ///< of the literals met so far; 0: not met
     std::vector<OriginId> origins_;   ///< of the effects met so far; 0: not met
     flow::NodeId node_ = 0;
+    flow::NodeChannels channels_{}; ///< of the node
     EffectId effect_ = 0;
     /// The node's condition, the same on all edges of a branch.
     std::optional<std::pair<ExpressionId, Truth>> evaluated_;

@@ -28,6 +28,11 @@ std::optional<double> ValueTable::number_of(SymbolId symbol) const {
     return s.kind == Symbol::Kind::constant ? std::optional(std::bit_cast<double>(s.a)) : std::nullopt;
 }
 
+SymbolId ValueTable::asked_for(SymbolId symbol) const {
+    const Symbol& s = symbols[symbol];
+    return s.kind == Symbol::Kind::if_set ? static_cast<SymbolId>(s.a) : symbol;
+}
+
 std::optional<GroupId> ValueTable::entry_group_of(SymbolId symbol) const {
     const Symbol& s = symbols[symbol];
     return s.kind == Symbol::Kind::entry_group ? std::optional(static_cast<GroupId>(s.a)) : std::nullopt;

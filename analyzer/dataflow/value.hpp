@@ -46,6 +46,7 @@ struct Symbol {
         opaque,      ///< a: expression or effect, b: what for; nothing more is known
         joined,      ///< a: key, b: node where ways with different values meet
         result,      ///< a: operation, b, c: operand symbols
+        if_set,      ///< of a word: a, or what was in force before where that is vacant; b: effect, c: node
     } kind;
     std::uint64_t a;
     std::uint32_t b, c;
@@ -154,6 +155,8 @@ struct ValueTable {
     void fit();
     [[nodiscard]] SymbolId constant(double number);
     [[nodiscard]] std::optional<double> number_of(SymbolId symbol) const;
+    /// What a word asks for: the symbol itself, or that of its value where the word may have been ignored.
+    [[nodiscard]] SymbolId asked_for(SymbolId symbol) const;
     /// The group whose code at the program's start the symbol stands for.
     [[nodiscard]] std::optional<GroupId> entry_group_of(SymbolId symbol) const;
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
@@ -20,17 +21,37 @@ constexpr std::size_t most_computed_edges = 20'000;
 /// Beyond so many loose ends a block that may be skipped, which passes them all on, gets them as one.
 constexpr std::size_t most_passed_on = 4;
 
+/// Whether a search that begins in the block at `from` looks at the block at `block`.
+bool looks_at(LabelSearch search, Offset from, Offset block) {
+    if (search == LabelSearch::forward) return block > from;
+    if (search == LabelSearch::backward) return block <= from;
+    return true;
+}
+
 /// What something in the program may jump to.
 struct Wanted {
-    std::vector<std::int64_t> numbers; ///< sorted
-    bool any = false;                  ///< a computed jump: every sequence number
+    std::vector<std::int64_t> numbers; ///< sorted once all are there: files have a million numbered blocks
+    std::vector<BlockName> names;      ///< sorted, too
+    bool any = false;                  ///< a computed jump: every label
 
+    void add(const Label& label) {
+        std::visit(overloaded{[this](std::int64_t number) { numbers.push_back(number); },
+                              [this](BlockName name) { names.push_back(name); }},
+                   label);
+    }
+    void sort() {
+        std::ranges::sort(numbers);
+        std::ranges::sort(names);
+    }
     [[nodiscard]] bool operator()(std::int64_t number) const {
         return any || std::ranges::binary_search(numbers, number);
     }
     [[nodiscard]] bool between(std::int64_t lowest, std::int64_t highest) const {
         const auto from = std::ranges::lower_bound(numbers, lowest);
         return any || (from != numbers.end() && *from <= highest);
+    }
+    [[nodiscard]] bool operator()(BlockName name) const {
+        return any || std::ranges::binary_search(names, name);
     }
 };
 
@@ -49,6 +70,7 @@ class Building {
         , regions_(regions)
         , returns_(returns) {
         collect_wanted();
+        if (program.channels != 0) graph_.all_channels = program.channels;
     }
 
     Graph run() {
@@ -71,6 +93,7 @@ class Building {
         graph_.nodes.shrink_to_fit();
         graph_.edges.shrink_to_fit();
         index_effects();
+        if (program_.has_several_channels()) find_channels();
         index_edges();
         number_nodes();
         return std::move(graph_);
@@ -84,42 +107,34 @@ class Building {
             std::visit(overloaded{
                            [this](const Jump& jump) { want(constant_target(program_, jump.target)); },
                            [this](const UnreadableBlock& block) {
-                               wanted_.numbers.insert(wanted_.numbers.end(), block.may_jump.begin(),
-                                                      block.may_jump.end());
+                               for (const Label& label : block.may_jump) wanted_.add(label);
                            },
                            [this](const Return& back) { // in a program that nobody called, it goes on there
-                               if (const auto number = back.resume_label
-                                                           ? constant_target(program_, *back.resume_label)
-                                                           : std::nullopt)
-                                   want(number);
+                               if (const auto label = back.resume_label
+                                                          ? constant_target(program_, *back.resume_label)
+                                                          : std::nullopt)
+                                   want(label);
                            },
                            [this, id](const Call& call) { collect_return_targets(id, call); },
                            [](const auto&) {},
                        },
                        program_.effects[id].what);
         });
-        std::ranges::sort(wanted_.numbers);
+        wanted_.sort();
     }
 
     void collect_return_targets(EffectId id, const Call& call) {
         if (program_.control->calls[call.kind].trigger != CallTrigger::once) return;
         ReturnTargets paths = returns_(id);
         if (paths.to_next_block && paths.labels.empty()) return;
-        paths.to_next_block |= !surely_runs(call);
-        wanted_.numbers.insert(wanted_.numbers.end(), paths.labels.begin(), paths.labels.end());
+        paths.to_next_block |= !surely_runs(program_, call);
+        for (const Label& label : paths.labels) wanted_.add(label);
         return_targets_.emplace(id, std::move(paths));
     }
 
-    /// A count that may be 0, or vacant, may call nothing.
-    [[nodiscard]] bool surely_runs(const Call& call) const {
-        if (!call.repeat) return true;
-        const auto times = constant_target(program_, *call.repeat);
-        return times && *times > 0;
-    }
-
-    void want(std::optional<std::int64_t> number) {
-        if (number)
-            wanted_.numbers.push_back(*number);
+    void want(const std::optional<Label>& label) {
+        if (label)
+            wanted_.add(*label);
         else
             wanted_.any = true;
     }
@@ -151,17 +166,23 @@ class Building {
     }
 
     void take_block(ItemId item, const BlockView& block) {
-        // A program does not begin with a choice: somewhere the way past the block must begin, too.
+        // A program does not begin with a choice: somewhere the way past the block must begin, too. And a
+        // jump to the block may find it skipped.
         const bool nowhere_yet = graph_.nodes.empty();
-        if (block.skip_levels != 0 && (nowhere_yet || loose_.size() > most_passed_on))
+        const auto first = static_cast<NodeId>(graph_.nodes.size());
+        const std::size_t labels_before = graph_.labels.size();
+        if (block.number && wanted_(*block.number)) add_label(block, first);
+        if (block.name && wanted_(*block.name))
+            graph_.labels.push_back({*block.name, first, block.name_span, block.span});
+        const bool is_target = graph_.labels.size() > labels_before;
+        if (block.skip_levels != 0 && (is_target || nowhere_yet || loose_.size() > most_passed_on))
             new_node(item, {block.span.begin, block.span.begin}, {}, false);
         const std::vector<Loose> before = block.skip_levels != 0 ? loose_ : std::vector<Loose>{};
-        const auto first = static_cast<NodeId>(graph_.nodes.size());
-        if (block.number && wanted_(*block.number)) add_label(block, first);
+        const std::size_t nodes_before = graph_.nodes.size();
         item_ = item;
         part_ = block.span;
         take_effects(block.effects);
-        if (graph_.nodes.size() == first) new_node(item, block.span, {block.effects.first, 0}, false);
+        if (graph_.nodes.size() == nodes_before) new_node(item, block.span, {block.effects.first, 0}, false);
         for (Loose loose : before) {
             if (loose.kind == EdgeKind::next) loose.kind = EdgeKind::skip;
             loose_.push_back(loose);
@@ -201,7 +222,8 @@ class Building {
                        [&](const Return&) { exit(node, ExitKind::returns, id); },
                        [&](const Jump& jump) {
                            graph_.jumps.push_back({id, node, constant_target(program_, jump.target), {}});
-                           loose_.clear();
+                           // Where nothing bears the label the program goes on: resolve_jumps knows.
+                           if (jump.missing == MissingLabel::alarm) loose_.clear();
                        },
                        [&](const Guarded& guarded) {
                            loose_ = {{node, EdgeKind::branch, guarded.condition, true}};
@@ -213,6 +235,17 @@ class Building {
                        [](const auto&) {},
                    },
                    program_.effects[id].what);
+        if (!is_region_mark_or_guard(program_.effects[id].what) && some_channels_pass())
+            loose_.push_back({node, EdgeKind::pass, {}, true});
+    }
+
+    static bool is_region_mark_or_guard(const decltype(Effect::what)& what) {
+        return std::holds_alternative<Guarded>(what) || std::holds_alternative<RegionMark>(what);
+    }
+
+    /// Whether the block that is being built is not run by all channels of the program.
+    [[nodiscard]] bool some_channels_pass() const {
+        return program_.has_several_channels() && program_.channels_of(item_) != program_.channels;
     }
 
     static ExitKind exit_of(Stop::Kind stop) {
@@ -261,7 +294,7 @@ class Building {
         case RegionMark::Part::begin: break;
         case RegionMark::Part::middle: middle(*found, node, mark); break;
         case RegionMark::Part::leave: leave_selection(*found); break;
-        case RegionMark::Part::close: close(*found, node); break;
+        case RegionMark::Part::close: close(*found, node, mark.condition); break;
         }
     }
 
@@ -306,12 +339,15 @@ class Building {
         loose_.clear();
     }
 
-    void close(RegionId id, NodeId node) {
+    void close(RegionId id, NodeId node, std::optional<ExpressionId> test) {
         const auto found = open_.find(id);
         if (found == open_.end()) return;
         Open& open = found->second;
         const RegionKind region_kind = regions_.all[id].region_kind;
-        if (region_kind == RegionKind::while_loop || region_kind == RegionKind::endless_loop) {
+        if (region_kind == RegionKind::until_loop && test) {
+            add_edge({node, open.header, EdgeKind::back, test, false, {}, {}});
+            loose_ = {{node, EdgeKind::branch, test, true}};
+        } else if (is_loop(region_kind)) {
             add_edge({node, open.header, EdgeKind::back, {}, true, {}, {}});
             loose_.clear();
         }
@@ -323,24 +359,63 @@ class Building {
         open_.erase(found);
     }
 
+    // ---- channels ----
+
+    /// Which channels run each node: those that its block or section names. A condition in a block of some
+    /// channels concerns only these; no manual says whether the others run what it guards.
+    void find_channels() {
+        struct Around {
+            Channels deciding; ///< channels of which it is known whether they come here
+            Offset end;
+        };
+        std::vector<Around> around{{program_.channels, program_.span.end + 1}};
+        auto region = regions_.all.begin();
+        graph_.channels.reserve(graph_.nodes.size());
+        for (const Node& node : graph_.nodes) {
+            const Offset begin = node.part.begin;
+            while (around.size() > 1 && begin >= around.back().end) around.pop_back();
+            for (; region != regions_.all.end() && begin_of(region->open) < begin; ++region)
+                if (region->close && begin_of(*region->close) > begin)
+                    around.push_back({deciding(*region, around.back().deciding), begin_of(*region->close)});
+            const Channels running = program_.channels_of(node.item);
+            graph_.channels.push_back({running, static_cast<Channels>(running & ~around.back().deciding)});
+        }
+    }
+
+    [[nodiscard]] Channels deciding(const Region& region, Channels channels) const {
+        const auto also = [&](EffectId effect) {
+            if (const auto node = graph_.node_of(effect))
+                channels = static_cast<Channels>(channels & program_.channels_of(graph_.nodes[*node].item));
+        };
+        also(region.open);
+        std::ranges::for_each(region.parts, also);
+        return channels;
+    }
+
+    [[nodiscard]] Offset begin_of(EffectId effect) const { return program_.effects[effect].span.begin; }
+
     // ---- jumps ----
 
     void resolve_jumps() {
         index_labels();
         const auto computed = static_cast<std::size_t>(
-            std::ranges::count_if(graph_.jumps, [](const ResolvedJump& j) { return !j.number; }));
+            std::ranges::count_if(graph_.jumps, [](const ResolvedJump& j) { return !j.label; }));
         const bool share = computed * graph_.labels.size() > most_computed_edges;
         std::optional<NodeId> shared;
         for (ResolvedJump& jump : graph_.jumps) {
-            if (jump.number) {
-                if (const Label* label =
-                        graph_.find_label(*jump.number, graph_.nodes[jump.node].part.begin)) {
-                    jump.target = *label;
-                    add_edge({jump.node, label->node, EdgeKind::jump, {}, true, jump.jump, {}});
+            const auto& effect = std::get<Jump>(program_.effects[jump.jump].what);
+            const Offset from = graph_.nodes[jump.node].part.begin;
+            if (jump.label) {
+                if (const LabelledBlock* found = graph_.find_label(*jump.label, from, effect.search)) {
+                    jump.target = *found;
+                    add_edge({jump.node, found->node, EdgeKind::jump, {}, true, jump.jump, {}});
+                    if (effect.missing == MissingLabel::skip) goes_elsewhere_.push_back(jump.node);
                 }
             } else if (!share) {
-                for (const Label& label : graph_.labels)
-                    add_edge({jump.node, label.node, EdgeKind::computed, {}, true, jump.jump, label.number});
+                for (std::uint32_t i = 0; i < graph_.labels.size(); ++i)
+                    if (looks_at(effect.search, from, graph_.labels[i].block.begin))
+                        add_edge(
+                            {jump.node, graph_.labels[i].node, EdgeKind::computed, {}, true, jump.jump, i});
             } else {
                 if (!shared) shared = make_shared_target(jump.node);
                 add_edge({jump.node, *shared, EdgeKind::computed, {}, true, jump.jump, {}});
@@ -354,8 +429,8 @@ class Building {
         Node node = graph_.nodes[like];
         node.effects.count = 0;
         graph_.nodes.push_back(node);
-        for (const Label& label : graph_.labels)
-            add_edge({id, label.node, EdgeKind::computed, {}, true, {}, {}});
+        for (const LabelledBlock& labelled : graph_.labels)
+            add_edge({id, labelled.node, EdgeKind::computed, {}, true, {}, {}});
         return id;
     }
 
@@ -363,33 +438,36 @@ class Building {
         for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects)) {
             const auto* block = std::get_if<UnreadableBlock>(&effect.what);
             if (block == nullptr) continue;
-            for (const std::int64_t number : block->may_jump)
-                if (const Label* label = graph_.find_label(number, graph_.nodes[node].part.begin))
-                    add_edge({node, label->node, EdgeKind::jump, {}, true, {}, {}});
+            for (const Label& label : block->may_jump)
+                if (const LabelledBlock* found = graph_.find_label(label, graph_.nodes[node].part.begin,
+                                                                   LabelSearch::forward_then_top))
+                    add_edge({node, found->node, EdgeKind::jump, {}, true, {}, {}});
         }
     }
 
     void resolve_returns() {
         std::vector<bool> goes_elsewhere(graph_.nodes.size(), false);
+        for (const NodeId node : goes_elsewhere_) goes_elsewhere[node] = true;
         for (const auto& [node, call] : calls_) {
             const ReturnTargets& paths = return_targets_.at(call);
             bool all_there = true; // otherwise the control stops: what follows is not judged by that
-            for (const std::int64_t number : paths.labels) {
-                const Label* label = graph_.find_label(number, 0);
-                all_there &= label != nullptr;
-                if (label != nullptr) add_edge({node, label->node, EdgeKind::resume, {}, true, call, {}});
+            for (const Label& label : paths.labels) {
+                const LabelledBlock* found = graph_.find_label(label, 0, LabelSearch::forward_then_top);
+                all_there &= found != nullptr;
+                if (found != nullptr) add_edge({node, found->node, EdgeKind::resume, {}, true, call, {}});
             }
             goes_elsewhere[node] = !paths.to_next_block && all_there;
         }
         std::erase_if(graph_.edges, [&](const Edge& edge) {
-            return goes_elsewhere[edge.from] && edge.kind != EdgeKind::resume;
+            return goes_elsewhere[edge.from] && edge.kind != EdgeKind::resume &&
+                   edge.kind != EdgeKind::jump && edge.kind != EdgeKind::pass;
         });
         std::erase_if(graph_.exits, [&](const Exit& exit) { return goes_elsewhere[exit.node]; });
     }
 
     void index_labels() {
         std::ranges::stable_sort(graph_.labels, {},
-                                 [](const Label& l) { return std::pair(l.number, l.block.begin); });
+                                 [](const LabelledBlock& l) { return std::pair(l.label, l.block.begin); });
     }
 
     // ---- after all edges are there ----
@@ -442,6 +520,7 @@ class Building {
     std::unordered_map<EffectId, ReturnTargets>
         return_targets_;                             ///< of calls that may go on elsewhere than behind them
     std::vector<std::pair<NodeId, EffectId>> calls_; ///< these, and the nodes that end with them
+    std::vector<NodeId> goes_elsewhere_;             ///< jumps that need not find their label, and did
     std::unordered_map<RegionId, Open> open_;
     std::vector<Loose> loose_;
     ItemId item_ = 0;
@@ -493,12 +572,27 @@ EdgesByNode::EdgesByNode(std::size_t nodes, std::span<const Edge> edges, NodeId 
     for (EdgeId id = 0; id < edges.size(); ++id) ids_[next[edges[id].*node_of]++] = id;
 }
 
-const Label* Graph::find_label(std::int64_t number, Offset from) const {
-    const auto key = [](const Label& label) { return std::pair(label.number, label.block.begin); };
-    auto found = std::ranges::lower_bound(labels, std::pair(number, from), {}, key);
-    if (found == labels.end() || found->number != number)
-        found = std::ranges::lower_bound(labels, std::pair(number, Offset{0}), {}, key);
-    return found != labels.end() && found->number == number ? &*found : nullptr;
+std::span<const LabelledBlock> Graph::with_label(const Label& label) const {
+    const auto found = std::ranges::equal_range(labels, label, {}, &LabelledBlock::label);
+    return {found.begin(), found.end()};
+}
+
+bool Graph::has_label(const Label& label) const { return !with_label(label).empty(); }
+
+const LabelledBlock* Graph::find_label(const Label& label, Offset from, LabelSearch search) const {
+    const auto blocks = with_label(label);
+    const auto begin_of = [](const LabelledBlock& labelled) { return labelled.block.begin; };
+    const auto own = std::ranges::lower_bound(blocks, from, {}, begin_of);
+    const auto behind = std::ranges::upper_bound(blocks, from, {}, begin_of);
+    const auto at = [&](auto found) { return found == blocks.end() ? nullptr : &*found; };
+    const auto last_before = [&](auto end) { return end == blocks.begin() ? nullptr : &*std::prev(end); };
+    switch (search) {
+    case LabelSearch::forward_then_top: return at(own == blocks.end() ? blocks.begin() : own);
+    case LabelSearch::forward: return at(behind);
+    case LabelSearch::backward: return last_before(behind);
+    case LabelSearch::forward_then_backward: return behind != blocks.end() ? at(behind) : last_before(behind);
+    }
+    return nullptr;
 }
 
 std::optional<NodeId> Graph::node_of(EffectId effect) const {
@@ -530,12 +624,23 @@ Graph::path(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, s
     return path;
 }
 
-std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target) {
-    const auto* literal = std::get_if<Literal>(&program.expressions[target].node);
+std::optional<std::int64_t> constant_number(const Program& program, ExpressionId expression) {
+    const auto* literal = std::get_if<Literal>(&program.expressions[expression].node);
     constexpr double most = 9e15; // beyond it a double does not hold every whole number
     if (literal == nullptr) return std::nullopt;
     if (!(std::abs(literal->value) < most)) return std::numeric_limits<std::int64_t>::max();
     return std::llround(literal->value);
+}
+
+bool surely_runs(const Program& program, const Call& call) {
+    if (!call.repeat) return true;
+    const auto times = constant_number(program, *call.repeat);
+    return times && *times > 0;
+}
+
+std::optional<Label> constant_target(const Program& program, ExpressionId target) {
+    if (const auto* name = std::get_if<BlockName>(&program.expressions[target].node)) return *name;
+    return constant_number(program, target);
 }
 
 bool returns_behind_call(const Program& program, const Exit& exit) {

@@ -27,10 +27,11 @@ enum class EdgeKind : std::uint8_t {
     next,     ///< the following block
     branch,   ///< decided by `condition`
     jump,     ///< GOTO
-    computed, ///< GOTO to one of several sequence numbers
+    computed, ///< GOTO to one of several labels
     back,     ///< from the end of a loop to its condition
     skip,     ///< optional block skip
-    resume,   ///< a called program returns to a sequence number (M99 P)
+    resume,   ///< a called program returns to a label of its caller (M99 P)
+    pass,     ///< the channels that do not run the block go on after it
 };
 
 struct Edge {
@@ -38,8 +39,9 @@ struct Edge {
     EdgeKind kind;
     std::optional<ExpressionId> condition; ///< must be `holds` for this edge to be taken
     bool holds;
-    std::optional<EffectId> jump;      ///< the jump or call that makes the edge
-    std::optional<std::int64_t> label; ///< computed: the value that the target must have
+    std::optional<EffectId> jump; ///< the jump or call that makes the edge
+    /// Computed: the place in Graph::labels of the label that the target must be; nothing: of any.
+    std::optional<std::uint32_t> label;
 };
 
 enum class ExitKind : std::uint8_t {
@@ -56,11 +58,18 @@ struct Exit {
     std::optional<EffectId> effect; ///< the return or stop; empty for runs_off
 };
 
-/// A block that a jump can name.
-struct Label {
-    std::int64_t number;
+/// Which channels come to a node, in a program that runs in several.
+struct NodeChannels {
+    Channels running;   ///< those that run its effects
+    Channels uncertain; ///< of these, those of which no manual says whether they come here: the node stands
+                        ///< in a loop or choice that other channels decide
+};
+
+/// A block that a jump can name. A block with a number and a name is there twice.
+struct LabelledBlock {
+    Label label;
     NodeId node;
-    Span span; ///< of the sequence number
+    Span span; ///< of the label
     Span block;
 };
 
@@ -68,8 +77,8 @@ struct Label {
 struct ResolvedJump {
     EffectId jump;
     NodeId node;
-    std::optional<std::int64_t> number; ///< empty: computed
-    std::optional<Label> target;        ///< empty: no such sequence number, or computed
+    std::optional<Label> label;          ///< empty: computed
+    std::optional<LabelledBlock> target; ///< empty: no block bears the label, or computed
 };
 
 /// The edges at each node, in the order of their ids: all in one list, with the place where each node's
@@ -94,15 +103,24 @@ struct Graph {
     std::vector<Edge> edges;
     EdgesByNode out, in;
     std::vector<Exit> exits;
-    std::vector<Label> labels;       ///< those that something may name, by number, then in text order
-    std::vector<ResolvedJump> jumps; ///< in text order
+    std::vector<LabelledBlock> labels; ///< those that something may name, by label, then in text order
+    std::vector<ResolvedJump> jumps;   ///< in text order
     std::vector<std::uint32_t>
         order; ///< place of a node in reverse postorder from the entry; unreached: no_order
     static constexpr std::uint32_t no_order = 0xFFFFFFFF;
-    std::vector<NodeId> with_effects; ///< nodes that have effects, in the order of these
+    std::vector<NodeId> with_effects;   ///< nodes that have effects, in the order of these
+    std::vector<NodeChannels> channels; ///< of every node; empty for a program of one channel
+    Channels all_channels = 1;          ///< of the program; bit 0 where it names none
 
-    /// The first label `number` from `from` on, else from the top: where the control's search stops.
-    [[nodiscard]] const Label* find_label(std::int64_t number, Offset from) const;
+    [[nodiscard]] NodeChannels channels_at(NodeId node) const {
+        return channels.empty() ? NodeChannels{all_channels, 0} : channels[node];
+    }
+    /// The block at which the control's search for the label stops that begins in the block at `from`.
+    [[nodiscard]] const LabelledBlock* find_label(const Label& label, Offset from, LabelSearch search) const;
+    /// Whether any block bears the label.
+    [[nodiscard]] bool has_label(const Label& label) const;
+    /// All blocks that bear the label, in text order.
+    [[nodiscard]] std::span<const LabelledBlock> with_label(const Label& label) const;
     /// The node in which the effect runs; nothing in parts that are never executed.
     [[nodiscard]] std::optional<NodeId> node_of(EffectId effect) const;
     /// Edges on a shortest way from `from` to `to`, or nothing when there is none or the search has met
@@ -114,16 +132,21 @@ struct Graph {
 /// How a called program may come back.
 struct ReturnTargets {
     bool to_next_block = true;
-    std::vector<std::int64_t> labels; ///< sequence numbers of the caller
+    std::vector<Label> labels; ///< of the caller
 };
 using Returns = std::function<ReturnTargets(EffectId call)>;
 
-/// Whether who leaves the program there goes on behind the call, not at a sequence number.
+/// Whether who leaves the program there goes on behind the call, not at a label.
 [[nodiscard]] bool returns_behind_call(const Program& program, const Exit& exit);
 
 [[nodiscard]] Graph build_graph(const Program& program, const Regions& regions, const Returns& returns);
 
-/// The number that a jump's target expression names when it is a plain constant.
-[[nodiscard]] std::optional<std::int64_t> constant_target(const Program& program, ExpressionId target);
+/// Whether the called program runs at least once: a count may be 0, or vacant.
+[[nodiscard]] bool surely_runs(const Program& program, const Call& call);
+
+/// The number that an expression is when it is a plain constant.
+[[nodiscard]] std::optional<std::int64_t> constant_number(const Program& program, ExpressionId expression);
+/// The label that a jump's target expression names when it is a plain constant.
+[[nodiscard]] std::optional<Label> constant_target(const Program& program, ExpressionId target);
 
 } // namespace maclint::flow

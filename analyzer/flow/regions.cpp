@@ -9,13 +9,9 @@
 namespace maclint::flow {
 namespace {
 
-/// What pairs an opening with its close: an END closes WHILE and DO alike, every other construct has a close
-/// of its own; numbers must agree.
+/// What pairs an opening with its close: where loops have numbers an END closes WHILE and DO alike, every
+/// other construct has a close of its own; numbers must agree.
 using Key = std::pair<RegionKind, std::optional<std::int64_t>>;
-
-Key key_of(RegionKind region_kind, std::optional<std::int64_t> number) {
-    return {is_loop(region_kind) ? RegionKind::while_loop : region_kind, number};
-}
 
 /// A close that belongs to nothing, and the innermost loop or choice open there.
 struct Stray {
@@ -63,6 +59,11 @@ class Pairing {
     }
 
     // ---- pairing ----
+
+    [[nodiscard]] Key key_of(RegionKind region_kind, std::optional<std::int64_t> number) const {
+        const bool alike = has_numbers() && is_loop(region_kind);
+        return {alike ? RegionKind::while_loop : region_kind, number};
+    }
 
     void open(EffectId id, const RegionMark& mark) {
         Region region{mark.region_kind, id, {}, {}, false, {}, {}, mark.number, mark.condition};

@@ -22,6 +22,9 @@ struct BlockView {
     Span span; ///< without its end of line
     std::optional<std::int64_t> number = {};
     Span number_span = {};
+    std::optional<BlockName> name = {};
+    Span name_span = {};
+    Channels channels = 0;         ///< that it names; 0: those of its section
     std::uint16_t skip_levels = 0; ///< bit n: skip level n (bit 1 for a bare '/'); 0: never skipped
     Slice effects = {};            ///< Program::effects, in execution order
     /// What a block of addresses and literal numbers does without effects of its own: it sets these, then it
@@ -54,6 +57,9 @@ inline BlockView view_of(const Block& block) {
     return {.span = block.span,
             .number = block.sequence_number,
             .number_span = block.sequence_number_span,
+            .name = block.name,
+            .name_span = block.name_span,
+            .channels = block.channels,
             .skip_levels = block.skip_levels,
             .effects = block.effects};
 }

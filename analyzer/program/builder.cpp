@@ -94,6 +94,7 @@ void ProgramBuilder::end_block(Block block) {
     block.effects = {end_of(program_.effects), end_of(effects_)};
     std::ranges::move(effects_, std::back_inserter(program_.effects));
     effects_.clear();
+    add_channels(block.channels);
     program_.items.emplace_back(block);
 }
 

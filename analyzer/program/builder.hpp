@@ -38,10 +38,31 @@ class ProgramBuilder {
     void begin_section(std::string_view kind, Section::Executed executed, Span heading);
     [[nodiscard]] bool has_sections() const { return !program_.sections.empty(); }
 
+    /// The program runs in these channels, too.
+    void add_channels(Channels channels) {
+        program_.channels = static_cast<Channels>(program_.channels | channels);
+    }
+    /// The blocks of a section that name no channel run in these.
+    void set_channels(std::size_t section, Channels channels) {
+        program_.sections[section].channels = channels;
+        add_channels(channels);
+    }
+
+    // ---- names of blocks
+    [[nodiscard]] BlockName block_name(std::string_view name) {
+        return {program_.block_names.number_of(name)};
+    }
+
     // ---- names of variables
     /// The number of a name, which gets one when it is new.
-    [[nodiscard]] std::int32_t number_of_name(std::string_view name) {
-        return program_.names.number_of(name);
+    [[nodiscard]] std::int32_t number_of_name(SpaceId space, std::string_view name) {
+        return program_.control->spaces[space].scope == Scope::frame ? program_.names.number_of(name)
+                                                                     : program_.shared_names.number_of(name);
+    }
+    /// The next parameter.
+    void add_formal(Formal formal) { program_.formals.push_back(std::move(formal)); }
+    void declare(Variable variable, const Declaration& declaration) {
+        program_.declarations.insert_or_assign(variable, declaration);
     }
     /// `name` stands for the variable.
     void add_alias(Variable name, Variable variable) { program_.aliases.emplace(name, variable); }

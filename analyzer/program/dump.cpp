@@ -29,6 +29,21 @@ std::string describe_slice(const Program& program, Slice slice) {
     return out;
 }
 
+std::string describe_given(const Program& program, const Argument& argument) {
+    return std::visit(overloaded{[&](Variable variable) { return program.spell(variable); },
+                                 [](ArgumentPosition position) { return std::to_string(position.number); },
+                                 [](std::string_view name) { return std::string(name); }},
+                      argument.given);
+}
+
+std::string describe(const Program& program, const Jump& jump) {
+    static constexpr std::string_view searches[] = {"", " forward", " backward", " forward-then-backward"};
+    std::string out = "jump " + maclint::describe(program, jump.target);
+    out += searches[static_cast<std::size_t>(jump.search)];
+    if (jump.missing == MissingLabel::skip) out += " if-there";
+    return out;
+}
+
 std::string describe(const Program& program, const Call& call) {
     std::string out = "call ";
     out += program.control->calls[call.kind].name;
@@ -40,14 +55,15 @@ std::string describe(const Program& program, const Call& call) {
     for (const Argument& argument : program.arguments_of(call)) {
         out += ' ';
         out += argument.address;
-        out += '>' + program.spell(argument.formal) + '=' + maclint::describe(program, argument.value);
+        out += '>' + describe_given(program, argument) + '=' + maclint::describe(program, argument.value);
     }
     if (call.repeat) out += " times " + maclint::describe(program, *call.repeat);
     return out;
 }
 
 std::string describe(const Program& program, const RegionMark& mark) {
-    static constexpr std::string_view region_kinds[] = {"while", "endless", "choice", "selection", "unit"};
+    static constexpr std::string_view region_kinds[] = {"while", "endless",  "choice", "selection",
+                                                        "unit",  "counting", "until"};
     static constexpr std::string_view parts[] = {"open", "begin", "middle", "leave", "close"};
     std::string out(parts[static_cast<std::size_t>(mark.part)]);
     out += ' ';
@@ -60,7 +76,7 @@ std::string describe(const Program& program, const RegionMark& mark) {
 std::string describe(const Program& program, const UnreadableBlock& block) {
     std::string out = "unreadable";
     for (const Variable variable : block.may_write) out += " writes " + program.spell(variable);
-    for (const std::int64_t label : block.may_jump) out += " jumps " + std::to_string(label);
+    for (const Label& label : block.may_jump) out += " jumps " + program.spell(label);
     if (block.may_open_or_close) out += " opens-or-closes";
     if (block.may_call_or_return) out += " calls-or-returns";
     return out;
@@ -79,7 +95,10 @@ std::string describe(const Program& program, const Assign& assign) {
 
 std::string describe(const Program& program, const BlockView& block) {
     std::string out;
+    for (unsigned channel = 0; channel < 16; ++channel)
+        if ((block.channels >> channel & 1U) != 0) out += '$' + std::to_string(channel) + ' ';
     if (block.number) out += 'N' + std::to_string(*block.number) + ' ';
+    if (block.name) out += program.spell(*block.name) + ": ";
     for (unsigned level = 0; level < 16; ++level)
         if ((block.skip_levels >> level & 1U) != 0) out += '/' + std::to_string(level) + ' ';
     std::string effects = describe_slice(program, block.effects);
@@ -131,6 +150,7 @@ std::string describe(const Program& program, ExpressionId expression) {
     return std::visit(
         overloaded{[](const Literal& node) { return text_of(node.value) + (node.decimal_point ? "." : ""); },
                    [&](const Text& node) { return '"' + std::string(program.slice(node.characters)) + '"'; },
+                   [&](const BlockName& node) { return program.spell(Label(node)); },
                    [](Vacant) { return std::string("vacant"); },
                    [&](const Load& node) { return program.spell(node.variable); },
                    [&](const LoadAt& node) { return "#[" + describe(program, node.index) + "]"; },
@@ -172,7 +192,7 @@ std::string describe(const Program& program, const Effect& effect) {
                                                                          : "to the tool change position");
             },
             [&](const RegionMark& what) { return describe(program, what); },
-            [&](const Jump& what) { return "jump " + describe(program, what.target); },
+            [&](const Jump& what) { return describe(program, what); },
             [&](const Call& what) { return describe(program, what); },
             [&](const Return& what) {
                 return "return" + optional(" ", what.value) + optional(" to ", what.resume_label);

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace maclint {
@@ -39,13 +40,17 @@ std::optional<GroupId> ControlModel::group_with(ModalRole role) const {
 std::optional<GroupId> ControlModel::group_of(char letter, double code) const {
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const ModalGroup& group = groups[i];
-        if (group.letter == letter && std::ranges::find(group.members, code) != group.members.end())
+        if (group.letter == letter &&
+            std::ranges::find(group.members, code, &ModalMember::number) != group.members.end())
             return static_cast<GroupId>(i);
     }
     return std::nullopt;
 }
 
 std::string ControlModel::spell(GroupId group, double code) const {
+    const auto& members = groups[group].members;
+    const auto member = std::ranges::find(members, code, &ModalMember::number);
+    if (member != members.end() && !member->spelling.empty()) return std::string(member->spelling);
     std::array<char, 32> digits{};
     const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), code);
     std::string text(digits.data(), error == std::errc{} ? end : digits.data());
@@ -81,6 +86,36 @@ Span Program::span_of(ItemId item) const {
     return std::visit([](const auto& part) { return part.span; }, items[item]);
 }
 
+bool Program::is_formal(Variable variable) const {
+    return std::ranges::find(control->formals, variable) != control->formals.end() ||
+           std::ranges::find(formals, variable, &Formal::variable) != formals.end();
+}
+
+const Declaration* Program::declaration_of(Variable variable) const {
+    if (declarations.empty()) return nullptr;
+    const auto found = declarations.find(variable);
+    return found == declarations.end() ? nullptr : &found->second;
+}
+
+VariableType Program::type_of(Variable variable) const {
+    const Declaration* declaration = declaration_of(variable);
+    return declaration == nullptr ? control->spaces[variable.space].type : declaration->type;
+}
+
+std::string Program::spell(const Label& label) const {
+    if (const auto* name = std::get_if<BlockName>(&label)) return std::string(block_names[name->number]);
+    return 'N' + std::to_string(std::get<std::int64_t>(label));
+}
+
+Channels Program::channels_of(ItemId item) const {
+    const auto* block = std::get_if<Block>(&items[item]);
+    if (block != nullptr && block->channels != 0) return block->channels;
+    const auto after = std::ranges::upper_bound(sections, item, {},
+                                                [](const Section& section) { return section.items.first; });
+    if (after == sections.begin() || std::prev(after)->channels == 0) return channels;
+    return std::prev(after)->channels;
+}
+
 Variable Program::meant_by(Variable variable) const {
     const auto alias = aliases.find(variable);
     return alias == aliases.end() ? variable : alias->second;
@@ -91,7 +126,9 @@ std::string Program::spell(Variable variable) const {
     const auto index = static_cast<std::size_t>(variable.number);
     if (index < space.fixed_names.size())
         return std::string(space.prefix) + std::string(space.fixed_names[index]);
-    if (space.named) return std::string(space.prefix).append(names[variable.number]);
+    if (space.named)
+        return std::string(space.prefix)
+            .append(space.scope == Scope::frame ? names[variable.number] : shared_names[variable.number]);
     return std::string(space.prefix) + std::to_string(variable.number);
 }
 

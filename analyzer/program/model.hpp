@@ -30,6 +30,16 @@ struct Slice {
     Id count = 0;
 };
 
+// ---- labels ----
+
+/// The name of a block: its number in Program::block_names.
+struct BlockName {
+    std::int32_t number;
+    friend auto operator<=>(const BlockName&, const BlockName&) = default;
+};
+/// What a jump can name: the number of a block or its name.
+using Label = std::variant<std::int64_t, BlockName>;
+
 // ---- expressions ----
 
 /// What an operator or function does; the analysis has one row of semantics for each.
@@ -106,7 +116,8 @@ struct Apply {
 struct Unreadable {}; ///< the parser could not make sense of it
 
 struct Expression {
-    std::variant<Literal, Text, Vacant, Load, LoadAt, LoadModal, LoadMachine, Apply, Unreadable> node;
+    std::variant<Literal, Text, BlockName, Vacant, Load, LoadAt, LoadModal, LoadMachine, Apply, Unreadable>
+        node;
     Span span; ///< brackets around it included
 };
 
@@ -163,9 +174,18 @@ struct Reference {
     ExpressionId block;
 };
 
-enum class RegionKind : std::uint8_t { while_loop, endless_loop, choice, selection, unit };
+enum class RegionKind : std::uint8_t {
+    while_loop,
+    endless_loop,
+    choice,
+    selection,
+    unit,
+    counting_loop, ///< FOR: its start value is stored before it opens, its step before it closes
+    until_loop,    ///< REPEAT: the condition stands at its close and ends it
+};
 [[nodiscard]] constexpr bool is_loop(RegionKind region_kind) {
-    return region_kind == RegionKind::while_loop || region_kind == RegionKind::endless_loop;
+    return region_kind == RegionKind::while_loop || region_kind == RegionKind::endless_loop ||
+           region_kind == RegionKind::counting_loop || region_kind == RegionKind::until_loop;
 }
 
 /// Opens, divides or closes a construct. In a language whose loops have numbers, a number pairs open and
@@ -184,15 +204,42 @@ struct RegionMark {
     std::optional<ExpressionId> condition;
 };
 
-struct Jump {
-    ExpressionId target;
-}; ///< to a sequence number; a condition around it is a Guarded effect
+/// Where the control looks for the block that a jump names, seen from the jump's own block.
+enum class LabelSearch : std::uint8_t {
+    forward_then_top, ///< from its own block to the end, then from the top
+    forward,          ///< after it
+    backward,         ///< from its own block to the top
+    forward_then_backward,
+};
+/// What happens when no block bears the label.
+enum class MissingLabel : std::uint8_t { alarm, skip };
 
+/// A condition around it is a Guarded effect.
+struct Jump {
+    ExpressionId target; ///< Literal: a block number; BlockName: a name
+    LabelSearch search = LabelSearch::forward_then_top;
+    MissingLabel missing = MissingLabel::alarm;
+};
+
+/// How a value reaches the called program.
+enum class Passing : std::uint8_t {
+    by_value,
+    by_reference, ///< the parameter is the variable of the caller
+    as_declared,  ///< the called program says which
+};
+/// The place of an argument in its list, from 0 on.
+struct ArgumentPosition {
+    std::uint32_t number;
+    friend bool operator==(const ArgumentPosition&, const ArgumentPosition&) = default;
+};
 struct Argument {
-    Variable formal;
+    /// A letter names the same variable of whatever program is called; a position or a name means one of
+    /// its parameters (Program::formals), which only the workspace knows.
+    std::variant<Variable, ArgumentPosition, std::string_view> given;
     ExpressionId value;
     std::string_view address; ///< "A", "LA"; static lifetime or into the source text
     Span span;
+    Passing passing = Passing::by_value;
 };
 struct Call {
     std::variant<std::monostate, ExpressionId, Text>
@@ -217,7 +264,7 @@ struct Guarded {
 struct UnreadableBlock {
     std::vector<Variable>
         may_write; ///< all that it names: it may change them, or be the test that was missing
-    std::vector<std::int64_t> may_jump;
+    std::vector<Label> may_jump;
     bool may_open_or_close; ///< it names DO, END, IF …: balance findings that it may explain are held back
     bool may_call_or_return;
 };
@@ -241,6 +288,9 @@ struct Word {
     [[nodiscard]] bool has_value() const { return !std::holds_alternative<std::monostate>(value); }
 };
 
+/// Channels (slides) as bits: bit n is channel n. 0: none is named.
+using Channels = std::uint16_t;
+
 /// A block with anything beyond address letters and literal numbers.
 struct Block {
     Span span; ///< without its end of line
@@ -249,6 +299,9 @@ struct Block {
     std::uint16_t skip_levels; ///< bit n: skip level n (bit 1 for a bare '/'); 0: never skipped
     Slice words;               ///< Program::words
     Slice effects;             ///< Program::effects, in execution order
+    Channels channels = 0;     ///< that the block names; 0: those of its section
+    std::optional<BlockName> name = {};
+    Span name_span = {};
 };
 
 /// One modal setting of a plain block.
@@ -283,7 +336,24 @@ struct Section {
     std::string_view kind; ///< "program", "MACHINING", …: name of a row of ControlModel::sections
     Slice items;
     enum class Executed : std::uint8_t { when_reached, at_load, never } executed;
-    Span heading = {}; ///< the line that begins it; empty for "program"
+    Span heading = {};     ///< the line that begins it; empty for "program"
+    Channels channels = 0; ///< of blocks that name none; 0: all those of the program
+};
+
+/// A parameter of a program.
+struct Formal {
+    Variable variable;
+    std::string name; ///< as arguments that are given by name spell it
+    Passing passing;  ///< by_value or by_reference
+    Span span;
+};
+
+/// A variable that the text declares.
+struct Declaration {
+    VariableType type;
+    std::optional<double> initial; ///< what it reads as before anything was stored, where its space does not
+                                   ///< say so; of a parameter: when the call leaves it out
+    Span span;
 };
 
 /// One program of a file.
@@ -310,7 +380,12 @@ class Program {
     std::vector<Word> words;
     std::vector<Argument> arguments;
     std::vector<ModalSetting> settings;
-    Names names;                       ///< of named variables
+    Names names;                 ///< of named variables
+    SharedNames shared_names;    ///< of those that all programs share
+    Names block_names;           ///< of named blocks
+    Channels channels = 0;       ///< all that its text names: it runs in each of them at the same time
+    std::vector<Formal> formals; ///< parameters, by position
+    std::unordered_map<Variable, Declaration, VariableHash> declarations;
     std::vector<Variable> handed_down; ///< locals that all programs called from here see, too: #l1(200)
     std::unordered_map<Variable, Variable, VariableHash>
         aliases; ///< names, and the variables that they stand for
@@ -323,6 +398,17 @@ class Program {
     [[nodiscard]] std::span<const Effect> effects_in(Slice slice) const;
     [[nodiscard]] std::span<const Argument> arguments_of(const Call& call) const;
     [[nodiscard]] Span span_of(ItemId item) const;
+    /// Whether a call can set the variable: a letter of the control reaches it, or it is a parameter.
+    [[nodiscard]] bool is_formal(Variable variable) const;
+    /// The declaration of the variable, or nullptr.
+    [[nodiscard]] const Declaration* declaration_of(Variable variable) const;
+    [[nodiscard]] VariableType type_of(Variable variable) const;
+    /// "N10", "START".
+    [[nodiscard]] std::string spell(const Label& label) const;
+    /// Whether it runs in more than one channel: then what is true of one need not be true of another.
+    [[nodiscard]] bool has_several_channels() const { return (channels & (channels - 1U)) != 0; }
+    /// The channels that run the blocks of an item: those that it or its section names, else all.
+    [[nodiscard]] Channels channels_of(ItemId item) const;
     /// The variable that a name stands for; any other place is itself.
     [[nodiscard]] Variable meant_by(Variable variable) const;
     /// "#101", "__la".

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace maclint {
@@ -27,6 +28,24 @@ class Names {
   private:
     std::vector<std::string> names_;
     std::unordered_map<std::string, std::int32_t, TextHash, std::equal_to<>> numbers_;
+};
+
+/// The names of variables that all programs share. A number is made of the name's letters, so that it is the
+/// same in every program and in every run; two names may meet in one number.
+class SharedNames {
+  public:
+    /// A name with its number.
+    using Numbered = std::pair<std::int32_t, std::string>;
+
+    std::int32_t number_of(std::string_view name);
+    /// A name of that number; empty when none has it.
+    [[nodiscard]] std::string_view operator[](std::int32_t number) const;
+    /// In no order.
+    [[nodiscard]] std::vector<Numbered> all() const;
+
+  private:
+    std::unordered_map<std::int32_t, std::string> names_;
+    std::vector<Numbered> others_; ///< names whose number another name had before
 };
 
 /// Variables by their names.

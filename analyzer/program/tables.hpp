@@ -18,6 +18,19 @@ using FamilyId = std::uint8_t;        ///< row of ControlModel::families
 using CallKindId = std::uint8_t;      ///< row of ControlModel::calls
 using ReferenceKindId = std::uint8_t; ///< row of ControlModel::references
 
+/// A member of a modal group: the number that the state holds, and how it is written where that is not the
+/// group's letter and the number (DIAMON).
+struct ModalMember {
+    constexpr ModalMember(
+        double member_number) // NOLINT(google-explicit-constructor): tables are lists of them
+        : number(member_number) {}
+    constexpr ModalMember(double member_number, std::string_view written)
+        : number(member_number)
+        , spelling(written) {}
+    double number;
+    std::string_view spelling = {};
+};
+
 /// How long a variable lives and who shares it.
 enum class Scope : std::uint8_t {
     frame,    ///< one set for every call level (local variables)
@@ -29,11 +42,15 @@ enum class Scope : std::uint8_t {
 /// What a variable reads as before anything was stored in it.
 enum class InitialValue : std::uint8_t { vacant, zero, undefined, old_value };
 
+/// What a variable can hold. What is stored in an integer is rounded, in a truth it becomes 0 or 1.
+enum class VariableType : std::uint8_t { number, integer, text, truth };
+
 /// One row of the variable-space table.
 struct VariableSpace {
     std::string_view name;   ///< "local variable"
     std::string_view prefix; ///< how a place of it is written before its number: "#"
-    bool named;              ///< a place's number is the index of a name, not part of the spelling
+    bool named; ///< a place's number is that of a name (Names; SharedNames where programs share it), not
+                ///< part of the spelling
     Scope scope;
     InitialValue initial_value;
     std::string_view source;
@@ -41,7 +58,8 @@ struct VariableSpace {
         {}; ///< how its places are spelled behind the prefix, by number
     bool handed_down =
         false; ///< a program may hand places of it down to all that it calls (Program::handed_down)
-    bool written_once = false; ///< constants: only their definition writes them
+    bool written_once = false;                ///< constants: only their definition writes them
+    VariableType type = VariableType::number; ///< of variables that no declaration speaks of
 };
 
 /// One variable: a space and a number (for named variables the index of the name in its program).
@@ -104,10 +122,10 @@ struct ModalGroup {
     ModalRole role;        ///< what rules and lowering find it by
     char letter;           ///< 'G', 'F', 'S'; '#' for a group that is a variable (single-block suppression)
     RestorePolicy restore_policy;
-    std::vector<double> members;   ///< codes of the group; empty for value groups
-    std::vector<double> customary; ///< codes that a program may leave behind without comment
-    std::optional<double> cancel;  ///< the code that ends an operation (G40, G80)
-    std::optional<double> reset;   ///< the code in force in a main program's first block, where it is known
+    std::vector<ModalMember> members; ///< codes of the group; empty for value groups
+    std::vector<double> customary;    ///< codes that a program may leave behind without comment
+    std::optional<double> cancel;     ///< the code that ends an operation (G40, G80)
+    std::optional<double> reset; ///< the code in force in a main program's first block, where it is known
     std::string_view source;
     std::string_view cancel_words = {}; ///< how `cancel` is written where it is more than a code: "G16 Q0"
     bool watched = false;               ///< rules ask for the state in front of each word that sets it

@@ -11,12 +11,18 @@ constexpr std::size_t most_kept = 8192;
 
 } // namespace
 
+const Tree* ParseCache::find(std::string_view key) const {
+    if (key.size() > longest_kept) return nullptr;
+    const auto known = trees_.find(key);
+    return known == trees_.end() ? nullptr : &known->second;
+}
+
 const Tree& ParseCache::parse(std::string_view key) {
     if (key.size() > longest_kept) {
         syntax::parse(grammar_, key, long_text_);
         return long_text_;
     }
-    if (const auto known = trees_.find(key); known != trees_.end()) return known->second;
+    if (const Tree* known = find(key)) return *known;
     if (trees_.size() >= most_kept) trees_.clear();
     Tree& tree = trees_[std::string(key)];
     syntax::parse(grammar_, key, tree);

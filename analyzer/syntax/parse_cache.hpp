@@ -19,6 +19,8 @@ class ParseCache {
     explicit ParseCache(Grammar grammar)
         : grammar_(grammar) {}
 
+    /// The tree of the blocks with that key if it is there.
+    [[nodiscard]] const Tree* find(std::string_view key) const;
     /// The tree of the blocks with that key, good until the next call.
     [[nodiscard]] const Tree& parse(std::string_view key);
 

@@ -27,6 +27,7 @@ struct Point {
     EffectId first;     ///< effects of the node before this one have run
     flow::NodeId call;  ///< the node that made the call, where the search began in this program
     std::uint32_t idle; ///< bit n: the n-th code under which nobody asks for the value is in force
+    Channels channels;  ///< in which the group was left so; 0: all that run the program
     bool inside; ///< of a program that was called on the way: its return leads back to where we are anyway
 };
 
@@ -60,7 +61,8 @@ class Search {
 
     void push(const Point& point) {
         // Two calls that lead to one node are two questions: the way from each may be open or closed.
-        const Variable key{point.program, point.node, point.first, point.call, point.idle, point.inside};
+        const Variable key{point.program, point.node,     point.first, point.call,
+                           point.idle,    point.channels, point.inside};
         if (visited_.insert(key).second) stack_.push_back(point);
     }
 
@@ -86,18 +88,23 @@ class Search {
         if (!node)
             result_.matters = true; // in a part that nothing executes
         else
-            push({caller.program, *node, caller.effect + 1, *node, idle, false});
+            push({caller.program, *node, caller.effect + 1, *node, idle,
+                  at(caller.program).graph().channels_at(*node).running, false});
     }
 
     void visit(Point point) {
         const ProgramAnalysis& program = at(point.program);
         const flow::Node& node = program.graph().nodes[point.node];
-        const bool goes_on =
-            node.is_run ? visit_run(program, node, point) : visit_block(program, node, point);
+        const Channels running = program.graph().channels_at(point.node).running;
+        const bool is_passed = point.channels != 0 && (running & point.channels) == 0;
+        const bool goes_on = is_passed     ? true
+                             : node.is_run ? visit_run(program, node, point)
+                                           : visit_block(program, node, point);
         if (!goes_on) return;
         for (const flow::EdgeId id : program.graph().out[point.node])
             if (program.data().passable(id))
-                push({point.program, program.graph().edges[id].to, 0, point.call, point.idle, point.inside});
+                push({point.program, program.graph().edges[id].to, 0, point.call, point.idle, point.channels,
+                      point.inside});
         if (point.inside) return;
         for (const flow::Exit& exit : program.graph().exits)
             if (exit.node == point.node &&
@@ -171,7 +178,7 @@ class Search {
         const CallSite* site = program.call_at(id);
         if (site == nullptr || !site->target || site->in_cycle) return false;
         const ProgramAnalysis& callee = at(*site->target);
-        push({callee.index(), 0, 0, 0, point.idle, true});
+        push({callee.index(), 0, 0, 0, point.idle, 0, true});
         point.idle = idle_behind(callee, point.idle);
         return std::ranges::find(callee.summary().groups, group_, &dataflow::GroupChange::group) ==
                callee.summary().groups.end();
@@ -204,7 +211,8 @@ class Search {
     };
     std::vector<Returning> waiting_;
     std::set<ProgramIndex> returned_;
-    using Variable = std::tuple<ProgramIndex, flow::NodeId, EffectId, flow::NodeId, std::uint32_t, bool>;
+    using Variable =
+        std::tuple<ProgramIndex, flow::NodeId, EffectId, flow::NodeId, std::uint32_t, Channels, bool>;
     std::set<Variable> visited_;
     LeakUse result_{false, nullptr, {}};
 };

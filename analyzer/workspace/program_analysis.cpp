@@ -12,16 +12,14 @@ std::optional<std::vector<flow::EdgeId>> ProgramAnalysis::path_from_start(flow::
     return paths_->to(graph_, node);
 }
 
-std::vector<flow::Label> ProgramAnalysis::targets_of(const flow::ResolvedJump& jump) const {
+std::vector<flow::LabelledBlock> ProgramAnalysis::targets_of(const flow::ResolvedJump& jump) const {
     if (jump.target) return {*jump.target};
-    std::vector<flow::Label> targets;
+    std::vector<flow::LabelledBlock> targets;
     for (const flow::EdgeId id : graph_.out[jump.node]) {
         const flow::Edge& edge = graph_.edges[id];
         if (edge.kind != flow::EdgeKind::computed || edge.jump != jump.jump || !data_->passable(id)) continue;
         if (!edge.label) return {};
-        auto label = std::ranges::lower_bound(graph_.labels, *edge.label, {}, &flow::Label::number);
-        while (label != graph_.labels.end() && label->node != edge.to) ++label;
-        if (label != graph_.labels.end()) targets.push_back(*label);
+        targets.push_back(graph_.labels[*edge.label]);
     }
     return targets;
 }
@@ -33,14 +31,14 @@ std::vector<Caller> ProgramAnalysis::possible_callers() const {
     return callers;
 }
 
-std::optional<EffectId> ProgramAnalysis::user_of_label(std::int64_t number) const {
+std::optional<EffectId> ProgramAnalysis::user_of_label(const Label& label) const {
     std::optional<EffectId> user;
-    auto label = std::ranges::lower_bound(graph_.labels, number, {}, &flow::Label::number);
-    for (; label != graph_.labels.end() && label->number == number; ++label)
-        for (const flow::EdgeId id : graph_.in[label->node]) {
+    for (const flow::LabelledBlock& labelled : graph_.with_label(label))
+        for (const flow::EdgeId id : graph_.in[labelled.node]) {
             const flow::Edge& edge = graph_.edges[id];
             const bool stated = edge.kind == flow::EdgeKind::jump;
-            const bool possible = (edge.kind == flow::EdgeKind::computed && edge.label == number) ||
+            const bool possible = (edge.kind == flow::EdgeKind::computed && edge.label &&
+                                   graph_.labels[*edge.label].label == label) ||
                                   edge.kind == flow::EdgeKind::resume;
             if (!edge.jump || !(stated || (possible && data_->passable(id)))) continue;
             if (!user || program_->effects[*edge.jump].span.begin < program_->effects[*user].span.begin)
@@ -49,11 +47,12 @@ std::optional<EffectId> ProgramAnalysis::user_of_label(std::int64_t number) cons
     return user;
 }
 
-std::vector<dataflow::OriginId> ProgramAnalysis::own_modal_calls(const dataflow::State& state) const {
+std::vector<dataflow::OriginId> ProgramAnalysis::own_modal_calls(const dataflow::State& state,
+                                                                 flow::NodeId node) const {
     std::vector<dataflow::OriginId> calls;
     const std::optional<GroupId> group = control().group_with(ModalRole::macro_call);
     if (!group) return calls;
-    const dataflow::ModalValue& value = data_->modal(state, *group);
+    const dataflow::ModalValue value = data_->modal(state, node, *group);
     if (value.unknown) return calls;
     for (const dataflow::ModalPart& part : value.parts) {
         const dataflow::Origin& origin = data_->origin(part.origin);

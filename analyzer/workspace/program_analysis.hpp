@@ -38,6 +38,7 @@ struct CallSite {
     bool in_cycle;                      ///< caller and callee call each other, perhaps through others
     bool closes_cycle;                  ///< it calls a program from which its own program was called
     std::size_t candidates;             ///< programs of that number or name in the workspace
+    std::vector<dataflow::PassedReference> references; ///< of the target
     /// Without a target: those that it may mean. Calls share the lists.
     std::vector<std::shared_ptr<Candidates>> equally_near;
 };
@@ -78,12 +79,13 @@ class ProgramAnalysis {
     [[nodiscard]] const dataflow::Summary& summary() const { return data_->summary(); }
 
     /// The blocks that a jump can reach; none when nobody knows.
-    [[nodiscard]] std::vector<flow::Label> targets_of(const flow::ResolvedJump& jump) const;
-    /// The first jump that can go to the sequence number, or call that can return there.
-    [[nodiscard]] std::optional<EffectId> user_of_label(std::int64_t number) const;
-    /// The modal calls of this program that are active in the state: where each was made. None when a program
-    /// that nobody knows may have ended them.
-    [[nodiscard]] std::vector<dataflow::OriginId> own_modal_calls(const dataflow::State& state) const;
+    [[nodiscard]] std::vector<flow::LabelledBlock> targets_of(const flow::ResolvedJump& jump) const;
+    /// The first jump that can go to the label, or call that can return there.
+    [[nodiscard]] std::optional<EffectId> user_of_label(const Label& label) const;
+    /// The modal calls of this program that are active in the state at a node: where each was made. None when
+    /// a program that nobody knows may have ended them.
+    [[nodiscard]] std::vector<dataflow::OriginId> own_modal_calls(const dataflow::State& state,
+                                                                  flow::NodeId node) const;
 
     [[nodiscard]] const std::vector<CallSite>& calls() const { return calls_; }
     [[nodiscard]] const CallSite* call_at(EffectId effect) const;

@@ -74,7 +74,7 @@ void CallResolver::add(ProgramsByName& programs_by_name, const ProgramAnalysis& 
 
 bool CallResolver::is_computed(const Program& program, const Call& call) {
     const auto* expression = std::get_if<ExpressionId>(&call.program);
-    return expression != nullptr && !flow::constant_target(program, *expression);
+    return expression != nullptr && !flow::constant_number(program, *expression);
 }
 
 const CallResolver::ProgramsByName* CallResolver::programs_named(const ProgramAnalysis& caller,
@@ -87,13 +87,13 @@ const CallResolver::ProgramsByName* CallResolver::programs_named(const ProgramAn
         return look_up(by_name_, folded(caller.program().slice(text->characters)));
     const auto* expression = std::get_if<ExpressionId>(&call.program);
     if (expression == nullptr) return nullptr;
-    const auto number = flow::constant_target(caller.program(), *expression);
+    const auto number = flow::constant_number(caller.program(), *expression);
     return number ? look_up(by_number_, *number) : nullptr;
 }
 
 CallSite CallResolver::resolve(const ProgramAnalysis& caller, EffectId effect) const {
     const auto& call = std::get<Call>(caller.program().effects[effect].what);
-    CallSite site{effect, {}, false, false, 0, {}};
+    CallSite site{effect, {}, false, false, 0, {}, {}};
     const ProgramsByName* programs_by_name = programs_named(caller, call);
     if (programs_by_name == nullptr) return site;
     std::size_t nearest = static_cast<std::size_t>(-1);

@@ -3,6 +3,7 @@
 #include "analyzer/workspace/workspace.hpp"
 
 #include "analyzer/flow/components.hpp"
+#include "analyzer/workspace/bind.hpp"
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/resolve.hpp"
@@ -27,6 +28,7 @@ class WorkspaceBuilder {
                 programs_.emplace_back(workspace_, static_cast<ProgramIndex>(programs_.size()), file,
                                        program);
         resolve_calls();
+        find_ambiguous_names();
         components_ = flow::find_components(adjacency_);
         for (const auto& layer : flow::layers_of(adjacency_, components_)) analyse_layer(layer);
         mark_cycles();
@@ -46,7 +48,7 @@ class WorkspaceBuilder {
         });
         std::vector<Candidates*> called;
         for (ProgramAnalysis& analysis : programs_) {
-            for (const CallSite& site : analysis.calls_) {
+            for (CallSite& site : analysis.calls_) {
                 const Caller caller{analysis.index(), site.effect};
                 for (const auto& same_name : site.equally_near) {
                     if (same_name->callers.empty()) {
@@ -59,25 +61,59 @@ class WorkspaceBuilder {
                 if (CallResolver::is_computed(analysis.program(), call_of(caller)))
                     computing_.insert(analysis.control().language);
                 if (!site.target) continue;
+                site.references =
+                    references_of(analysis.program(), call_of(caller), programs_[*site.target].program());
                 adjacency_.add(*site.target);
                 programs_[*site.target].callers_.push_back(caller);
             }
             adjacency_.end_list();
         }
         for (Candidates* same_name : called) {
-            same_name->passed = passed_by(same_name->callers);
+            same_name->passed = passed_by(same_name->callers, nullptr);
             same_name->locals_shared = some_share_locals(same_name->callers);
         }
     }
 
-    /// Arguments that some of the callers pass, sorted.
-    [[nodiscard]] std::vector<Variable> passed_by(const std::vector<Caller>& callers) const {
+    /// What some of the callers pass to the program, sorted; without a program what letters pass to any.
+    [[nodiscard]] std::vector<Variable> passed_by(const std::vector<Caller>& callers,
+                                                  const Program* callee) const {
         std::vector<Variable> passed;
         for (const Caller& caller : callers)
             for (const Argument& argument : programs_[caller.program].program().arguments_of(call_of(caller)))
-                passed.push_back(argument.formal);
+                if (const auto formal = bound_to(argument, callee)) passed.push_back(*formal);
         sort(passed);
         return passed;
+    }
+
+    /// Variables that a call hands over for parameters that the callee declares as references.
+    static std::vector<dataflow::PassedReference> references_of(const Program& caller, const Call& call,
+                                                                const Program& callee) {
+        std::vector<dataflow::PassedReference> references;
+        if (callee.formals.empty()) return references;
+        for (const Argument& argument : caller.arguments_of(call)) {
+            const auto formal = bound_to(argument, &callee);
+            const auto* load = std::get_if<Load>(&caller.expressions[argument.value].node);
+            if (!formal || load == nullptr) continue;
+            const auto declared = std::ranges::find(callee.formals, *formal, &Formal::variable);
+            if (declared != callee.formals.end() && declared->passing == Passing::by_reference)
+                references.push_back({*formal, load->variable});
+        }
+        return references;
+    }
+
+    /// Names that share their number with another one, in whatever program they stand.
+    void find_ambiguous_names() {
+        std::vector<SharedNames::Numbered> names;
+        for (const ProgramAnalysis& analysis : programs_) {
+            const auto own = analysis.program().shared_names.all();
+            names.insert(names.end(), own.begin(), own.end());
+        }
+        std::ranges::sort(names);
+        names.erase(std::ranges::unique(names).begin(), names.end());
+        auto& ambiguous = workspace_.ambiguous_names_;
+        for (std::size_t i = 1; i < names.size(); ++i)
+            if (names[i].first == names[i - 1].first) ambiguous.push_back(names[i].first);
+        ambiguous.erase(std::ranges::unique(ambiguous).begin(), ambiguous.end());
     }
 
     static void sort(std::vector<Variable>& variables) {
@@ -111,18 +147,21 @@ class WorkspaceBuilder {
                               std::ranges::count(adjacency_[analysis.index()], analysis.index()) != 0;
         for (CallSite& site : analysis.calls_)
             site.in_cycle = site.target && components_.of[*site.target] == own;
-        const dataflow::Callees callees = [&analysis,
-                                           &programs = programs_](EffectId call) -> const dataflow::Summary& {
+        const dataflow::Callees callees = [&analysis, &programs = programs_](EffectId call) {
             static const dataflow::Summary unknown{};
             const CallSite* site = analysis.call_at(call);
             // Within a cycle no summary is there yet: its calls count as unknown, whatever the order of work.
-            if (site == nullptr || !site->target || site->in_cycle) return unknown;
-            return programs[*site->target].summary();
+            if (site == nullptr || !site->target || site->in_cycle) return dataflow::Callee{unknown, {}};
+            return dataflow::Callee{programs[*site->target].summary(), site->references};
         };
         analysis.regions_ = flow::pair_regions(program);
         analysis.graph_ = flow::build_graph(program, analysis.regions_, [&](EffectId call) {
-            const dataflow::Summary& summary = callees(call);
-            return flow::ReturnTargets{summary.returns, summary.resume_labels};
+            const dataflow::Summary& summary = callees(call).summary;
+            const CallSite* site = analysis.call_at(call);
+            if (site != nullptr && site->in_cycle)
+                return flow::ReturnTargets{
+                    true, labels_in(program, labels_returned_to(programs_[*site->target].program()))};
+            return flow::ReturnTargets{summary.returns, labels_in(program, summary.resume_labels)};
         });
         const bool main = runs_on_its_own(analysis);
         analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
@@ -133,6 +172,34 @@ class WorkspaceBuilder {
                 program, analysis.regions_, analysis.graph_, *analysis.data_, *cycles);
         }
         analysis.is_macro_ = !main && takes_arguments(analysis);
+    }
+
+    /// All labels of callers that the program's text names (M99 P), reached or not.
+    static std::vector<dataflow::CallersLabel> labels_returned_to(const Program& program) {
+        std::vector<dataflow::CallersLabel> labels;
+        flow::for_each_effect(program, [&](EffectId id) {
+            const auto* back = std::get_if<Return>(&program.effects[id].what);
+            if (back == nullptr || !back->resume_label) return;
+            if (const auto label = flow::constant_target(program, *back->resume_label))
+                labels.push_back(dataflow::callers_label(program, *label));
+        });
+        return labels;
+    }
+
+    /// What a callee spells are labels of its caller; a name that the caller lacks is that of no block.
+    static std::vector<Label> labels_in(const Program& caller,
+                                        std::span<const dataflow::CallersLabel> spelled) {
+        constexpr std::int32_t of_no_block = -1;
+        std::vector<Label> labels;
+        labels.reserve(spelled.size());
+        for (const dataflow::CallersLabel& label : spelled) {
+            if (const auto* number = std::get_if<std::int64_t>(&label))
+                labels.emplace_back(*number);
+            else
+                labels.emplace_back(
+                    BlockName{caller.block_names.find(std::get<std::string>(label)).value_or(of_no_block)});
+        }
+        return labels;
     }
 
     static bool runs_on_its_own(const ProgramAnalysis& analysis) {
@@ -152,11 +219,15 @@ class WorkspaceBuilder {
         dataflow::EntryKnowledge entry{
             main ? dataflow::Entry::main : dataflow::Entry::called_unknown, {}, {}};
         auto& passed = entry.passed_somewhere;
-        passed = passed_by(analysis.callers_);
+        passed = passed_by(analysis.callers_, &analysis.program());
+        entry.ambiguous_names = workspace_.ambiguous_names_;
         entry.locals_are_callers = some_share_locals(analysis.callers_);
         for (const auto& same_name : analysis.same_name_) {
-            passed.insert(passed.end(), same_name->passed.begin(), same_name->passed.end());
             entry.locals_are_callers |= same_name->locals_shared;
+            passed.insert(passed.end(), same_name->passed.begin(), same_name->passed.end());
+            if (analysis.program().formals.empty()) continue;
+            const auto by_position = passed_by(same_name->callers, &analysis.program());
+            passed.insert(passed.end(), by_position.begin(), by_position.end());
         }
         sort(passed);
         if (!analysis.callers_.empty() && analysis.same_name_.empty() &&
@@ -176,10 +247,13 @@ class WorkspaceBuilder {
     what_callers_in_the_file_pass(const ProgramAnalysis& analysis) const {
         auto arguments = what_all_pass(analysis);
         if (!arguments) return arguments;
-        for (const Variable formal : analysis.control().formals)
+        const auto add = [&](Variable formal) {
             if (std::ranges::find(*arguments, formal, &std::pair<Variable, dataflow::Vacancy>::first) ==
                 arguments->end())
                 arguments->emplace_back(formal, dataflow::Vacancy::maybe);
+        };
+        std::ranges::for_each(analysis.control().formals, add);
+        for (const Formal& formal : analysis.program().formals) add(formal.variable);
         return arguments;
     }
 
@@ -228,16 +302,11 @@ class WorkspaceBuilder {
             const Program& program = programs_[caller.program].program();
             const Call& call = call_of(caller);
             if (program.control->calls[call.kind].frame == Frame::shared) return std::nullopt;
-            const auto arguments = program.arguments_of(call);
-            for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
-                // A letter that is given twice is passed once.
-                if (std::ranges::find(arguments.begin(), argument, argument->formal, &Argument::formal) !=
-                    argument)
-                    continue;
+            for (const Variable formal : formals_set_by(program, call, analysis.program())) {
                 const auto known =
-                    std::ranges::find(counts, argument->formal, &std::pair<Variable, std::size_t>::first);
+                    std::ranges::find(counts, formal, &std::pair<Variable, std::size_t>::first);
                 if (known == counts.end())
-                    counts.emplace_back(argument->formal, 1);
+                    counts.emplace_back(formal, 1);
                 else
                     ++known->second;
             }
@@ -251,17 +320,27 @@ class WorkspaceBuilder {
         return result;
     }
 
+    /// In the order of the arguments; a letter that is given twice is passed once.
+    static std::vector<Variable> formals_set_by(const Program& caller, const Call& call,
+                                                const Program& callee) {
+        std::vector<Variable> formals;
+        for (const Argument& argument : caller.arguments_of(call)) {
+            const auto formal = bound_to(argument, &callee);
+            if (formal && std::ranges::find(formals, *formal) == formals.end()) formals.push_back(*formal);
+        }
+        return formals;
+    }
+
     bool takes_arguments(const ProgramAnalysis& analysis) const {
         for (const Caller& caller : analysis.callers_) {
             if (programs_[caller.program].control().calls[call_of(caller).kind].frame == Frame::fresh)
                 return true;
         }
         if (!analysis.callers_.empty()) return false;
-        const auto& formals = analysis.control().formals;
         return std::ranges::any_of(analysis.facts().reads, [&](const dataflow::Read& read) {
             const auto symbol = analysis.data().table().symbols[read.value.symbol];
             return symbol.kind == dataflow::Symbol::Kind::entry &&
-                   std::ranges::find(formals, read.variable) != formals.end();
+                   analysis.program().is_formal(read.variable);
         });
     }
 

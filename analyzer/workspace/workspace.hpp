@@ -40,9 +40,11 @@ class Workspace {
     [[nodiscard]] bool complete() const { return complete_; }
 
   private:
+    friend class WorkspaceBuilder;
     Workspace();
     std::vector<WorkspaceFile> files_;
     std::unique_ptr<std::deque<ProgramAnalysis>> programs_;
+    std::vector<std::int32_t> ambiguous_names_; ///< numbers that several shared names have; sorted
     bool complete_ = false;
 };
 

@@ -62,13 +62,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         finding.path.push_back({&analysis.file(), left, "it is still active here"});
     };
     for (const dataflow::PointState& change : analysis.facts().tool_changes)
-        for (const dataflow::OriginId call : analysis.own_modal_calls(change.state))
+        for (const dataflow::OriginId call : analysis.own_modal_calls(change.state, change.node))
             report(call, change.node, "tool", analysis.program().effects[change.effect].span);
     for (const dataflow::ExitState& exit : analysis.facts().exits) {
         if (exit.exit.kind == flow::ExitKind::alarm) continue;
         const Span left = exit.exit.effect ? analysis.program().effects[*exit.exit.effect].span
                                            : analysis.graph().nodes[exit.exit.node].part;
-        for (const dataflow::OriginId call : analysis.own_modal_calls(exit.state))
+        for (const dataflow::OriginId call : analysis.own_modal_calls(exit.state, exit.exit.node))
             report(call, exit.exit.node, "end", left);
     }
 }

@@ -76,7 +76,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto& call = std::get<Call>(program.effects[site.effect].what);
         const auto* number = std::get_if<ExpressionId>(&call.program);
         const bool named = std::holds_alternative<Text>(call.program) ||
-                           (number != nullptr && flow::constant_target(program, *number));
+                           (number != nullptr && flow::constant_number(program, *number));
         if (!named || site.candidates != 0 || !knows_all(analysis, call)) continue;
         const Span span = program.effects[site.effect].span;
         reporter.report(analysis.file(), span, "plain", {quoted(program, span)});

@@ -26,7 +26,7 @@ bool is_left_by_a_caller(const ProgramAnalysis& analysis, GroupId group) {
     return std::ranges::any_of(analysis.callers(), [&](const Caller& caller) {
         const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
         return std::ranges::any_of(calling.facts().exits, [&](const dataflow::ExitState& exit) {
-            const dataflow::ModalValue& value = calling.data().modal(exit.state, group);
+            const dataflow::ModalValue value = calling.data().modal(exit, group);
             return std::ranges::any_of(value.parts, [&](const dataflow::ModalPart& part) {
                 const dataflow::Origin& origin = calling.data().origin(part.origin);
                 return origin.kind == dataflow::Origin::Kind::effect && origin.id == caller.effect;
@@ -47,9 +47,12 @@ bool lasts_until(const ProgramAnalysis& analysis, GroupId group, const dataflow:
                  flow::NodeId node) {
     const flow::NodeId set = node_of(analysis, part.origin);
     if (set == node) return true;
+    // What sets the group for other channels leaves it alone for these.
+    const auto running = [&](flow::NodeId at) { return analysis.graph().channels_at(at).running; };
+    const unsigned channels = running(set) & running(node);
     std::vector<flow::NodeId> setting;
     for (const dataflow::ModalWrite& write : analysis.facts().modal_writes)
-        if (write.group == group) setting.push_back(write.node);
+        if (write.group == group && (channels & ~running(write.node)) == 0) setting.push_back(write.node);
     std::ranges::sort(setting);
     return dataflow::can_follow(analysis.program(), analysis.graph(), analysis.data(), set, node, setting);
 }

@@ -75,9 +75,9 @@ bool changes_plane(const ProgramAnalysis& analysis, const dataflow::PointState& 
     const auto write = std::ranges::find(writes, point.effect, &dataflow::ModalWrite::effect);
     if (write == writes.end() || analysis.control().groups[*write->group].role != ModalRole::plane)
         return false;
-    const dataflow::ModalValue& value = analysis.data().modal(point.state, *write->group);
+    const dataflow::ModalValue value = analysis.data().modal(point, *write->group);
     const auto& table = analysis.data().table();
-    return !value.unknown && write->value.constant() &&
+    return !value.unknown && !value.parts.empty() && write->value.constant() &&
            std::ranges::all_of(value.parts, [&](const auto& part) {
                const auto code = table.number_of(part.symbol);
                return code && *code != *write->value.constant();
@@ -114,7 +114,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const ModalLeak& leak : left_at_return(analysis)) // those are told as such
         if (leak.group == *group) reported.push_back(leak.part.origin);
     for (const dataflow::PointState& change : find_points(analysis)) {
-        const dataflow::ModalValue& value = analysis.data().modal(change.state, *group);
+        const dataflow::ModalValue value = analysis.data().modal(change, *group);
         if (value.unknown) continue;
         for (const dataflow::ModalPart& part : value.parts) {
             if (!is_switched_on(analysis, analysis.control().groups[*group], part)) continue;

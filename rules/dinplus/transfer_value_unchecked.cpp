@@ -74,7 +74,8 @@ const Caller* caller_without(const ProgramAnalysis& analysis, Variable formal) {
         const Program& program = analysis.workspace().programs()[caller.program].program();
         const auto& call = std::get<Call>(program.effects[caller.effect].what);
         const auto arguments = program.arguments_of(call);
-        if (std::ranges::find(arguments, formal, &Argument::formal) == arguments.end()) return &caller;
+        const decltype(Argument::given) given = formal;
+        if (std::ranges::find(arguments, given, &Argument::given) == arguments.end()) return &caller;
     }
     return nullptr;
 }

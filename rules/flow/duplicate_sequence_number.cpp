@@ -73,7 +73,7 @@ extern const Rule duplicate_sequence_number{
 namespace {
 
 /// The label that the jump takes, where it is a plain one.
-const flow::Label* taken_by(const ProgramAnalysis& analysis, EffectId jump) {
+const flow::LabelledBlock* taken_by(const ProgramAnalysis& analysis, EffectId jump) {
     const auto& jumps = analysis.graph().jumps;
     const auto found = std::ranges::find(jumps, jump, &flow::ResolvedJump::jump);
     return found == jumps.end() || !found->target ? nullptr : &*found->target;
@@ -86,7 +86,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, std::int64_t nu
     std::vector<std::string> words{std::to_string(number), quoted(analysis.program(), span),
                                    blocks.size() == 2 ? "twice" : std::to_string(blocks.size()) + " times"};
     std::string_view message = "plain";
-    if (const flow::Label* taken = taken_by(analysis, user)) {
+    if (const flow::LabelledBlock* taken = taken_by(analysis, user)) {
         words.push_back(line_number(analysis.file(), taken->span.begin));
         message = taken->span.begin > span.begin ? "after" : "from-the-top";
     }
@@ -117,14 +117,15 @@ void check_references(const ProgramAnalysis& analysis, Reporter& reporter) {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     check_references(analysis, reporter);
-    const auto& labels = analysis.graph().labels; // equal numbers stand together
+    const auto& labels = analysis.graph().labels; // equal ones stand together
     for (auto first = labels.begin(); first != labels.end();) {
-        const std::int64_t number = first->number;
+        const Label label = first->label;
         std::vector<Span> blocks;
-        for (; first != labels.end() && first->number == number; ++first) blocks.push_back(first->span);
-        if (blocks.size() == 1) continue;
-        if (const auto user = analysis.user_of_label(number))
-            report(analysis, reporter, number, blocks, *user);
+        for (; first != labels.end() && first->label == label; ++first) blocks.push_back(first->span);
+        const auto* number = std::get_if<std::int64_t>(&label);
+        if (number == nullptr || blocks.size() == 1) continue;
+        if (const auto user = analysis.user_of_label(label))
+            report(analysis, reporter, *number, blocks, *user);
     }
 }
 

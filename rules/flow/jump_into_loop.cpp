@@ -55,9 +55,9 @@ namespace {
 
 /// The loop that every possible target of the jump lies in, and the jump itself does not.
 std::optional<flow::RegionId> entered_by(const ProgramAnalysis& analysis, Offset jump,
-                                         const std::vector<flow::Label>& targets) {
+                                         const std::vector<flow::LabelledBlock>& targets) {
     std::optional<flow::RegionId> entered;
-    for (const flow::Label& target : targets) {
+    for (const flow::LabelledBlock& target : targets) {
         const auto loop = analysis.regions().entered(analysis.program(), jump, target.block.begin);
         if (!loop) return std::nullopt;
         if (!entered) entered = loop;
@@ -71,14 +71,14 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.regions().balance_unknown) return;
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
         const Span span = program.effects[jump.jump].span;
-        const std::vector<flow::Label> targets = analysis.targets_of(jump);
+        const std::vector<flow::LabelledBlock> targets = analysis.targets_of(jump);
         const auto loop = entered_by(analysis, span.begin, targets);
         if (!loop) continue;
         const Span open = program.effects[analysis.regions().all[*loop].open].span;
         Finding& finding = reporter.report(
             analysis.file(), span, "plain",
             {quoted(program, span), quoted(program, open), line_number(analysis.file(), open.begin)});
-        for (const flow::Label& target : targets)
+        for (const flow::LabelledBlock& target : targets)
             finding.related.push_back(
                 {&analysis.file(), target.span, "this sequence number is inside the loop"});
         finding.related.push_back({&analysis.file(), open, "the loop begins here"});

@@ -25,14 +25,16 @@ extern const Rule jump_target_missing{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"constant",
-                  "'{0}' jumps to N{1}, which this program does not have. Add the sequence number, or "
-                  "correct the jump."},
-                 {"computed",
-                  "'{0}' jumps to N{1} here, which this program does not have. Check the value before "
-                  "the jump."},
-                 {"impossible",
-                  "'{0}' jumps to N{1}, but sequence numbers go from 1 to 99999999. Correct the jump."}},
+    .messages =
+        {{"constant", "'{0}' jumps to N{1}, which this program does not have. Add the sequence number, or "
+                      "correct the jump."},
+         {"named",
+          "'{0}' jumps to '{1}', a label that this program does not have where the control looks for it. Add "
+          "the label, or correct the jump."},
+         {"computed", "'{0}' jumps to N{1} here, which this program does not have. Check the value before "
+                      "the jump."},
+         {"impossible",
+          "'{0}' jumps to N{1}, but sequence numbers go from 1 to 99999999. Correct the jump."}},
     .bad = {{"fanuc", "O9301(CHECK)\n"
                       "IF[#100EQ1]GOTO70\n"
                       "#100=1\n"
@@ -57,6 +59,12 @@ bool can_exist(std::int64_t number) {
     return number >= 1 && number <= greatest;
 }
 
+std::string_view message_for(const Label& label) {
+    const auto* number = std::get_if<std::int64_t>(&label);
+    if (number == nullptr) return "named";
+    return can_exist(*number) ? "constant" : "impossible";
+}
+
 std::string number_word(double number) { return std::to_string(static_cast<long long>(number)); }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
@@ -68,16 +76,16 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         trace(finding, analysis, node, "there is no such sequence number");
     };
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
-        if (!jump.number || jump.target) continue;
-        const auto& target = std::get<Jump>(program.effects[jump.jump].what).target;
-        missing(jump.node, jump.jump, can_exist(*jump.number) ? "constant" : "impossible",
-                quoted(program, program.expressions[target].span));
+        const auto& effect = std::get<Jump>(program.effects[jump.jump].what);
+        if (!jump.label || jump.target || effect.missing == MissingLabel::skip) continue;
+        missing(jump.node, jump.jump, message_for(*jump.label),
+                quoted(program, program.expressions[effect.target].span));
     }
     for (const dataflow::ComputedJump& jump : analysis.facts().computed_jumps) {
         const auto number = jump.target.constant();
         constexpr double most = 1e15;
         if (!number || std::abs(*number) > most) continue;
-        if (analysis.graph().find_label(std::llround(*number), 0) == nullptr)
+        if (!analysis.graph().has_label(std::llround(*number)))
             missing(jump.node, jump.effect, "computed", number_word(std::round(*number)));
     }
 }

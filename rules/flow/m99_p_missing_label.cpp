@@ -55,7 +55,7 @@ const Caller* caller_without(const ProgramAnalysis& analysis, std::int64_t numbe
     for (const Caller& caller : analysis.callers()) {
         const ProgramAnalysis& program = analysis.workspace().programs()[caller.program];
         if (program.is_recursive()) continue; // its labels were not asked for
-        if (program.graph().find_label(number, 0) == nullptr) return &caller;
+        if (!program.graph().has_label(number)) return &caller;
     }
     return nullptr;
 }
@@ -73,9 +73,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (exit.exit.kind != flow::ExitKind::returns || !exit.exit.effect) continue;
         const Effect& effect = program.effects[*exit.exit.effect];
         const auto& label = std::get<Return>(effect.what).resume_label;
-        const auto number = label ? flow::constant_target(program, *label) : std::nullopt;
+        const auto number = label ? flow::constant_number(program, *label) : std::nullopt;
         if (!number) continue;
-        if (is_called_by_nobody(analysis) && analysis.graph().find_label(*number, 0) == nullptr) {
+        if (is_called_by_nobody(analysis) && !analysis.graph().has_label(*number)) {
             Finding& finding = reporter.report(
                 analysis.file(), effect.span, "uncalled",
                 {quoted(program, effect.span), quoted(program, program.expressions[*label].span)});

@@ -50,7 +50,8 @@ namespace {
 bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
               const dataflow::ModalPart& part) {
     if (exit.exit.kind != flow::ExitKind::returns) return false;
-    const dataflow::Symbol& symbol = analysis.data().table().symbols[part.symbol];
+    const dataflow::ValueTable& table = analysis.data().table();
+    const dataflow::Symbol& symbol = table.symbols[table.asked_for(part.symbol)];
     using Kind = dataflow::Symbol::Kind;
     if (symbol.kind == Kind::entry) return group.letter == 'F';
     return symbol.kind == Kind::constant || symbol.kind == Kind::result;

@@ -24,7 +24,7 @@ std::optional<ModalLeak> leak_of(const ProgramAnalysis& analysis, GroupId group,
     bool elsewhere_right = false;
     for (const dataflow::ExitState& exit : analysis.facts().exits) {
         if (exit.exit.kind == flow::ExitKind::alarm) continue;
-        const dataflow::ModalValue& value = analysis.data().modal(exit.state, group);
+        const dataflow::ModalValue value = analysis.data().modal(exit, group);
         if (value.unknown) return std::nullopt;
         for (const dataflow::ModalPart& part : value.parts) {
             // A way on which nothing sets the group, as when a word is ignored, puts nothing back, nor does

@@ -71,12 +71,13 @@ std::vector<EffectId> effective_at_return(const ProgramAnalysis& analysis) {
     std::vector<EffectId> effects;
     for (const dataflow::ExitState& exit : analysis.facts().exits) {
         if (exit.exit.kind != flow::ExitKind::returns) continue;
-        for (std::size_t group = 0; group < analysis.control().groups.size(); ++group)
-            for (const dataflow::ModalPart& part :
-                 analysis.data().modal(exit.state, static_cast<GroupId>(group)).parts) {
+        for (std::size_t group = 0; group < analysis.control().groups.size(); ++group) {
+            const dataflow::ModalValue value = analysis.data().modal(exit, static_cast<GroupId>(group));
+            for (const dataflow::ModalPart& part : value.parts) {
                 const dataflow::Origin& origin = analysis.data().origin(part.origin);
                 if (origin.kind == dataflow::Origin::Kind::effect) effects.push_back(origin.id);
             }
+        }
     }
     std::ranges::sort(effects);
     return effects;

@@ -7,7 +7,7 @@
 namespace maclint::rules {
 namespace {
 
-std::optional<std::int64_t> jump_target(const Program& program, EffectId effect) {
+std::optional<Label> jump_target(const Program& program, EffectId effect) {
     const auto* guarded = std::get_if<Guarded>(&program.effects[effect].what);
     if (guarded == nullptr || guarded->effects.count != 1) return std::nullopt;
     const auto* jump = std::get_if<Jump>(&program.effects[guarded->effects.first].what);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <unordered_map>
 
 namespace maclint::rules {
@@ -31,7 +32,7 @@ class DeliberateConditions {
 
     const Program& program_;
     std::unordered_map<dataflow::Key, Assigned> assigned_;
-    std::unordered_map<std::int64_t, flow::NodeId> first_tests_; ///< facts are in the order of nodes
+    std::map<Label, flow::NodeId> first_tests_; ///< facts are in the order of nodes
 };
 
 } // namespace maclint::rules

@@ -75,7 +75,7 @@ TEST(DinWords, MachineFunctionsStopEndAndRestart) {
 
 TEST(DinBlocks, SkipLevelsAreDigits) {
     EXPECT_EQ(din("/159 N1 M0"), "N1 /1 /5 /9 synchronise; pause");
-    EXPECT_EQ(din("$1 / N 12 M0"), "N12 /1 synchronise; pause");
+    EXPECT_EQ(din("$1 / N 12 M0"), "$1 N12 /1 synchronise; pause");
 }
 
 TEST(DinRegions, BranchesLoopsAndUnits) {

@@ -204,12 +204,12 @@ TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
     EXPECT_EQ(lower("#1=ATAN(ABS(#2)/#3)"),
               "unreadable writes #1 writes #3\n! parenthesis-as-bracket 'ATAN' -> [ABS(#2]");
     EXPECT_EQ(lower("N5 #1=SIN(30)"), "N5 unreadable writes #1\n! parenthesis-as-bracket 'SIN' -> [30]");
-    EXPECT_EQ(lower("IF[#1EQ2GOTO5"), "unreadable writes #1 jumps 5 opens-or-closes\n! bracket-mismatch '[' "
+    EXPECT_EQ(lower("IF[#1EQ2GOTO5"), "unreadable writes #1 jumps N5 opens-or-closes\n! bracket-mismatch '[' "
                                       "-> a ']' is missing before 'GOTO'");
     EXPECT_EQ(lower("WHLE[#1LT5]DO1"),
               "unreadable writes #1 opens-or-closes\n! unknown-keyword 'WHLE' -> WHILE");
     EXPECT_EQ(lower("IF[#1LTE2]GOTO5"),
-              "unreadable writes #1 jumps 5 opens-or-closes\n! unknown-keyword 'LTE' -> LE");
+              "unreadable writes #1 jumps N5 opens-or-closes\n! unknown-keyword 'LTE' -> LE");
     EXPECT_EQ(lower("G65P9010A["),
               "unreadable calls-or-returns\n! bracket-mismatch '[' -> its ']' is missing");
     EXPECT_EQ(lower("#1="), "unreadable writes #1\n! unreadable '=' -> a value after '='");

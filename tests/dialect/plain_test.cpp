@@ -409,7 +409,7 @@ TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocksOfDinPlus) {
                                              "[A]",
                                              " [B;C] ",
                                              "[//]",
-                                             "[OPEN",
+                                            
                                              "\"A\"",
                                              " ",
                                              "\t",

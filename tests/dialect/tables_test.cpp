@@ -43,7 +43,7 @@ TEST(Controls, CustomaryAndCancellingCodesBelongToTheirGroup) {
         for (const ModalGroup& group : control->groups) {
             if (group.letter != 'G' || !group.cancel_words.empty()) continue; // ended by more than a code
             const auto is_member = [&](double code) {
-                return std::ranges::find(group.members, code) != group.members.end();
+                return std::ranges::find(group.members, code, &ModalMember::number) != group.members.end();
             };
             EXPECT_TRUE(std::ranges::all_of(group.customary, is_member)) << group.name;
             EXPECT_TRUE(!group.cancel || is_member(*group.cancel)) << group.name;
@@ -57,7 +57,7 @@ TEST(Controls, ACodeBelongsToOneGroup) {
         std::set<double> codes;
         for (const ModalGroup& group : control->groups) {
             if (group.letter != 'G') continue;
-            for (const double code : group.members)
+            for (const auto& [code, spelling] : group.members)
                 EXPECT_TRUE(codes.insert(code).second) << control->name << " G" << code;
         }
     }

@@ -102,6 +102,16 @@ TEST(Calls, ALetterThatIsGivenTwiceIsPassedByOneCaller) {
               dataflow::Vacancy::maybe);
 }
 
+TEST(Calls, ANamedVariableIsTheSameInCallerAndCalled) {
+    const std::string main = "O1\n[#_DEPTH]=1\nM98P2\n#1=#_DEPTH\nM30\n";
+    const auto read_after = [&](const std::string& called) {
+        const auto workspace = test::analyse_fanuc(main + called);
+        return program(*workspace, "O1", "test.nc").facts().reads.back().value.constant();
+    };
+    EXPECT_EQ(read_after("O2\n[#_OTHER]=9\nM99\n"), 1.0);
+    EXPECT_EQ(read_after("O2\n[#_OTHER]=8\n[#_DEPTH]=9\nM99\n"), 9.0);
+}
+
 TEST(Calls, TheNearestFolderIsFoundWhateverItsDepth) {
     const std::string macro = "O9000\nM99\n";
     const auto called_from = [&](const std::string& path) -> std::string {

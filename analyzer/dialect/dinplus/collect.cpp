@@ -2,6 +2,7 @@
 #include "analyzer/dialect/dinplus/collect.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/dinplus/channels.hpp"
 #include "analyzer/dialect/dinplus/plain.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
 
@@ -58,29 +59,30 @@ Span span_in(std::string_view text, std::string_view name) {
 
 } // namespace
 
-Part& Programs::open(std::string name) {
-    Part& part = parts_.emplace_back(Part{ProgramBuilder(std::move(name), source_.bytes(), control_), {}});
-    part.program.set_plain_tables(
+OpenProgram& Programs::open(std::string name) {
+    OpenProgram& program = open_.emplace_back(
+        OpenProgram{.builder = ProgramBuilder(std::move(name), source_.bytes(), control_)});
+    program.builder.set_plain_tables(
         {&plain_tables(plain_sections::commands), &plain_tables(plain_sections::descriptions)});
-    return part;
+    return program;
 }
 
 /// The main part, named after its file.
-Part& Programs::main() {
+OpenProgram& Programs::main() {
     if (main_ == nothing) {
-        main_ = parts_.size();
-        ProgramBuilder& program = open(stem_of(source_.path())).program;
+        main_ = open_.size();
+        ProgramBuilder& program = open(stem_of(source_.path())).builder;
         add_name(program, file_name(source_.path()));
         if (is_subprogram_file(source_.path())) program.set_started(Program::Started::by_call);
     }
-    return parts_[main_];
+    return open_[main_];
 }
 
 void Programs::open_main(Span line, Offset mark) {
     leave_section();
     // A second program in the file; before the first there may be remarks.
-    if (main_ != nothing && parts_[main_].program.has_sections()) main_ = nothing;
-    ProgramBuilder& program = main().program;
+    if (main_ != nothing && open_[main_].builder.has_sections()) main_ = nothing;
+    ProgramBuilder& program = main().builder;
     current_ = main_;
     const std::string_view text = source_.bytes();
     std::string_view name = text.substr(mark + 1, line.end - mark - 1);
@@ -98,7 +100,7 @@ void Programs::open_section(const SectionWord& word, Span heading) {
     if (kind.role == Role::subprogram) {
         open_subprogram(word, heading);
     } else {
-        ProgramBuilder& program = main().program;
+        ProgramBuilder& program = main().builder;
         current_ = main_;
         // Names may be declared anywhere; everything else belongs to a program of its own.
         if (!declares_names(kind) && program.program().started == Program::Started::unknown &&
@@ -117,53 +119,55 @@ void Programs::open_subprogram(const SectionWord& word, Span heading) {
     else // word processors make other quotation marks of them
         name = rest.substr(0, rest.find_first_not_of("0123456789"));
     name = trim(name.substr(0, name.find('[')));
-    Preceding before = inherited(main().before); // also when the subprograms stand first
-    current_ = parts_.size();
-    Part& part = open(std::string(name.empty() ? word.word : name));
-    part.before = std::move(before);
-    part.program.set_local();
-    part.program.set_started(Program::Started::by_call);
-    part.program.set_name_span(name.empty() ? heading : span_in(source_.bytes(), name));
+    VariablesByName aliases = inherited(main()); // also when the subprograms stand first
+    current_ = open_.size();
+    OpenProgram& opened = open(std::string(name.empty() ? word.word : name));
+    opened.aliases = std::move(aliases);
+    opened.builder.set_local();
+    opened.builder.set_started(Program::Started::by_call);
+    opened.builder.set_name_span(name.empty() ? heading : span_in(source_.bytes(), name));
 }
 
 /// Names of VAR that stand for variables which all programs share are known in local subprograms, too.
-Preceding Programs::inherited(const Preceding& main) {
-    Preceding result;
+VariablesByName Programs::inherited(const OpenProgram& main) {
+    VariablesByName result;
     for (const auto& alias : main.aliases)
-        if (control().spaces[alias.second.space].scope != Scope::frame) result.aliases.insert(alias);
+        if (control().spaces[alias.second.space].scope != Scope::frame) result.insert(alias);
     return result;
 }
 
 void Programs::begin_section(const SectionKind& kind, Span heading) {
-    auto& [program, before] = parts_[current_];
-    program.begin_section(kind.name, executed(kind), heading);
-    before.context = kind.role == Role::contour ? Context::contour : Context::machining;
-    before.effects = executed(kind) != Executed::never;
-    before.declares = declares_names(kind);
+    OpenProgram& program = open_[current_];
+    program.builder.begin_section(kind.name, executed(kind), heading);
+    program.context = kind.role == Role::contour ? Context::contour : Context::machining;
+    program.effects = executed(kind) != Executed::never;
+    program.declares = declares_names(kind);
 }
 
-Part& Programs::current() {
+OpenProgram& Programs::current() {
     if (current_ == nothing) {
         main();
         current_ = main_;
     }
-    ProgramBuilder& program = parts_[current_].program;
+    ProgramBuilder& program = open_[current_].builder;
     if (!program.has_sections()) program.begin_section(without_sections, Executed::when_reached, {});
-    return parts_[current_];
+    return open_[current_];
 }
 
-const Preceding& Programs::preceding() const {
-    static const Preceding nothing_yet;
-    return current_ == nothing ? nothing_yet : parts_[current_].before;
+const OpenProgram* Programs::current_if_any() const {
+    return current_ == nothing ? nullptr : &open_[current_];
 }
 
 void Programs::leave_section() {
-    if (current_ != nothing) parts_[current_].before.waiting_if.reset();
+    if (current_ != nothing) open_[current_].waiting_if.reset();
 }
 
 void Programs::close() {
-    for (Part& part : parts_)
-        if (part.program.has_sections()) file_.programs.push_back(part.program.take());
+    for (OpenProgram& program : open_) {
+        if (!program.builder.has_sections()) continue;
+        assign_channels(program.builder);
+        file_.programs.push_back(program.builder.take());
+    }
 }
 
 } // namespace maclint::dinplus

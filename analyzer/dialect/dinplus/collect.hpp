@@ -1,7 +1,7 @@
 //! Collects the blocks of a file in programs and sections.
 #pragma once
 
-#include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/dialect/dinplus/open_program.hpp"
 #include "analyzer/dialect/dinplus/tables.hpp"
 #include "analyzer/program/builder.hpp"
 #include "analyzer/program/model.hpp"
@@ -11,12 +11,6 @@
 #include <vector>
 
 namespace maclint::dinplus {
-
-/// A program that is being read, and what its last blocks tell about the next one.
-struct Part {
-    ProgramBuilder program;
-    Preceding before;
-};
 
 /// The programs of a file: the main part and its local subprograms. Behind a subprogram any other section
 /// word goes on with the main part.
@@ -32,26 +26,26 @@ class Programs {
     /// A section word in the line `heading`.
     void open_section(const SectionWord& word, Span heading);
     /// Where the next block belongs.
-    [[nodiscard]] Part& current();
-    /// What the blocks before tell about the next one.
-    [[nodiscard]] const Preceding& preceding() const;
+    [[nodiscard]] OpenProgram& current();
+    /// The program of current(), if there is one already.
+    [[nodiscard]] const OpenProgram* current_if_any() const;
     /// At the end of the file.
     void close();
 
   private:
-    Part& open(std::string name);
-    Part& main();
+    OpenProgram& open(std::string name);
+    OpenProgram& main();
     void open_subprogram(const SectionWord& word, Span heading);
     void begin_section(const SectionKind& kind, Span heading);
     void leave_section();
-    [[nodiscard]] static Preceding inherited(const Preceding& main);
+    [[nodiscard]] static VariablesByName inherited(const OpenProgram& main);
 
     static constexpr std::size_t nothing = SIZE_MAX;
 
     const Source& source_;
     const ControlModel& control_;
     ProgramFile& file_;
-    std::vector<Part> parts_; ///< one for each program of the file
+    std::vector<OpenProgram> open_; ///< one for each program of the file
     std::size_t main_ = nothing;
     std::size_t current_ = nothing;
 };

@@ -120,14 +120,14 @@ std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
 namespace {
 
 /// The variable that `#l1`, `#_depth`, `#__la` or, as DEF wants it, `__la` names.
-std::optional<Variable> variable_named(std::string_view written, const Preceding& before) {
+std::optional<Variable> variable_named(std::string_view written, const OpenProgram& program) {
     const std::size_t begin = written.find_first_not_of("# \t");
     if (begin == std::string_view::npos) return std::nullopt;
     const std::string_view name = written.substr(begin);
     if (name.starts_with("__")) return transfer_variable(name.substr(2));
     if (name.starts_with('_')) {
-        const auto alias = before.aliases.find(name);
-        return alias == before.aliases.end() ? std::nullopt : std::optional(alias->second);
+        const auto alias = program.aliases.find(name);
+        return alias == program.aliases.end() ? std::nullopt : std::optional(alias->second);
     }
     const std::optional<FamilyId> family = begin == 0 ? std::nullopt : family_of(name.front());
     const std::optional<std::int64_t> number = read_integer(name);
@@ -144,18 +144,18 @@ void add_variable(const std::optional<Variable>& variable, UnreadableBlock& name
 }
 
 /// A text that is not closed takes in variables that were meant to stand behind it.
-void add_variables_in(std::string_view text, const Preceding& before, UnreadableBlock& names) {
+void add_variables_in(std::string_view text, const OpenProgram& program, UnreadableBlock& names) {
     for (auto at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
         const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", at + 1);
-        add_variable(variable_named(text.substr(at, end == std::string_view::npos ? end : end - at), before),
+        add_variable(variable_named(text.substr(at, end == std::string_view::npos ? end : end - at), program),
                      names);
     }
 }
 
 } // namespace
 
-UnreadableBlock names_in(const Program& program, const Preceding& before, Span block) {
-    const ErrorExplainer explainer(program.text, block);
+UnreadableBlock names_in(const OpenProgram& program, Span block) {
+    const ErrorExplainer explainer(program.builder.program().text, block);
     const std::span<const Token> tokens = explainer.tokens();
     UnreadableBlock names{{}, {}, false, false};
     constexpr int most_guesses = 16; // in noise every word is a riddle
@@ -165,8 +165,8 @@ UnreadableBlock names_in(const Program& program, const Preceding& before, Span b
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
         const std::string_view written = explainer.text(token);
         const bool name = token.kind == TokenKind::variable || written.front() == '_';
-        if (name) add_variable(variable_named(written, before), names);
-        if (token.kind == TokenKind::unclosed_text) add_variables_in(written, before, names);
+        if (name) add_variable(variable_named(written, program), names);
+        if (token.kind == TokenKind::unclosed_text) add_variables_in(written, program, names);
         if (token.kind != TokenKind::letters) continue;
         std::string meant = capitals_of(written);
         if (meant.size() > 2 && !is_keyword(meant) && guesses++ < most_guesses) meant = meant_by(meant);

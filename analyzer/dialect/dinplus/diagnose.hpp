@@ -1,7 +1,7 @@
 //! Says why a block cannot be read, in the user's words.
 #pragma once
 
-#include "analyzer/dialect/dinplus/lowering.hpp"
+#include "analyzer/dialect/dinplus/open_program.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/syntax/tree.hpp"
 
@@ -17,6 +17,6 @@ namespace maclint::dinplus {
 [[nodiscard]] SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tree& tree);
 
 /// What an unreadable block may do, judged by the words in it.
-[[nodiscard]] UnreadableBlock names_in(const Program& program, const Preceding& before, Span block);
+[[nodiscard]] UnreadableBlock names_in(const OpenProgram& program, Span block);
 
 } // namespace maclint::dinplus

@@ -63,10 +63,11 @@ bool begins_header(std::string_view text, Offset at) {
     return is_capital(second) || static_cast<unsigned char>(second) >= 0x80 || second == '\1';
 }
 
-/// Whether the block may hold a remark in parentheses in which a byte stands that would otherwise begin a text
-/// or a comment: `(SEE "A) X1`. Only the grammar knows where such a remark may stand.
+/// Whether the block may hold a remark in parentheses in which a byte stands that would otherwise begin a
+/// text or a comment: `(SEE "A) X1`. Only the grammar knows where such a remark may stand.
 bool may_hold_remark_with_marks(std::string_view block) {
-    for (std::size_t open = block.find('('); open != std::string_view::npos; open = block.find('(', open + 1)) {
+    for (std::size_t open = block.find('('); open != std::string_view::npos;
+         open = block.find('(', open + 1)) {
         const std::size_t first = block.find_first_not_of(" \t", open + 1);
         if (first == std::string_view::npos || !is_letter(block[first])) continue;
         const std::size_t close = block.find_first_of("()\r\n#", first);
@@ -79,8 +80,8 @@ bool may_hold_remark_with_marks(std::string_view block) {
     return false;
 }
 
-/// Bytes that mean something where a text or comment may not be what it seems, or that the grammar tells apart
-/// in there: `[//]` is no comment, U+201D ends a text. They are few.
+/// Bytes that mean something where a text or comment may not be what it seems, or that the grammar tells
+/// apart in there: `[//]` is no comment, U+201D ends a text. They are few.
 bool is_kept_in_key(char c) {
     constexpr std::string_view marks = "\"[]()#;/\r\n";
     return static_cast<unsigned char>(c) >= 0x80 || marks.find(c) != std::string_view::npos;
@@ -241,18 +242,19 @@ std::vector<Token> tokens_of(std::string_view file, Span block) {
     Lexer lexer(file, {block.begin, std::min(block.end, block.begin + longest_looked_at)});
     std::vector<Token> tokens;
     while (const std::optional<Token> token = lexer.next())
-        if (token->kind != Kind::end_of_line && token->kind != Kind::foreign_comment) tokens.push_back(*token);
+        if (token->kind != Kind::end_of_line && token->kind != Kind::foreign_comment)
+            tokens.push_back(*token);
     return tokens;
 }
 
 void make_cache_key(std::string_view block, std::string& key) {
     key.assign(block);
     std::ranges::replace_if(key, is_digit, '0');
-    if (may_hold_remark_with_marks(block)) return;
+    if (block.find_first_of("[\"\xE2") == std::string_view::npos || may_hold_remark_with_marks(block)) return;
     Lexer lexer(block, {0, size_of(block)});
     while (const std::optional<Token> token = lexer.next()) {
-        const bool inside = is_comment(token->kind) || token->kind == Kind::text ||
-                            token->kind == Kind::unclosed_text;
+        const bool inside =
+            is_comment(token->kind) || token->kind == Kind::text || token->kind == Kind::unclosed_text;
         if (!inside) continue;
         for (Offset at = token->span.begin; at < token->span.end; ++at)
             if (!is_kept_in_key(key[at])) key[at] = '-';

@@ -1,5 +1,7 @@
 //! Lowering of blocks and statements.
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/dinplus/channels.hpp"
+#include "analyzer/dialect/dinplus/diagnose.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
@@ -23,9 +25,9 @@ std::uint16_t skip_levels(std::string_view mark) {
 
 } // namespace
 
-void BlockLowering::lower(const syntax::Tree& tree, Span block, ProgramBuilder& builder, Preceding& before) {
-    begin_block(tree, block, builder);
-    before_ = &before;
+void BlockLowering::lower(const syntax::Tree& tree, Span block, OpenProgram& program) {
+    begin_block(tree, block, program.builder);
+    open_ = &program;
     const Node* node = nullptr;
     for_each_below(tree.nodes.front(), [&](const Node& child) {
         if (kind_of(child) == Kind::block) node = &child;
@@ -40,8 +42,27 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, ProgramBuilder& 
         check_then(items);
         lower_items(items);
     }
-    if (!before.effects) builder.drop_effects();
+    if (!program.effects) program.builder.drop_effects();
     end_block(lowered);
+}
+
+void BlockLowering::add_unreadable(const Block& head, OpenProgram& program) {
+    program.builder.begin_block();
+    add_names_in(head.span, program);
+    program.builder.end_block(head);
+}
+
+void BlockLowering::add_unreadable_return(const Block& head, OpenProgram& program) {
+    program.builder.begin_block();
+    add_names_in(head.span, program);
+    program.builder.add_effect({Return{}, head.span});
+    program.builder.end_block(head);
+}
+
+/// What the words of a block may do that could not be read. The IF before it may have found its THEN.
+void BlockLowering::add_names_in(Span block, OpenProgram& program) {
+    program.waiting_if.reset();
+    if (program.effects) program.builder.add_effect({names_in(program, block), block});
 }
 
 /// Takes slides, skip mark and block number off the front of a block; the rest is what it does.
@@ -50,7 +71,9 @@ std::span<const syntax::Node* const> BlockLowering::take_head(Block& block,
     std::size_t taken = 0;
     for (; taken < items.size() && is_head(kind_of(*items[taken])); ++taken) {
         const Node& node = *items[taken];
-        if (kind_of(node) == Kind::skip) {
+        if (kind_of(node) == Kind::slide) {
+            block.channels |= channels_in(text(node));
+        } else if (kind_of(node) == Kind::skip) {
             block.skip_levels |= skip_levels(text(node));
         } else if (kind_of(node) == Kind::block_number && !block.sequence_number) {
             block.sequence_number = read_integer(text(node));
@@ -97,7 +120,7 @@ void BlockLowering::lower_statement(const Node& node) {
     case Kind::switch_statement: {
         const ExpressionId value = condition(Field::value).value_or(unreadable(span(node)));
         evaluate(value, span(node));
-        before_->selections.push_back(value);
+        open_->selections.push_back(value);
         mark(RegionKind::selection, Part::open);
         break;
     }
@@ -105,7 +128,7 @@ void BlockLowering::lower_statement(const Node& node) {
     case Kind::default_statement: mark(RegionKind::selection, Part::middle); break;
     case Kind::break_statement: mark(RegionKind::selection, Part::leave); break;
     case Kind::endswitch_statement:
-        if (!before_->selections.empty()) before_->selections.pop_back();
+        if (!open_->selections.empty()) open_->selections.pop_back();
         mark(RegionKind::selection, Part::close);
         break;
     case Kind::unit_start:
@@ -129,8 +152,7 @@ void BlockLowering::lower_region_mark(const Node& node, RegionKind region_kind, 
 void BlockLowering::lower_case(const Node& node) {
     const Node* value = child(node, Field::value);
     const ExpressionId right = value == nullptr ? unreadable(span(node)) : lower_expression(*value);
-    const ExpressionId left =
-        before_->selections.empty() ? unreadable(span(node)) : before_->selections.back();
+    const ExpressionId left = open_->selections.empty() ? unreadable(span(node)) : open_->selections.back();
     const std::array operands{left, right};
     const ExpressionId test = apply(Operation::equal, operands, span(node));
     lower_region_mark(node, RegionKind::selection, Part::middle, test);

@@ -30,7 +30,7 @@ bool opens_bracket(Kind kind) {
 /// IF, THEN, ELSE and ENDIF stand alone in their block [l.19668].
 void BlockLowering::check_alone(std::span<const Node* const> items) {
     const auto content = std::ranges::count_if(items, [](const Node* n) { return !is_aside(kind_of(*n)); });
-    if (content < 2 || !before_->effects) return;
+    if (content < 2 || !open_->effects) return;
     const auto wants = [](const Node* n) { return wants_to_be_alone(kind_of(*n)); };
     auto keyword = std::ranges::find_if(items, wants);
     if (keyword == items.end()) return;
@@ -49,10 +49,10 @@ void BlockLowering::check_then(std::span<const Node* const> items) {
     for (const Node* item : items) {
         const Kind kind = kind_of(*item);
         if (is_aside(kind)) continue;
-        if (before_->waiting_if && kind != Kind::then_statement && kind != Kind::unknown_statement)
-            report(SyntaxErrorKind::then_missing, *before_->waiting_if, "THEN");
-        before_->waiting_if.reset();
-        if (kind == Kind::if_statement) before_->waiting_if = span(*item);
+        if (open_->waiting_if && kind != Kind::then_statement && kind != Kind::unknown_statement)
+            report(SyntaxErrorKind::then_missing, *open_->waiting_if, "THEN");
+        open_->waiting_if.reset();
+        if (kind == Kind::if_statement) open_->waiting_if = span(*item);
     }
 }
 

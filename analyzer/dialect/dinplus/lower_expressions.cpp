@@ -164,8 +164,8 @@ ExpressionId BlockLowering::lower_indirect(const Node& node) {
 }
 
 const Variable* BlockLowering::alias_of(std::string_view name) const {
-    const auto row = before_->aliases.find(name);
-    return row == before_->aliases.end() ? nullptr : &row->second;
+    const auto row = open_->aliases.find(name);
+    return row == open_->aliases.end() ? nullptr : &row->second;
 }
 
 /// A name is known by what stands behind `#`, `_` included.
@@ -173,7 +173,7 @@ Variable BlockLowering::named_variable(const Node& node, SpaceId space) {
     std::string_view written = text(node);
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
     if (const Variable* alias = alias_of(written)) return *alias;
-    return {space, builder_->number_of_name(written)};
+    return {space, builder_->number_of_name(space, written)};
 }
 
 /// What is written like a constant or a named variable: `_sd`, `#_depth`, `__la`, `#__la`.

@@ -10,7 +10,7 @@ void BlockLowering::lower_assignment(const Node& node) {
     const Node* left = child(node, Field::left);
     const Node* right = child(node, Field::right);
     if (left == nullptr || right == nullptr) return;
-    if (before_->declares && declare_alias(*left, *right)) return;
+    if (open_->declares && declare_alias(*left, *right)) return;
     const ExpressionId value = lower_expression(*right);
     store(*left, value, span(node));
 }
@@ -34,7 +34,7 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value) {
         if (variable) initialise(value, span(value));
     }
     if (variable) builder_->add_alias(own, *variable);
-    before_->aliases.emplace(written, variable.value_or(own));
+    open_->aliases.emplace(written, variable.value_or(own));
     return variable.has_value();
 }
 

@@ -1,5 +1,6 @@
 //! Lowering of words: what the words of a block do together.
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/dinplus/lexer.hpp"
 #include "analyzer/dialect/dinplus/lowering.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
@@ -10,8 +11,6 @@ namespace {
 
 /// Words that move axes in a block without a code of its own: the last motion goes on [l.10297].
 constexpr std::string_view axes[] = {"X", "Z", "Y", "C", "B", "XK", "YK", "U", "V", "W"};
-
-constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
 bool is_axis(std::string_view address) { return std::ranges::find(axes, address) != std::end(axes); }
 
@@ -61,7 +60,7 @@ void BlockLowering::lower_words(std::span<const Node* const> nodes) {
     for (const NcWord& word : words)
         if (word.value && !word.literal) computed_.push_back(*word.value);
     builder_->add_values(computed_, all);
-    if (before_->context == Context::machining) lower_commands(words, all);
+    if (open_->context == Context::machining) lower_commands(words, all);
 }
 
 void BlockLowering::lower_commands(std::span<const NcWord> words, Span span) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dialect/dinplus/kinds.hpp"
+#include "analyzer/dialect/dinplus/open_program.hpp"
 #include "analyzer/dialect/dinplus/tables.hpp"
 #include "analyzer/dialect/tree_lowering.hpp"
 #include "analyzer/program/model.hpp"
@@ -15,31 +16,23 @@
 
 namespace maclint::dinplus {
 
-/// What the codes of a section are: commands, or elements of a contour.
-enum class Context : std::uint8_t { machining, contour };
-
-/// What the blocks before tell about a block of the same program.
-struct Preceding {
-    Context context = Context::machining;
-    bool effects = true;                  ///< the section does something: it is no list for the operator
-    bool declares = false;                ///< the section is VAR or CONST
-    VariablesByName aliases;              ///< VAR: `#_depth=#l1`
-    std::vector<ExpressionId> selections; ///< values of the open SWITCHes
-    std::optional<Span> waiting_if;       ///< an IF whose THEN has not come
-};
-
 /// Lowers blocks of programs.
 class BlockLowering : private TreeLowering {
   public:
     explicit BlockLowering(std::vector<SyntaxError>& syntax_errors)
         : TreeLowering(syntax_errors, is_remark) {}
 
-    /// Adds the block to the program. `block` is where the tree's text stands in the file. The
-    /// tree must be free of errors; see diagnose.hpp for the others.
-    void lower(const syntax::Tree& tree, Span block, ProgramBuilder& builder, Preceding& before);
+    /// Adds the block to the program. `block` is where the tree's text stands in the file. The tree
+    /// must be free of errors; see diagnose.hpp for the others.
+    void lower(const syntax::Tree& tree, Span block, OpenProgram& program);
+    /// Adds a block whose text has errors, of which `head` tells what stands at its head.
+    void add_unreadable(const Block& head, OpenProgram& program);
+    /// The same for one that returns to the caller, as far as it can be read.
+    void add_unreadable_return(const Block& head, OpenProgram& program);
 
   private:
     // ---- the block and its statements (lower.cpp)
+    static void add_names_in(Span block, OpenProgram& program);
     [[nodiscard]] std::span<const Node* const> take_head(Block& block,
                                                          std::span<const Node* const> items) const;
     void lower_items(std::span<const Node* const> items);
@@ -108,7 +101,7 @@ class BlockLowering : private TreeLowering {
     [[nodiscard]] const Node* child(const Node& node, Field field) const;
     [[nodiscard]] Span characters(const Node& text) const;
 
-    Preceding* before_ = nullptr;
+    OpenProgram* open_ = nullptr;
     Nodes items_;               ///< of the block
     std::vector<NcWord> words_; ///< that stand side by side
     std::vector<ExpressionId> computed_;

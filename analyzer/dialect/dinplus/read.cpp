@@ -1,8 +1,8 @@
-//! The reader: cuts the file, sorts its lines into sections and programs, and sends each block through the
-//! grammar.
+//! What DIN PLUS brings to the reader: lines that begin a program or a section.
 #include "analyzer/dialect/dinplus/read.hpp"
 
-#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/block_reader.hpp"
+#include "analyzer/dialect/dinplus/channels.hpp"
 #include "analyzer/dialect/dinplus/collect.hpp"
 #include "analyzer/dialect/dinplus/diagnose.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
@@ -12,121 +12,97 @@
 #include "analyzer/dialect/dinplus/plausible.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
 #include "analyzer/dialect/dinplus/split.hpp"
-#include "analyzer/dialect/error_throttle.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/plain_run.hpp"
-#include "analyzer/syntax/parse_cache.hpp"
 
 #include <algorithm>
 
 namespace maclint::dinplus {
 namespace {
 
-/// Longer blocks are not parsed: noise in one line costs the parser quadratic time, and it dies of some ten
-/// thousand nodes side by side. A comment counts as one byte, however long it is.
-constexpr std::size_t longest_block = 4096;
-constexpr Offset shown = 60;
-
-/// A block number with nothing behind it.
-bool is_block_number(std::string_view text) {
-    return !text.empty() && (text[0] == 'N' || text[0] == 'n') &&
-           std::ranges::all_of(text.substr(1), is_digit);
-}
-
-class Reader {
+/// A BlockDialect.
+class Language {
   public:
-    Reader(std::shared_ptr<const Source> source, const ControlModel& control)
-        : text_(source->bytes())
-        , programs_(*source, control, file_)
-        , lowering_(file_.syntax_errors) {
-        file_.source = std::move(source);
-        file_.control = &control;
-    }
+    static constexpr syntax::Grammar grammar = dinplus::grammar;
+    static constexpr std::string_view comment_end = "]";
+    static constexpr bool open_comment_takes_code = false; // it may go on over lines
+    static constexpr auto make_cache_key = dinplus::make_cache_key;
+    static constexpr auto is_plausible = dinplus::is_plausible;
+    static constexpr auto find_cause = dinplus::find_cause;
+    static constexpr auto find_parse_error = dinplus::find_parse_error;
 
-    ProgramFile run() {
-        for (Offset at = 0; at < text_.size();) {
-            at = pass_plain(at);
-            close_run(); // the decoder of a run reads on to its end: nothing but plain blocks stands in it
-            if (at == text_.size()) break;
-            cut_block(text_, at, raw_);
-            at = raw_.next;
-            if (!raw_.span.empty()) take();
-        }
-        programs_.close();
-        index_block_numbers(file_);
-        for (SyntaxError& syntax_error : file_.syntax_errors) {
-            syntax_error.subject = file_.source->to_utf8(syntax_error.subject);
-            syntax_error.cure = file_.source->to_utf8(syntax_error.cure);
-        }
-        return std::move(file_);
-    }
+    Language(const Source& source, const ControlModel& control, ProgramFile& file)
+        : text_(source.bytes())
+        , file_(file)
+        , programs_(source, control, file)
+        , lowering_(file.syntax_errors) {}
 
-  private:
-    /// Takes the plain blocks that stand there, and passes over blanks and comments between them.
-    Offset pass_plain(Offset at) {
-        const Preceding& before = programs_.preceding();
-        if (before.waiting_if) return at; // its THEN is missing if the next block is not that
-        const bool commands = before.effects && before.context == Context::machining;
-        const std::uint8_t section = commands ? plain_sections::commands : plain_sections::descriptions;
-        const syntax::PlainTables& tables = plain_tables(section);
+    [[nodiscard]] static Offset start() { return 0; }
+
+    /// Over plain blocks.
+    template<class Visit>
+    [[nodiscard]] Offset pass(Offset at, const Visit& visit) {
+        const OpenProgram* program = programs_.current_if_any();
+        if (program != nullptr && program->waiting_if) return at; // the next block has to be its THEN
+        const bool commands =
+            program == nullptr || (program->effects && program->context == Context::machining);
+        run_section_ = commands ? plain_sections::commands : plain_sections::descriptions;
         syntax::PlainBlock block;
-        while (at < text_.size()) {
-            const syntax::Lane lane = syntax::scan_block(text_, at, tables, block);
+        for (; at < text_.size(); at = block.next) {
+            const syntax::Lane lane = syntax::scan_block(text_, at, plain_tables(run_section_), block);
             if (lane == syntax::Lane::grammar) break;
-            at = block.next;
             if (lane == syntax::Lane::blank) continue;
-            if (waiting_ < file_.comments.size()) tell_comments(block.span);
-            throttle_.record(false);
+            visit(block.span);
             if (run_.is_full()) close_run();
             run_.add(block);
-            run_section_ = section;
         }
+        close_run(); // the decoder of a run reads on to its end: nothing but plain blocks stands in it
         return at;
     }
 
+    void cut(Offset at, RawBlock& raw) const { cut_block(text_, at, raw); }
+
+    /// What the line is can mostly be told from its head.
+    bool take_head(const RawBlock& raw) {
+        const Offset head = first_code(raw);
+        if (text_[head] == '%') {
+            programs_.open_main(raw.span, head);
+            return true;
+        }
+        const Span words = words_at(text_, head);
+        return !words.empty() && take_section(words, raw.span);
+    }
+
+    /// Section words behind a block number, and words that have only the shape of one, are told by the tree.
+    void lower(const syntax::Tree& tree, const RawBlock& raw) {
+        for (const syntax::Node& node : tree.nodes) {
+            if (kind_of(node) == Kind::section) return take_unknown_section(tree, node, raw);
+            if (kind_of(node) == Kind::block && take_numbered_section(tree, node, raw.span)) return;
+        }
+        lowering_.lower(tree, raw.span, programs_.current());
+    }
+
+    void add_unreadable(const RawBlock& raw) {
+        lowering_.add_unreadable(unreadable_head(raw), programs_.current());
+    }
+
+    void close() {
+        programs_.close();
+        index_block_numbers(file_);
+    }
+
+  private:
     void close_run() {
         if (run_.empty()) return;
-        programs_.current().program.add_run(run_.run(run_section_), run_.net());
+        programs_.current().builder.add_run(run_.run(run_section_), run_.net());
         run_ = {};
     }
 
-    void take() {
-        if (raw_.open_comment) {
-            const Span open = raw_.comments.back();
-            report(SyntaxErrorKind::unterminated_comment,
-                   {open.begin, std::min(open.end, end_of_line(open.begin))}, "]");
-        }
-        const bool only_comments = raw_.code == 0;
-        if (!only_comments) {
-            tell_comments(raw_.span);
-            take_line();
-        }
-        take_out_comments(text_, raw_.span, raw_.comments, code_);
-        record_comments(only_comments || is_block_number(code_));
-    }
-
-    [[nodiscard]] Offset end_of_line(Offset at) const {
-        return static_cast<Offset>(std::min(text_.find_first_of("\r\n", at), text_.size()));
-    }
-
-    /// What the line is can be told from its head.
-    void take_line() {
-        const Offset head = first_code();
-        if (text_[head] == '%') return programs_.open_main(raw_.span, head);
-        const Span words = words_at(text_, head);
-        if (!words.empty() && take_section(words, raw_.span)) return;
-        if (raw_.code + raw_.comments.size() > longest_block) {
-            report(SyntaxErrorKind::oversized_block, {raw_.span.begin, raw_.span.begin + shown}, "");
-            return add_unreadable(false);
-        }
-        parse();
-    }
-
     /// Where the block's first byte stands that is no comment.
-    [[nodiscard]] Offset first_code() const {
-        Offset at = raw_.span.begin;
-        for (const Span comment : raw_.comments) {
+    [[nodiscard]] Offset first_code(const RawBlock& raw) const {
+        Offset at = raw.span.begin;
+        for (const Span comment : raw.comments) {
             if (comment.begin != at) break;
             at = skip_blanks(text_, comment.end);
         }
@@ -161,31 +137,8 @@ class Reader {
         return false;
     }
 
-    void parse() {
-        static const syntax::Tree nothing{.nodes = {}, .has_error = true};
-        const Span block = raw_.span;
-        const bool throttling = throttle_.is_throttling();
-        std::optional<SyntaxError> cause;
-        if (throttling) cause = find_cause(text_, block);
-        const syntax::Tree& tree = !cause && is_plausible(text_, block)
-                                       ? tree_of(text_.substr(block.begin, block.length()))
-                                       : nothing;
-        throttle_.record(tree.has_error);
-        if (tree.has_error) {
-            if (!throttling) cause = find_cause(text_, block);
-            file_.syntax_errors.push_back(cause ? *std::move(cause) : find_parse_error(text_, block, tree));
-            return add_unreadable(false);
-        }
-        for (const syntax::Node& node : tree.nodes) {
-            if (kind_of(node) == Kind::section) return take_unknown_section(tree, node);
-            if (kind_of(node) == Kind::block && take_numbered_section(tree, node)) return;
-        }
-        auto& [program, before] = programs_.current();
-        lowering_.lower(tree, block, program, before);
-    }
-
     /// `N5 MACHINING`, `N3 FACE_C Z0`: the word counts although a number stands before it.
-    bool take_numbered_section(const syntax::Tree& tree, const syntax::Node& block) {
+    bool take_numbered_section(const syntax::Tree& tree, const syntax::Node& block, Span line) {
         const syntax::Node* statement = nullptr;
         for (syntax::NodeIndex i = block.first_child; i != syntax::no_node; i = tree.nodes[i].next_sibling) {
             const Kind kind = kind_of(tree.nodes[i]);
@@ -197,48 +150,37 @@ class Reader {
             }
         }
         if (statement == nullptr) return false;
-        return take_section(words_at(text_, raw_.span.begin + statement->span.begin), raw_.span);
+        return take_section(words_at(text_, line.begin + statement->span.begin), line);
     }
 
     /// The shape of a section, but no such word.
-    void take_unknown_section(const syntax::Tree& tree, const syntax::Node& section) {
+    void take_unknown_section(const syntax::Tree& tree, const syntax::Node& section, const RawBlock& raw) {
         const syntax::Node& name = tree.nodes[section.first_child];
-        const Span word{raw_.span.begin + name.span.begin, raw_.span.begin + name.span.end};
+        const Span word{raw.span.begin + name.span.begin, raw.span.begin + name.span.end};
         const std::string meant = meant_by(capitals_of(text_.substr(word.begin, word.length())));
         report(SyntaxErrorKind::unknown_keyword, word, meant);
-        add_unreadable(meant == "RETURN"); // manuals print the word in translation
+        if (meant == "RETURN") // manuals print the word in translation
+            lowering_.add_unreadable_return(unreadable_head(raw), programs_.current());
+        else
+            add_unreadable(raw);
     }
 
-    /// The block's tree, good until the next block; every thread has a cache of its own.
-    const syntax::Tree& tree_of(std::string_view block) {
-        thread_local syntax::ParseCache cache(grammar);
-        make_cache_key(block, key_);
-        return cache.parse(key_);
-    }
-
-    void add_unreadable(bool returns) {
-        auto& [program, before] = programs_.current();
-        before.waiting_if.reset();
+    /// The block number stands at the head of the text whatever is wrong after it.
+    [[nodiscard]] Block unreadable_head(const RawBlock& raw) const {
         Block block{};
-        block.span = raw_.span;
-        take_unreadable_head(block);
-        program.begin_block();
-        if (before.effects) program.add_effect({names_in(program.program(), before, raw_.span), raw_.span});
-        if (returns) program.add_effect({Return{}, raw_.span});
-        program.end_block(block);
-    }
-
-    /// The block number stands at the head of the text whatever is wrong behind it.
-    void take_unreadable_head(Block& block) const {
-        Offset at = after_marks(text_, first_code());
-        if (at >= block.span.end || (text_[at] != 'N' && text_[at] != 'n')) return;
+        block.span = raw.span;
+        const Offset head = first_code(raw);
+        Offset at = after_marks(text_, head);
+        block.channels = channels_in(text_.substr(head, at - head));
+        if (at >= block.span.end || (text_[at] != 'N' && text_[at] != 'n')) return block;
         const Offset letter = at;
         at = skip_blanks(text_, at + 1);
         const Offset digits = at;
         while (at < block.span.end && is_digit(text_[at])) ++at;
-        if (at == digits) return;
+        if (at == digits) return block;
         block.sequence_number = read_integer(text_.substr(digits, at - digits));
         if (block.sequence_number) block.sequence_number_span = {letter, at};
+        return block;
     }
 
     void report(SyntaxErrorKind kind, Span span, std::string cure) {
@@ -246,36 +188,18 @@ class Reader {
             {kind, span, std::string(text_.substr(span.begin, span.length())), std::move(cure)});
     }
 
-    // ---- comments
-
-    void record_comments(bool alone) {
-        for (const Span comment : raw_.comments)
-            if (addresses_maclint(text_.substr(comment.begin, comment.length())))
-                file_.comments.push_back({comment, alone, raw_.span, {}});
-    }
-
-    /// `block` is the next one for every comment that still waits for it.
-    void tell_comments(Span block) {
-        for (; waiting_ < file_.comments.size(); ++waiting_) file_.comments[waiting_].next_block = block;
-    }
-
     std::string_view text_;
-    ProgramFile file_;
+    ProgramFile& file_;
     Programs programs_;
     BlockLowering lowering_;
     PlainRunTotals run_;
     std::uint8_t run_section_ = 0;
-    RawBlock raw_;
-    std::string code_; ///< of the block, without its comments
-    std::string key_;  ///< of the block, for the cache
-    ErrorThrottle throttle_;
-    std::size_t waiting_ = 0; ///< first comment without a next block
 };
 
 } // namespace
 
 ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control) {
-    return Reader(std::move(source), control).run();
+    return BlockReader<Language>(std::move(source), control).run();
 }
 
 } // namespace maclint::dinplus

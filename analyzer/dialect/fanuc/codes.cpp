@@ -78,7 +78,8 @@ CodeTable build(const ControlModel& control) {
     table.g.fill({.group = no_group, .traits = 0});
     table.m_groups.fill(no_group);
     for (std::size_t i = control.groups.size(); i-- > 0;)
-        for (const double code : control.groups[i].members) {
+        for (const ModalMember& member : control.groups[i].members) {
+            const double code = member.number;
             if (control.groups[i].letter == 'G') table.g[tenths(code)].group = static_cast<GroupId>(i);
             if (control.groups[i].letter == 'M')
                 table.m_groups[static_cast<std::size_t>(code)] = static_cast<GroupId>(i);

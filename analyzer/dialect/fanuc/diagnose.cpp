@@ -373,7 +373,7 @@ UnreadableBlock names_in(const Program& program, Span block) {
     const std::span<const Token> tokens = explainer.tokens();
     const VariableFamily& family = program.control->families[numbered];
     UnreadableBlock names{{}, {}, false, false};
-    std::vector<std::int64_t> named;
+    std::vector<std::int64_t> named, labels;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const Token& token = tokens[i];
         const Token* next = i + 1 < tokens.size() ? &tokens[i + 1] : nullptr;
@@ -387,7 +387,7 @@ UnreadableBlock names_in(const Program& program, Span block) {
             value = i + 2 < tokens.size() ? &tokens[i + 2] : nullptr;
         if (word.ends_with("GOTO") && value != nullptr && value->kind == TokenKind::number)
             if (const std::optional<std::int64_t> label = read_integer(explainer.text(*value)))
-                names.may_jump.push_back(*label);
+                labels.push_back(*label);
         std::vector<std::string_view> words = split_keywords(word);
         const std::string meant = words.empty() ? explain(word).meant : std::string();
         words.push_back(meant);
@@ -402,8 +402,9 @@ UnreadableBlock names_in(const Program& program, Span block) {
         if (word.back() == 'M')
             names.may_call_or_return |= code == 2 || code == 30 || (code >= 96 && code <= 99) || code == 198;
     }
-    sort_unique(names.may_jump);
+    sort_unique(labels);
     sort_unique(named);
+    names.may_jump.assign(labels.begin(), labels.end());
     for (const std::int64_t number : named) {
         const VariableRange* range = family.find(number);
         if (range != nullptr && range->meaning == Meaning::variable)

@@ -2,6 +2,9 @@
 #include "analyzer/dialect/fanuc/lexer.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
 
 namespace maclint::fanuc {
 namespace {
@@ -11,12 +14,65 @@ using Kind = Token::Kind;
 /// Longer texts are cut: nobody wrote them by hand.
 constexpr Offset longest_looked_at = 64 * 1024;
 
-/// The length of the comparison that begins at `at`; 0 where none does.
-Offset comparison_length(std::string_view text, Offset at) {
+/// How the token that begins with a byte is found.
+enum class Start : std::uint8_t {
+    blank,
+    letter,
+    number,
+    variable,
+    comment,
+    name_or_comparison,
+    comparison,
+    alone
+};
+
+struct ByteClass {
+    Start start = Start::alone;
+    Kind kind = Kind::other; ///< of the byte where it is a token alone
+};
+
+constexpr std::array<ByteClass, 256> make_classes() {
+    std::array<ByteClass, 256> classes{};
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const char c = static_cast<char>(i);
+        if (is_blank(c)) classes[i].start = Start::blank;
+        if (is_letter(c)) classes[i].start = Start::letter;
+        if (is_digit(c) || c == '.') classes[i].start = Start::number;
+    }
+    const auto set = [&](char c, Start start, Kind kind) {
+        classes[static_cast<unsigned char>(c)] = {start, kind};
+    };
+    set('#', Start::variable, Kind::sharp);
+    set('(', Start::comment, Kind::comment);
+    set('<', Start::name_or_comparison, Kind::comparison);
+    set('>', Start::comparison, Kind::comparison);
+    set('=', Start::comparison, Kind::equals);
+    set('!', Start::comparison, Kind::other);
+    set('[', Start::alone, Kind::open);
+    set(']', Start::alone, Kind::close);
+    set('+', Start::alone, Kind::sign);
+    set('-', Start::alone, Kind::sign);
+    set('*', Start::alone, Kind::operation);
+    set('/', Start::alone, Kind::operation);
+    set(',', Start::alone, Kind::comma);
+    for (const char c : {';', '\n', '\r'}) set(c, Start::alone, Kind::end_of_block);
+    return classes;
+}
+
+constexpr std::array<ByteClass, 256> classes = make_classes();
+
+constexpr ByteClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
+
+/// After the bytes at `at` that begin a token in that way.
+Offset pass(std::string_view text, Offset at, Start start) {
+    while (at < text.size() && class_of(text[at]).start == start) ++at;
+    return at;
+}
+
+/// A comparison of two signs.
+bool is_pair(std::string_view signs) {
     static constexpr std::string_view pairs[] = {"==", "<=", ">=", "=<", "=>", "<>", "!="};
-    for (const std::string_view pair : pairs)
-        if (text.substr(at).starts_with(pair)) return 2;
-    return text[at] == '<' || text[at] == '>' ? 1 : 0;
+    return std::ranges::find(pairs, signs) != std::end(pairs);
 }
 
 } // namespace
@@ -34,55 +90,43 @@ std::optional<Offset> after_name(std::string_view text, Offset open) {
 }
 
 std::optional<Token> Lexer::next() {
-    pass(is_blank);
+    at_ = pass(text_, at_, Start::blank);
     if (at_ >= text_.size()) return std::nullopt;
     const Offset begin = at_;
-    const Kind kind = cut(text_[at_]);
+    const Kind kind = cut();
     if (kind != Kind::comment) at_head_ = kind == Kind::end_of_block;
     return Token{kind, {begin, at_}};
 }
 
-Kind Lexer::cut(char first) {
-    if (is_letter(first)) return pass(is_letter), Kind::letters;
-    if (is_digit(first) || first == '.')
-        return pass([](char c) { return is_digit(c) || c == '.'; }), Kind::number;
-    switch (first) {
-    case '#': return cut_variable();
-    case '(': at_ = after_comment(text_, at_); return Kind::comment;
-    case '<':
-        if (!at_head_) break;
-        if (const std::optional<Offset> after = after_name(text_, at_)) return at_ = *after, Kind::other;
+Kind Lexer::cut() {
+    const ByteClass first = class_of(text_[at_]);
+    switch (first.start) {
+    case Start::letter: at_ = pass(text_, at_, Start::letter); return Kind::letters;
+    case Start::number: at_ = pass(text_, at_, Start::number); return Kind::number;
+    case Start::variable: return cut_variable();
+    case Start::comment: at_ = after_comment(text_, at_); return Kind::comment;
+    case Start::name_or_comparison:
+        if (const std::optional<Offset> after = at_head_ ? after_name(text_, at_) : std::nullopt)
+            return at_ = *after, Kind::other;
+        [[fallthrough]];
+    case Start::comparison:
+        if (is_pair(text_.substr(at_, 2))) return at_ += 2, Kind::comparison;
         break;
-    default: break;
+    case Start::blank:
+    case Start::alone: break;
     }
-    const bool may_compare = first == '<' || first == '>' || first == '=' || first == '!';
-    if (const Offset length = may_compare ? comparison_length(text_, at_) : 0; length != 0)
-        return at_ += length, Kind::comparison;
     ++at_;
-    switch (first) {
-    case '[': return Kind::open;
-    case ']': return Kind::close;
-    case '=': return Kind::equals;
-    case '+':
-    case '-': return Kind::sign;
-    case '*':
-    case '/': return Kind::operation;
-    case ',': return Kind::comma;
-    case ';':
-    case '\n':
-    case '\r': return Kind::end_of_block;
-    default: return Kind::other;
-    }
+    return first.kind;
 }
 
 /// What begins with `#`; in a name in `<` `>` a '(' is a letter like any other.
 Kind Lexer::cut_variable() {
-    Offset next = ++at_;
-    while (next < text_.size() && is_blank(text_[next])) ++next;
+    const Offset next = pass(text_, ++at_, Start::blank);
     if (next >= text_.size()) return Kind::sharp;
     if (is_digit(text_[next])) {
         at_ = next;
-        return pass(is_digit), Kind::variable;
+        while (at_ < text_.size() && is_digit(text_[at_])) ++at_;
+        return Kind::variable;
     }
     if (text_[next] != '<') return Kind::sharp;
     constexpr std::string_view ends(">\r\n;\0", 5);
@@ -101,17 +145,15 @@ std::vector<Token> tokens_of(std::string_view file, Span block) {
 
 void make_cache_key(std::string_view block, std::string& key) {
     key.assign(block);
+    for (std::size_t i = 0; i < key.size(); ++i) // a skip level is one of 1 to 9
+        if (is_digit(key[i]) && (i == 0 || block[i - 1] != '/')) key[i] = '0';
+    if (block.find('(') == std::string_view::npos) return;
     Lexer lexer(block, {0, static_cast<Offset>(block.size())});
     while (const std::optional<Token> token = lexer.next()) {
+        if (token->kind != Kind::comment) continue;
         auto [begin, end] = token->span;
-        if (token->kind == Kind::comment) {
-            if (is_closed(block.substr(begin, end - begin))) --end;
-            std::fill(key.begin() + begin + 1, key.begin() + end, '-');
-        } else if (token->kind == Kind::number || token->kind == Kind::variable) {
-            // After '/' the first digit counts: a skip level is one of 1 to 9.
-            if (begin > 0 && block[begin - 1] == '/') ++begin;
-            std::replace_if(key.begin() + begin, key.begin() + end, is_digit, '0');
-        }
+        if (is_closed(block.substr(begin, end - begin))) --end;
+        std::fill(key.begin() + begin + 1, key.begin() + end, '-');
     }
 }
 

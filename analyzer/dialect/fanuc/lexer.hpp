@@ -62,11 +62,7 @@ class Lexer {
     [[nodiscard]] std::optional<Token> next();
 
   private:
-    template<class Is>
-    void pass(const Is& is) {
-        while (at_ < text_.size() && is(text_[at_])) ++at_;
-    }
-    Token::Kind cut(char first);
+    Token::Kind cut();
     Token::Kind cut_variable();
 
     std::string_view text_;

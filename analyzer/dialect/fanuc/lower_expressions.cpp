@@ -122,7 +122,7 @@ ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
 Variable BlockLowering::named_variable(const Node& node) {
     std::string name = upper_text(node);
     std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
-    return {spaces::named, builder_->number_of_name(name)};
+    return {spaces::named, builder_->number_of_name(spaces::named, name)};
 }
 
 ExpressionId BlockLowering::lower_named(const Node& node) {

@@ -1,4 +1,5 @@
 //! Lowering of NC words: what the words of a block that stand side by side do together.
+#include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
@@ -9,8 +10,6 @@
 
 namespace maclint::fanuc {
 namespace {
-
-constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// "X", or ",X" behind a comma, with static lifetime.
 std::string_view address_text(char letter, bool comma) {
@@ -53,7 +52,7 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
     const std::string_view written = text(*inner);
     std::size_t letter = 0;
     if (written.size() > 1 && written[0] == '&') letter = 1;
-    word.letter = written.empty() ? '@' : upper(written[letter]);
+    word.letter = written.empty() ? '@' : to_capital(written[letter]);
     bool incremental = false;
     if (kind_of(*inner) == Kind::literal_word) {
         std::size_t digits = letter + 1;

@@ -88,7 +88,7 @@ bool ends_program(std::string_view block) {
 /// Whether a program number stands at `at`, glued to the end of the program before it: where that ended
 /// without an end of block, the control punches `M99O0810`.
 bool glued_program(std::string_view text, Offset begin, Offset at) {
-    if (at == begin || to_capital(text[at]) != 'O' || !is_digit(text[at - 1])) return false;
+    if (to_capital(text[at]) != 'O' || at == begin || !is_digit(text[at - 1])) return false;
     if (at + 1 == text.size() || !is_digit(text[at + 1])) return false;
     return ends_program(text.substr(begin, at - begin));
 }

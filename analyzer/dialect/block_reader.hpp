@@ -1,0 +1,177 @@
+//! Reads a file block by block: what the readers of all dialects have in common.
+#pragma once
+
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/error_throttle.hpp"
+#include "analyzer/dialect/raw_block.hpp"
+#include "analyzer/program/model.hpp"
+#include "analyzer/syntax/parse_cache.hpp"
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace maclint {
+
+/// What a dialect brings with it, made anew for every file. It writes the programs of the file; the reader
+/// does the rest.
+template<class Dialect>
+concept BlockDialect = requires(Dialect dialect, Offset at, RawBlock& raw, const RawBlock& block,
+                                std::string_view text, std::string& key, Span span,
+                                const syntax::Tree& tree) {
+    { Dialect::grammar } -> std::convertible_to<syntax::Grammar>;
+    /// What closes a comment, for the cure of one that nobody closed.
+    { Dialect::comment_end } -> std::convertible_to<std::string_view>;
+    /// Whether a comment that nobody closed has taken code with it, which explains any other error in its
+    /// block.
+    { Dialect::open_comment_takes_code } -> std::convertible_to<bool>;
+    /// The first byte that the control reads.
+    { dialect.start() } -> std::same_as<Offset>;
+    /// Passes over all that needs no reader: plain blocks, of each of which the visitor is told, and what
+    /// stands between programs. Ends at a block, or at the end of the file.
+    {
+        dialect.pass(at, [](Span) {})
+        } -> std::same_as<Offset>;
+    /// Cuts the block at `at`.
+    {dialect.cut(at, raw)};
+    /// Takes what the head of a block tells, and the whole of a line that is no block of a program: then
+    /// true.
+    { dialect.take_head(block) } -> std::same_as<bool>;
+    {Dialect::make_cache_key(text, key)};
+    /// Whether the parser can be given the block at all: its time grows with the square of some mistakes.
+    { Dialect::is_plausible(text, span) } -> std::same_as<bool>;
+    { Dialect::find_cause(text, span) } -> std::same_as<std::optional<SyntaxError>>;
+    { Dialect::find_parse_error(text, span, tree) } -> std::same_as<SyntaxError>;
+    /// Adds the block to its program: a tree without errors, or nothing that could be read.
+    {dialect.lower(tree, block)};
+    {dialect.add_unreadable(block)};
+    /// At the end of the file.
+    {dialect.close()};
+};
+
+template<BlockDialect Dialect>
+class BlockReader {
+  public:
+    BlockReader(std::shared_ptr<const Source> source, const ControlModel& control)
+        : text_(source->bytes())
+        , dialect_(*source, control, file_) {
+        file_.source = std::move(source);
+        file_.control = &control;
+    }
+
+    [[nodiscard]] ProgramFile run() {
+        const auto precede = [this](Span block) { precede_comments(block); };
+        for (Offset at = dialect_.start(); at < text_.size();) {
+            at = dialect_.pass(at, precede);
+            if (at >= text_.size()) break;
+            dialect_.cut(at, raw_);
+            at = raw_.next;
+            if (!raw_.span.empty()) read_block();
+        }
+        dialect_.close();
+        for (SyntaxError& error : file_.syntax_errors) {
+            error.subject = file_.source->to_utf8(error.subject);
+            error.cure = file_.source->to_utf8(error.cure);
+        }
+        return std::move(file_);
+    }
+
+  private:
+    /// Longer blocks are not parsed: noise in one line costs the parser quadratic time, and it dies of some
+    /// ten thousand nodes side by side. A comment counts as one byte, however long it is.
+    static constexpr std::size_t longest_block = 4096;
+
+    void read_block() {
+        if (raw_.open_comment) report_open_comment();
+        if (raw_.code != 0) {
+            precede_comments(raw_.span);
+            if (!dialect_.take_head(raw_)) read_code();
+        }
+        record_comments();
+    }
+
+    void read_code() {
+        if (raw_.code + raw_.comments.size() > longest_block) {
+            constexpr Offset shown = 60;
+            report(SyntaxErrorKind::oversized_block, {raw_.span.begin, raw_.span.begin + shown}, "");
+            return dialect_.add_unreadable(raw_);
+        }
+        const Span block = raw_.span;
+        const bool throttling = throttle_.is_throttling();
+        std::optional<SyntaxError> cause;
+        if (throttling) cause = Dialect::find_cause(text_, block);
+        const syntax::Tree& tree = cause ? unparsed() : tree_of(block);
+        throttle_.record(tree.has_error);
+        if (!tree.has_error) return dialect_.lower(tree, raw_);
+        if (!raw_.open_comment || !Dialect::open_comment_takes_code) {
+            if (!throttling) cause = Dialect::find_cause(text_, block);
+            file_.syntax_errors.push_back(cause ? *std::move(cause)
+                                                : Dialect::find_parse_error(text_, block, tree));
+        }
+        dialect_.add_unreadable(raw_);
+    }
+
+    static const syntax::Tree& unparsed() {
+        static const syntax::Tree nothing{.nodes = {}, .has_error = true};
+        return nothing;
+    }
+
+    /// The block's tree, good until the next block; every thread has a cache of its own. What is plausible
+    /// can be seen in the key as well as in the block.
+    const syntax::Tree& tree_of(Span block) {
+        thread_local syntax::ParseCache cache(Dialect::grammar);
+        Dialect::make_cache_key(text_.substr(block.begin, block.length()), key_);
+        if (const syntax::Tree* known = cache.find(key_)) return *known;
+        const bool plausible = Dialect::is_plausible(key_, {0, static_cast<Offset>(key_.size())});
+        return plausible ? cache.parse(key_) : unparsed();
+    }
+
+    void report_open_comment() {
+        const Offset begin = raw_.comments.back().begin;
+        const auto line_end = static_cast<Offset>(std::min(text_.find_first_of("\r\n", begin), text_.size()));
+        report(SyntaxErrorKind::unterminated_comment, {begin, std::min(raw_.comments.back().end, line_end)},
+               std::string(Dialect::comment_end));
+    }
+
+    void report(SyntaxErrorKind kind, Span span, std::string cure) {
+        file_.syntax_errors.push_back(
+            {kind, span, std::string(text_.substr(span.begin, span.length())), std::move(cure)});
+    }
+
+    // ---- comments that speak to maclint
+
+    void record_comments() {
+        for (const Span comment : raw_.comments)
+            if (addresses_maclint(text_.substr(comment.begin, comment.length())))
+                file_.comments.push_back({comment, holds_no_code(), raw_.span, {}});
+    }
+
+    /// Whether the block has nothing but its number beside its comments.
+    [[nodiscard]] bool holds_no_code() const {
+        std::string code;
+        take_out_comments(text_, raw_.span, raw_.comments, code);
+        return code.empty() ||
+               ((code[0] == 'N' || code[0] == 'n') &&
+                std::all_of(code.begin() + 1, code.end(), [](char c) { return c >= '0' && c <= '9'; }));
+    }
+
+    /// `block` is the next one for every comment that still waits for it.
+    void precede_comments(Span block) {
+        for (; waiting_ < file_.comments.size(); ++waiting_) file_.comments[waiting_].next_block = block;
+    }
+
+    std::string_view text_;
+    ProgramFile file_;
+    Dialect dialect_;
+    RawBlock raw_{};
+    std::string key_; ///< of the block, for the cache
+    ErrorThrottle throttle_;
+    std::size_t waiting_ = 0; ///< first comment without a next block
+};
+
+} // namespace maclint

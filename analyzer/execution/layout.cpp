@@ -1,0 +1,81 @@
+//! Lays the executed sections of a program out.
+#include "analyzer/execution/layout.hpp"
+
+#include "analyzer/program/block_view.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace maclint::execution {
+
+Layout::Layout(const Program& program, const flow::Regions& regions)
+    : program_(program)
+    , regions_(regions)
+    , within_(program.effects.size()) {
+    for (const Section& section : program.sections) {
+        if (section.executed == Section::Executed::never) continue;
+        for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) {
+            const Item& item = program.items[i];
+            if (const auto* block = std::get_if<Block>(&item)) {
+                index(block->effects, steps_.size(), std::nullopt);
+                steps_.push_back({i, block->span, block->sequence_number, block, {}, false});
+                continue;
+            }
+            for_each_block(program, Stretch{i, program.span_of(i)}, [&](const BlockView& plain) {
+                steps_.push_back({i, plain.span, plain.number, nullptr,
+                                  {plain.settings.begin(), plain.settings.end()}, plain.moves});
+            });
+        }
+    }
+}
+
+void Layout::index(Slice effects, std::size_t step, std::optional<EffectId> guard) {
+    const EffectId end = effects.first + effects.count;
+    for (EffectId id = effects.first; id < end; ++id) {
+        within_[id] = Within{step, end, guard};
+        if (const auto* guarded = std::get_if<Guarded>(&program_.effects[id].what))
+            index(guarded->effects, step, id);
+    }
+}
+
+std::optional<std::size_t> Layout::find(const Label& label, std::size_t from, LabelSearch search) const {
+    const auto has_it = [&](std::size_t step) {
+        if (const auto* name = std::get_if<BlockName>(&label))
+            return steps_[step].block != nullptr && steps_[step].block->name == *name;
+        return steps_[step].number == std::get<std::int64_t>(label);
+    };
+    const bool own_first = search == LabelSearch::forward_then_top;
+    if (search != LabelSearch::backward)
+        for (std::size_t step = own_first ? from : from + 1; step < steps_.size(); ++step)
+            if (has_it(step)) return step;
+    if (search == LabelSearch::forward_then_top)
+        for (std::size_t step = 0; step < from; ++step)
+            if (has_it(step)) return step;
+    if (search == LabelSearch::backward || search == LabelSearch::forward_then_backward)
+        for (std::size_t step = from + 1; step-- > 0;)
+            if (has_it(step)) return step;
+    return std::nullopt;
+}
+
+std::size_t Layout::step_of(EffectId effect) const {
+    assert(within_[effect]);
+    return within_[effect]->step;
+}
+
+Position Layout::after(EffectId effect) const {
+    assert(within_[effect]);
+    const Within& within = *within_[effect];
+    if (effect + 1 < within.end) return {within.step, effect + 1};
+    if (within.guard) return after(*within.guard);
+    return {within.step + 1, std::nullopt};
+}
+
+const flow::Region* Layout::region_of(EffectId effect) const {
+    const auto id = regions_.with(effect);
+    if (!id) return nullptr;
+    const flow::Region& region = regions_.all[*id];
+    // Without its end, or crossing another, it is read as plain text: nobody knows what the control does.
+    return region.close && !region.crossed ? &region : nullptr;
+}
+
+} // namespace maclint::execution

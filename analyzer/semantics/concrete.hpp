@@ -1,0 +1,46 @@
+//! What operators, functions and comparisons do to numbers and to vacancy: the one place for the solver's
+//! constants, the stepper and tests.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+#include <optional>
+#include <span>
+#include <variant>
+
+namespace maclint::semantics {
+
+/// What a variable holds; nothing: it is vacant.
+using Content = std::optional<double>;
+
+/// No result: the control stops with an alarm (112 for a divisor of 0, 111 and 119 for operands outside of
+/// what a function takes).
+struct DomainError {};
+/// The model does not say what comes out.
+struct NotModelled {};
+using Result = std::variant<double, DomainError, NotModelled>;
+
+/// The result of an operator or function on numbers; vacant operands count as 0. Comparisons and logic
+/// between conditions give no number.
+[[nodiscard]] Result compute(Operation operation, std::span<const double> operands);
+[[nodiscard]] Result compute(Operation operation, std::span<const Content> operands);
+
+/// Whether a variable can hold the number.
+[[nodiscard]] bool is_in_range(double number);
+
+/// EQ, NE, LT …; `vacant_equals_zero` is the control's.
+[[nodiscard]] bool compare(Operation operation, Content left, Content right, bool vacant_equals_zero);
+/// Whether `is_vacant` or `is_set` is true.
+[[nodiscard]] bool test_vacancy(Operation operation, Content operand);
+
+[[nodiscard]] constexpr bool is_comparison(Operation operation) {
+    return operation >= Operation::equal && operation <= Operation::greater_equal;
+}
+[[nodiscard]] constexpr bool is_vacancy_test(Operation operation) {
+    return operation == Operation::is_vacant || operation == Operation::is_set;
+}
+
+/// The number of a variable that an index means: a fraction is rounded [SINHA-INT].
+[[nodiscard]] std::optional<std::int32_t> variable_number(double index);
+
+} // namespace maclint::semantics

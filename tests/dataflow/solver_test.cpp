@@ -1,0 +1,174 @@
+//! What the solver knows at a word that reads a variable, or at a program's end: each worked out by hand.
+#include "tests/support/analysed.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+using dataflow::Vacancy;
+using dataflow::Value;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The value of the last read of a variable.
+Value last_read(const ProgramAnalysis& analysis) { return analysis.facts().reads.back().value; }
+Value last_read(const std::string& text) {
+    return last_read(test::analyse_fanuc("O0001\n" + text)->programs().front());
+}
+
+/// What a modal group can be at the only exit that is reached.
+const dataflow::ModalValue& at_exit(const ProgramAnalysis& analysis, ModalRole role) {
+    const auto& exits = analysis.facts().exits;
+    EXPECT_EQ(exits.size(), 1U);
+    return analysis.data().modal(exits.front().state, *analysis.control().group_with(role));
+}
+
+TEST(Solver, WinsBackTheBoundThatWideningGaveAway) {
+    // No number of a comparison stops the widening of #1: what #2 holds, narrowing finds.
+    const Value after = last_read("#1=0\n#2=10\nN1#1=#1+1\nIF[#1LT#2]GOTO1\nX#1\nM30\n");
+    EXPECT_EQ(after.low, 10);
+    EXPECT_EQ(after.high, 10);
+}
+
+TEST(Solver, AnUnknownCallMayChangeCommonsAndModalGroupsAndNotTheCallersLocals) {
+    EXPECT_FALSE(last_read("#100=5\nG65 P77\nX#100\nM30\n").constant());
+    EXPECT_EQ(last_read("#100=5\nG65 P77\nX#100\nM30\n").vacancy, Vacancy::unknown);
+    EXPECT_FALSE(last_read("#500=5\nG65 P77\nX#500\nM30\n").constant());
+    EXPECT_EQ(last_read("#1=5\nG65 P77\nX#1\nM30\n").constant(), 5);
+    EXPECT_FALSE(last_read("#1=5\nM98 P77\nX#1\nM30\n").constant()); // which shares them
+    const auto workspace = test::analyse_fanuc("O0001\nG90 G40\nG65 P77\nM30\n");
+    EXPECT_TRUE(at_exit(workspace->programs().front(), ModalRole::distance).unknown);
+    EXPECT_TRUE(at_exit(workspace->programs().front(), ModalRole::cutter_compensation).unknown);
+}
+
+TEST(Solver, WhatOnePathDoesNotKnowNobodyKnowsWherePathsMeet) {
+    for (const std::string branches : {"IF[#500EQ1]GOTO1\nG65 P77\nGOTO2\nN1G91\n",    // unknown first
+                                       "IF[#500EQ1]GOTO1\nG91\nGOTO2\nN1G65 P77\n"}) { // and last
+        const auto workspace = test::analyse_fanuc("O0001\nG90\n" + branches + "N2M30\n");
+        const auto& distance = at_exit(workspace->programs().front(), ModalRole::distance);
+        EXPECT_TRUE(distance.unknown) << branches;
+        EXPECT_FALSE(distance.parts.empty()) << branches;
+    }
+}
+
+TEST(Solver, AStoreThroughARangeOfIndexesReachesItsFirstAndItsLast) {
+    // #1000 is an input: 0 or 1.
+    const auto value_of = [](const std::string& variable) {
+        return last_read("#100=5\n#101=6\n#102=7\n#103=8\n#[101+#1000]=9\nX" + variable + "\nM30\n");
+    };
+    EXPECT_EQ(value_of("#100").constant(), 5);
+    EXPECT_FALSE(value_of("#101").constant());
+    EXPECT_FALSE(value_of("#102").constant());
+    EXPECT_EQ(value_of("#103").constant(), 8);
+}
+
+TEST(Solver, AStoreThroughAnIndexOfAnySizeReachesAllThatItCan) {
+    const auto value_of = [](const std::string& variable) {
+        return last_read("#1=5\n#100=5\n#500=5\n#[100+ABS[#501]]=9\nX" + variable + "\nM30\n");
+    };
+    EXPECT_EQ(value_of("#1").constant(), 5);
+    EXPECT_FALSE(value_of("#100").constant());
+    EXPECT_FALSE(value_of("#500").constant());
+}
+
+TEST(Solver, ACallThatMayNotRunMayChangeNothing) {
+    const auto after = [](const std::string& call) {
+        const auto workspace = test::analyse_files(
+            {{"O1.nc", "O0001\n#100=1\n" + call + "\nX#100\nM30\n"}, {"O2.nc", "O0002\n#100=5\nM99\n"}},
+            {.complete = true, .jobs = 1});
+        return last_read(workspace->programs().front());
+    };
+    EXPECT_EQ(after("G65 P2").low, 5);
+    EXPECT_EQ(after("G65 P2 L3").low, 5);
+    EXPECT_EQ(after("G65 P2 L0").low, 1);
+    EXPECT_EQ(after("G65 P2 L0").high, 5);
+}
+
+TEST(Solver, AWordWithAVariableThatMayBeVacantMayKeepWhatWasInForce) {
+    // F100, or what #500 holds: nobody can say that the feed is #500.
+    const auto workspace = test::analyse_fanuc("O0001\nF100\nF#500\nIF[#4109EQ#500]GOTO1\nN1M30\n");
+    const auto& comparison = workspace->programs().front().facts().comparisons.front();
+    EXPECT_TRUE(comparison.truth.can_hold);
+    EXPECT_TRUE(comparison.truth.can_fail);
+}
+
+bool may_be(const ProgramAnalysis& analysis, const dataflow::ModalValue& value, double code) {
+    return value.unknown || std::ranges::any_of(value.parts, [&](const dataflow::ModalPart& part) {
+               return analysis.data().table().number_of(part.symbol) == code;
+           });
+}
+
+TEST(Solver, AModalCallRunsItsProgramAfterTheCodesOfTheMove) {
+    const auto workspace =
+        test::analyse_files({{"O1.nc", "O0001\nG66 P2\nG91 X1\nG67\nM30\n"}, {"O2.nc", "O0002\nG90\nM99\n"}},
+                            {.complete = true, .jobs = 1});
+    const ProgramAnalysis& main = workspace->programs().front();
+    EXPECT_TRUE(may_be(main, at_exit(main, ModalRole::distance), 90));
+}
+
+TEST(Solver, AModalCallThatACalledProgramLeavesInForceRunsAnything) {
+    const auto after = [](const std::string& left) {
+        const auto workspace = test::analyse_files({{"O1.nc", "O0001\n#100=1\nG65 P2\nX1\nX#100\nM30\n"},
+                                                    {"O2.nc", "O0002\n" + left + "M99\n"},
+                                                    {"O3.nc", "O0003\n#100=5\nM99\n"}},
+                                                   {.complete = true, .jobs = 1});
+        return last_read(workspace->programs().front()).constant();
+    };
+    EXPECT_EQ(after("G66 P3\n"), std::nullopt);
+    EXPECT_EQ(after("G66 P3\nG67\n"), 1);
+    EXPECT_EQ(after(""), 1);
+}
+
+TEST(Solver, AJumpToABlockThatMayBeSkippedGoesOnBehindIt) {
+    const Value value = last_read("#1=1\nGOTO5\n/N5#1=2\nX#1\nM30\n");
+    EXPECT_EQ(value.low, 1);
+    EXPECT_EQ(value.high, 2);
+}
+
+TEST(Solver, AReturnToANumberIsFollowedWhereProgramsCallEachOther) {
+    const auto workspace =
+        test::analyse_files({{"O1.nc", "O0001\nG65 P2 A1\nM30\n"},
+                             {"O2.nc", "O0002\nIF[#1EQ1]GOTO3\nG65 P2 A1\nM99\nN3M99 P9\nN9X1\nM99\n"}},
+                            {.complete = true, .jobs = 1});
+    const ProgramAnalysis& callee = workspace->programs().back();
+    const auto& labels = callee.graph().labels;
+    const auto nine = std::ranges::find(labels, 9, &flow::Label::number);
+    ASSERT_NE(nine, labels.end());
+    EXPECT_TRUE(callee.data().reached(nine->node));
+}
+
+TEST(Solver, WhatAProgramFurtherUpHandsDownMayBeChangedByACall) {
+    const auto after = [](const std::string& store) {
+        const auto workspace =
+            test::analyse_files({{"main.nc", "VAR\n#_k=#l90(4)\nMACHINING\nL\"S\" V1\nM30\n"},
+                                 {"S.ncs", "MACHINING\n#l90=1\n#l5=2\nL\"T\" V1\nG0 X#l90 Z#l5\nRETURN\n"},
+                                 {"T.ncs", "MACHINING\n" + store + "\nRETURN\n"}},
+                                {.complete = true, .jobs = 1});
+        const auto& reads = workspace->programs()[1].facts().reads;
+        return std::pair(reads[reads.size() - 2].value.constant(), reads.back().value.constant());
+    };
+    using Constants = std::pair<std::optional<double>, std::optional<double>>;
+    EXPECT_EQ(after("#l90=7"), Constants(std::nullopt, 2));
+    EXPECT_EQ(after("#l(#g1)=7"), Constants(std::nullopt, 2)); // any of them
+    EXPECT_EQ(after("#l5=7"), Constants(1, 2));                // its own
+}
+
+TEST(Solver, BoundsOfComparisonsAreKnownInTheBranch) {
+    const Value in_branch = last_read("IF[#500LE3]GOTO1\nIF[#500GT7]GOTO1\nX#500\nN1M30\n");
+    EXPECT_GT(in_branch.low, 3);
+    EXPECT_LE(in_branch.high, 7);
+    EXPECT_EQ(in_branch.vacancy, Vacancy::set); // vacant counts as 0
+    const Value excluded = last_read("IF[#500EQ#0]GOTO1\nIF[#500EQ0]GOTO1\nX#500\nN1M30\n");
+    EXPECT_TRUE(excluded.nonzero);
+    EXPECT_EQ(excluded.high, infinity);
+}
+
+} // namespace
+} // namespace maclint

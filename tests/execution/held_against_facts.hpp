@@ -1,0 +1,111 @@
+//! Holds what a run shows against what the analysis claims of every run.
+#pragma once
+
+#include "analyzer/execution/stepper.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+namespace maclint::test {
+
+/// The facts of one program, to be looked up by where they were found.
+class IndexedFacts {
+  public:
+    explicit IndexedFacts(const ProgramAnalysis& analysis);
+
+    template<class Fact>
+    using ByExpression = std::multimap<std::pair<EffectId, ExpressionId>, const Fact*>;
+    ByExpression<dataflow::Read> reads;
+    ByExpression<dataflow::Comparison> comparisons;
+    ByExpression<dataflow::Condition> conditions;
+    std::multimap<std::pair<flow::NodeId, ExpressionId>, const dataflow::ModalRead*> modal_reads;
+    std::multimap<EffectId, const dataflow::Store*> stores;
+    std::multimap<EffectId, const dataflow::Clobber*> clobbers;
+    std::multimap<EffectId, const dataflow::CallMade*> calls;
+    std::multimap<EffectId, const dataflow::ModalWrite*> modal_writes;
+    std::multimap<EffectId, const dataflow::ComputedJump*> computed_jumps;
+    std::multimap<EffectId, const dataflow::PointState*> points; ///< tool changes and watched words
+};
+
+/// Variables that are looked at as a whole: at calls, at the begin and the end of programs.
+using Watched = std::vector<Variable>;
+
+class HeldAgainstFacts {
+  public:
+    explicit HeldAgainstFacts(const Workspace& workspace);
+
+    /// Before each run.
+    void begin();
+    /// To be called with every event of the run.
+    void observe(execution::Stepper& stepper, const execution::Event& event);
+    /// After the run: what is claimed of whole paths.
+    void end();
+
+    /// The first claim that a run has shown to be false.
+    [[nodiscard]] const std::optional<std::string>& refuted() const { return refuted_; }
+    /// How often each kind of claim was held against a run.
+    [[nodiscard]] const std::map<std::string, std::size_t>& held() const { return held_; }
+
+  private:
+    using Content = semantics::Content;
+    /// One program that is under way.
+    struct Level {
+        const ProgramAnalysis* analysis;
+        std::vector<Content> variables; ///< at the start, of watched_
+        std::vector<double> codes;      ///< at the start, of all groups
+        std::vector<Content> before_call;
+        std::optional<flow::NodeId> node;
+        std::optional<EffectId> effect;   ///< the last one in the node
+        Offset offset = 0;                ///< of the last plain block in the node
+        std::vector<flow::EdgeId> path;   ///< from the program's start
+        std::optional<std::size_t> cycle; ///< of the inescapable ones of the analysis
+    };
+
+    void on(execution::Stepper& stepper, const execution::ProgramBegins& event);
+    void on(execution::Stepper& stepper, const execution::BlockBegins& event);
+    void on(execution::Stepper& stepper, const execution::EffectBegins& event);
+    void on(execution::Stepper& stepper, const execution::VariableRead& event);
+    void on(execution::Stepper& stepper, const execution::GroupRead& event);
+    void on(execution::Stepper& stepper, const execution::Compared& event);
+    void on(execution::Stepper& stepper, const execution::Decided& event);
+    void on(execution::Stepper& stepper, const execution::Stored& event);
+    void on(execution::Stepper& stepper, const execution::GroupSet& event);
+    void on(execution::Stepper& stepper, const execution::JumpComputed& event);
+    void on(execution::Stepper& stepper, const execution::CallBegins& event);
+    void on(execution::Stepper& stepper, const execution::CallEnds& event);
+    void on(execution::Stepper& stepper, const execution::ProgramLeft& event);
+
+    void come_to(flow::NodeId node, bool goes_on);
+    [[nodiscard]] std::optional<std::vector<flow::EdgeId>> path(const ProgramAnalysis& analysis,
+                                                                flow::NodeId from, flow::NodeId to);
+    void check_exit(execution::Stepper& stepper, const execution::ProgramLeft& left);
+    void check_summary(execution::Stepper& stepper, const execution::ProgramLeft& left);
+    void check_stop();
+    void check_changes(execution::Stepper& stepper, EffectId call);
+
+    [[nodiscard]] Watched watched_in(const ProgramAnalysis& analysis) const;
+    [[nodiscard]] std::optional<Content> value_of(dataflow::SymbolId symbol) const;
+    [[nodiscard]] bool allows(const dataflow::Value& value, Content content) const;
+    [[nodiscard]] bool allows(const dataflow::ModalValue& value, double code) const;
+    void claim(bool holds, const std::string& kind, const std::string& what);
+    [[nodiscard]] const IndexedFacts& facts() { return *facts_[levels_.back().analysis]; }
+
+    const Workspace& workspace_;
+    std::unordered_map<const ProgramAnalysis*, std::unique_ptr<IndexedFacts>> facts_;
+    std::unordered_map<const ProgramAnalysis*, Watched> watched_;
+    std::map<std::tuple<const ProgramAnalysis*, flow::NodeId, flow::NodeId>,
+             std::optional<std::vector<flow::EdgeId>>>
+        paths_;
+    std::vector<Level> levels_;
+    std::vector<Level> left_; ///< the levels of this run that are left
+    std::optional<std::string> refuted_;
+    std::map<std::string, std::size_t> held_;
+};
+
+} // namespace maclint::test

@@ -1,0 +1,169 @@
+//! What the analysis claims of random programs, held against running them.
+#include "analyzer/execution/stepper.hpp"
+#include "tests/execution/held_against_facts.hpp"
+#include "tests/execution/random_programs.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace maclint::test {
+namespace {
+
+using execution::Content;
+
+/// A world in which everything that no program tells is thrown.
+class RandomEnvironment {
+  public:
+    explicit RandomEnvironment(Dice& dice)
+        : dice_(dice) {}
+
+    /// `main`: modal groups have their codes of reset.
+    execution::Environment in_front_of(const ControlModel& control, bool main) {
+        execution::Environment environment;
+        environment.at_start = [&](const Program&, Variable variable) {
+            const bool may_be_vacant = control.spaces[variable.space].scope != Scope::machine;
+            return may_be_vacant ? content() : Content{number()};
+        };
+        environment.code_at_start = [&, main](GroupId group) { return code(control, group, main); };
+        environment.value_of = [this](const Program& program, ExpressionId id) {
+            return value_of(program, program.expressions[id]);
+        };
+        environment.typed_in = [this](const Program&, Variable) { return Content{number()}; };
+        environment.skips = [this](const Block&) { return dice_.one_in(2); };
+        environment.unknown_call = [this](const Program& program, CallKindId kind) {
+            return unknown_call(program, kind);
+        };
+        return environment;
+    }
+
+    Content content() { return dice_.one_in(4) ? Content{} : Content{number()}; }
+
+  private:
+    double number() {
+        constexpr std::array numbers{0.0, 1.0, 2.0, 3.0, 4.0, -2.0, 0.5, 2.25, 90.0, 91.0, 7.0, -0.1, 100.0};
+        return dice_.one_of(numbers);
+    }
+
+    double code(const ControlModel& control, GroupId id, bool main) {
+        const ModalGroup& group = control.groups[id];
+        if (group.reset && (main || group.members.empty())) return *group.reset;
+        return group.members.empty() ? static_cast<double>(dice_.between(0, 3))
+                                     : dice_.one_of(group.members).number;
+    }
+
+    Content value_of(const Program& program, const Expression& expression) {
+        const auto* owned = std::get_if<LoadMachine>(&expression.node);
+        if (owned == nullptr) return Content{number()};
+        const VariableRange* range = program.control->families[owned->family].find(owned->number);
+        if (range != nullptr && range->is_bit) return Content{static_cast<double>(dice_.below(2))};
+        return range != nullptr && range->may_be_vacant ? content() : Content{number()};
+    }
+
+    execution::UnknownEffects unknown_call(const Program& program, CallKindId kind) {
+        const ControlModel& control = *program.control;
+        execution::UnknownEffects effects;
+        const bool shares = control.calls[kind].frame == Frame::shared;
+        for (const VariableFamily& family : control.families)
+            for (const std::int32_t number : {1, 2, 3, 100, 101, 500}) {
+                const VariableRange* range = family.find(number);
+                if (range == nullptr || range->meaning != Meaning::variable || !dice_.one_in(3)) continue;
+                if (shares || control.spaces[range->space].scope != Scope::frame)
+                    effects.stores.push_back({{range->space, number}, content()});
+            }
+        for (const Variable variable : program.handed_down)
+            if (dice_.one_in(2) && !control.spaces[variable.space].written_once)
+                effects.stores.push_back({program.meant_by(variable), content()});
+        for (std::size_t i = 0; i < control.groups.size(); ++i)
+            if (control.groups[i].role != ModalRole::macro_call && dice_.one_in(4))
+                effects.codes.emplace_back(static_cast<GroupId>(i),
+                                           code(control, static_cast<GroupId>(i), false));
+        effects.stops = dice_.one_in(10);
+        return effects;
+    }
+
+    Dice& dice_;
+};
+
+/// Whether a run may begin with the program: by hand, or by a caller that is not in the workspace.
+bool may_be_started(const Workspace& workspace, const ProgramAnalysis& analysis) {
+    return analysis.is_main() || analysis.callers().empty() ||
+           (!workspace.complete() && !analysis.program().local);
+}
+
+execution::Start start_of(const ProgramAnalysis& analysis, RandomEnvironment& world) {
+    execution::Start start{analysis.index(), {}};
+    if (!analysis.is_main())
+        for (const Variable formal : analysis.control().formals)
+            if (const Content content = world.content()) start.variables.emplace_back(formal, content);
+    return start;
+}
+
+constexpr execution::Bounds bounds{.steps = 250, .depth = 4};
+
+/// The first claim about the programs that a run refutes.
+std::optional<std::string> refuted(const std::vector<NamedText>& files, Dice& dice,
+                                   std::map<std::string, std::size_t>& held) {
+    const auto workspace = analyse_files(files, {.complete = dice.one_in(2), .jobs = 1});
+    HeldAgainstFacts claims(*workspace);
+    RandomEnvironment world(dice);
+    constexpr int runs = 10;
+    for (const ProgramAnalysis& analysis : workspace->programs()) {
+        if (!may_be_started(*workspace, analysis)) continue;
+        for (int i = 0; i < runs && !claims.refuted(); ++i) {
+            const execution::Environment environment =
+                world.in_front_of(analysis.control(), analysis.is_main());
+            execution::Stepper stepper(
+                *workspace, environment,
+                [&](execution::Stepper& at, const execution::Event& event) { claims.observe(at, event); },
+                bounds);
+            claims.begin();
+            const execution::Leaving how = stepper.run(start_of(analysis, world));
+            ++held["runs"];
+            if (how == execution::Leaving::fault) ++held["runs that end with a fault"];
+            if (how == execution::Leaving::cut_off) ++held["runs that are cut off"];
+            claims.end();
+        }
+    }
+    for (const auto& [kind, times] : claims.held()) held[kind] += times;
+    return claims.refuted();
+}
+
+template<class Generate>
+void expect_sound(unsigned programs, const Generate& generate) {
+    std::map<std::string, std::size_t> held;
+    const char* only = std::getenv("SOUNDNESS_SEED");
+    for (unsigned seed = only != nullptr ? static_cast<unsigned>(std::atoi(only)) : 0; seed < programs;
+         ++seed) {
+        Dice dice(seed);
+        const std::vector<NamedText> files = generate(dice);
+        if (const auto what = refuted(files, dice, held)) {
+            std::string texts;
+            for (const auto& [path, text] : files) texts += "--- " + path + "\n" + text;
+            ADD_FAILURE() << "seed " << seed << ": " << *what << "\n" << texts;
+            return;
+        }
+    }
+    if (std::getenv("SOUNDNESS_STATISTICS") != nullptr)
+        for (const auto& [kind, times] : held) std::cout << times << ' ' << kind << '\n';
+}
+
+/// More of them on demand, to look for what is rare.
+unsigned count(unsigned usual) {
+    const char* more = std::getenv("SOUNDNESS_PROGRAMS");
+    return more == nullptr ? usual : static_cast<unsigned>(std::atoi(more));
+}
+
+TEST(Soundness, WhatRunsOfMacrosShowIsWhatTheAnalysisAllows) {
+    expect_sound(count(1500), random_fanuc_programs);
+}
+
+TEST(Soundness, WhatRunsOfDinPlusShowIsWhatTheAnalysisAllows) {
+    expect_sound(count(1000), random_dinplus_programs);
+}
+
+} // namespace
+} // namespace maclint::test
