@@ -177,7 +177,7 @@ class WorkspaceBuilder {
     /// All labels of callers that the program's text names (M99 P), reached or not.
     static std::vector<dataflow::CallersLabel> labels_returned_to(const Program& program) {
         std::vector<dataflow::CallersLabel> labels;
-        flow::for_each_effect(program, [&](EffectId id) {
+        for_each_effect(program, [&](EffectId id) {
             const auto* back = std::get_if<Return>(&program.effects[id].what);
             if (back == nullptr || !back->resume_label) return;
             if (const auto label = flow::constant_target(program, *back->resume_label))
