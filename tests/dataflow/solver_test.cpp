@@ -24,10 +24,10 @@ Value last_read(const std::string& text) {
 }
 
 /// What a modal group can be at the only exit that is reached.
-const dataflow::ModalValue& at_exit(const ProgramAnalysis& analysis, ModalRole role) {
+dataflow::ModalValue at_exit(const ProgramAnalysis& analysis, ModalRole role) {
     const auto& exits = analysis.facts().exits;
     EXPECT_EQ(exits.size(), 1U);
-    return analysis.data().modal(exits.front().state, *analysis.control().group_with(role));
+    return analysis.data().modal(exits.front(), *analysis.control().group_with(role));
 }
 
 TEST(Solver, WinsBackTheBoundThatWideningGaveAway) {
@@ -139,7 +139,7 @@ TEST(Solver, AReturnToANumberIsFollowedWhereProgramsCallEachOther) {
                             {.complete = true, .jobs = 1});
     const ProgramAnalysis& callee = workspace->programs().back();
     const auto& labels = callee.graph().labels;
-    const auto nine = std::ranges::find(labels, 9, &flow::Label::number);
+    const auto nine = std::ranges::find(labels, Label(std::int64_t{9}), &flow::LabelledBlock::label);
     ASSERT_NE(nine, labels.end());
     EXPECT_TRUE(callee.data().reached(nine->node));
 }
