@@ -144,6 +144,10 @@ std::optional<HeldAgainstFacts::Content> HeldAgainstFacts::value_of(dataflow::Sy
         if (variable == watched.end()) return std::nullopt;
         return level.variables[static_cast<std::size_t>(variable - watched.begin())];
     }
+    case Symbol::Kind::if_set: { // otherwise what was in force before
+        const auto asked_for = value_of(static_cast<dataflow::SymbolId>(symbol.a));
+        return asked_for && *asked_for ? asked_for : std::nullopt;
+    }
     case Symbol::Kind::result: {
         const auto operation = static_cast<Operation>(symbol.a);
         const auto left = value_of(symbol.b);
