@@ -87,7 +87,7 @@ std::string expert_program(std::size_t bytes) {
     out.block("G26 S2500");
     out.block("G14 Q0");
     out.block("T1");
-    // A call in the main part for every subprogram behind it, as many as will fit.
+    // A call in the main part for every subprogram after it, as many as will fit.
     constexpr std::size_t bytes_of_subprogram = 760;
     const std::size_t subprograms = bytes / bytes_of_subprogram + 1;
     for (std::size_t i = 1; i <= subprograms; ++i)

@@ -106,7 +106,7 @@ std::vector<RelatedLocation> steps_along(const ProgramAnalysis& analysis,
     if (path.empty()) return related;
     const flow::Graph& graph = analysis.graph();
     const std::vector<bool> leads = leading_to(analysis, graph.edges[path.back()].to);
-    // The last steps say most; a way may have thousands.
+    // The last steps say most; a path may have thousands.
     for (const flow::EdgeId id : path | std::views::reverse) {
         if (related.size() == most_steps) break;
         const flow::Edge& edge = graph.edges[id];

@@ -1,4 +1,5 @@
-//! Remarks that lead through a program: the jumps and branches of a way, the place where something came from.
+//! Remarks that lead through a program: the jumps and branches of a path, the place where something came
+//! from.
 #pragma once
 
 #include "analyzer/workspace/program_analysis.hpp"
@@ -10,12 +11,12 @@
 
 namespace maclint {
 
-/// The jumps and branches on this way, in execution order. Branches whose other side does not lead to the
+/// The jumps and branches on this path, in execution order. Branches whose other side does not lead to the
 /// way's end go without saying; of the rest the last twelve are told.
 [[nodiscard]] std::vector<RelatedLocation> steps_along(const ProgramAnalysis& analysis,
                                                        std::span<const flow::EdgeId> path);
 
-/// The steps along a shortest possible way between two nodes.
+/// The steps along a shortest possible path between two nodes.
 [[nodiscard]] std::vector<RelatedLocation> path_between(const ProgramAnalysis& analysis, flow::NodeId from,
                                                         flow::NodeId to);
 

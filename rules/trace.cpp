@@ -1,4 +1,4 @@
-//! Paths of findings, made of the ways through the flow graph.
+//! Paths of findings, made of the paths through the flow graph.
 #include "rules/trace.hpp"
 
 #include "rules/path.hpp"

@@ -24,7 +24,7 @@ void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from,
 /// The same from the program's start, where nothing happens.
 void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId node, std::string ends);
 
-/// What happens on the way from the finding's place in `from` to `node`, as related places.
+/// What happens on the path from the finding's place in `from` to `node`, as related places.
 void report_path_on(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId node);
 
 /// One round of a loop: from the finding's place in `node` back to it.

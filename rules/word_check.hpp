@@ -14,7 +14,7 @@ struct WordsOfBlock {
     const ProgramAnalysis& analysis;
     const BlockView& block;
     std::span<const Word> words;
-    bool modal_calls; ///< calls of the program act on blocks behind them
+    bool modal_calls; ///< calls of the program act on blocks after them
 };
 
 /// Whether words of the block may be skipped or stand under a condition: then two that exclude each other may

@@ -123,7 +123,7 @@ class Solver {
         }
     }
 
-    /// The state in front of a node: all ways that lead there.
+    /// The state in front of a node: all paths that lead there.
     [[nodiscard]] State incoming(flow::NodeId node) {
         State state = node == 0 ? states_.at_entry() : State{};
         for (const flow::EdgeId edge : graph_.in[node]) state = states_.join(state, along_[edge], node);

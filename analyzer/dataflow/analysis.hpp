@@ -21,11 +21,11 @@ class Analysis {
     [[nodiscard]] const Facts& facts() const { return facts_; }
     [[nodiscard]] const Summary& summary() const { return summary_; }
     [[nodiscard]] Entry entry() const;
-    /// Whether any way leads to the node.
+    /// Whether any path leads to the node.
     [[nodiscard]] bool reached(flow::NodeId node) const { return reached_[node]; }
     /// Whether the edge can be taken.
     [[nodiscard]] bool passable(flow::EdgeId edge) const { return passable_[edge]; }
-    /// The first edge of a way from the program's start that cannot be taken by who came this way.
+    /// The first edge of a path from the program's start that cannot be taken by who came this way.
     [[nodiscard]] std::optional<flow::EdgeId> first_impossible(std::span<const flow::EdgeId> path) const;
 
     [[nodiscard]] const ValueTable& table() const;

@@ -32,7 +32,7 @@ struct ReadSet {
 [[nodiscard]] bool asks_for_vacancy(const Program& program, const Facts& facts, flow::NodeId first,
                                     flow::NodeId last, Variable variable);
 
-/// How a condition turned out on a way.
+/// How a condition turned out on a path.
 struct Decision {
     ExpressionId condition;
     bool holds;

@@ -96,7 +96,7 @@ class CounterSearch {
             ++found;
         if (found == facts_.comparisons.end() || found->node != edge.from || !is_comparison(found->operation))
             return false;
-        // The way out is taken when the comparison `holds`; the loop goes on otherwise.
+        // The exit is taken when the comparison `holds`; the loop goes on otherwise.
         Operation stays = edge.holds ? opposite(found->operation) : found->operation;
         ExpressionId bound = found->right_expression;
         const Value* bound_value = &found->right;

@@ -27,7 +27,7 @@ class LoopChanges {
     std::vector<SpaceId> spaces_;           ///< of which anything may change
 };
 
-/// One way out of a loop that a counter decides.
+/// One exit of a loop that a counter decides.
 struct CounterTest {
     const Comparison* comparison;
     Operation stays;    ///< the loop goes on as long as counter `stays` bound: less for WHILE[#1LT10]
@@ -38,7 +38,7 @@ struct CounterTest {
 /// A variable that alone decides when a loop ends.
 struct Counter {
     Variable variable;
-    std::vector<CounterTest> tests;   ///< one for every way out, at least one
+    std::vector<CounterTest> tests;   ///< one for every exit, at least one
     std::vector<const Store*> steps;  ///< v = v + amount, at least one
     std::vector<const Store*> clamps; ///< other assignments, each guarded by a condition on the variable
 };

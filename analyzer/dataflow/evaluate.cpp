@@ -119,7 +119,7 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
         expression.node);
 }
 
-/// AND (`all`) or OR of conditions. Whether they can all hold, or all fail, is asked one behind the other:
+/// AND (`all`) or OR of conditions. Whether they can all hold, or all fail, is asked one after the other:
 /// of #1LT8 OR #1GT6 the second holds where the first fails.
 Truth Transfer::evaluate_chain(const State& state, std::span<const ExpressionId> operands, bool all) {
     Truth apart{all, !all};
@@ -138,7 +138,7 @@ Truth Transfer::evaluate_chain(const State& state, std::span<const ExpressionId>
         if (!agreed.reached) break;
     }
     facts_ = facts;
-    compared_.reset(); // of a state that only some ways lead to
+    compared_.reset(); // of a state that only some paths lead to
     if (!agreed.reached) (all ? apart.can_hold : apart.can_fail) = false;
     return apart;
 }

@@ -80,7 +80,7 @@ struct Clobber {
 struct CallMade {
     flow::NodeId node;
     EffectId effect;
-    bool known;    ///< false: nobody knows what it does
+    bool known;    ///< false: it is unknown what it does
     bool may_stop; ///< it may end in an alarm, a pause or the program's end; true when unknown
 };
 
@@ -88,7 +88,7 @@ struct CallMade {
 struct ModalWrite {
     flow::NodeId node;
     EffectId effect;
-    std::optional<GroupId> group; ///< as written, or as the value decides; empty: nobody knows
+    std::optional<GroupId> group; ///< as written, or as the value decides; empty: unknown
     bool stated;                  ///< the word names the group (F#4); otherwise the value decides (G#3)
     ExpressionId expression;
     Value value;

@@ -1,4 +1,4 @@
-//! Searches the flow graph for a way around assignments.
+//! Searches the flow graph for a path around assignments.
 #include "analyzer/dataflow/feasible_paths.hpp"
 
 #include "analyzer/dataflow/conditions.hpp"
@@ -30,7 +30,7 @@ void add_clobbering_nodes(const Facts& facts, Variable variable, flow::NodeId ex
     std::ranges::sort(nodes);
 }
 
-/// Variables that may hold something else than the way says.
+/// Variables that may hold something else than the path says.
 class Unsure {
   public:
     void add(Variable variable) { variables_.push_back(variable); }
@@ -50,17 +50,17 @@ class Unsure {
     std::vector<SpaceId> spaces_;
 };
 
-/// Why nobody goes a way: this edge is not taken by who came so. Where an earlier decision says the opposite,
-/// other ways may take the edge.
+/// Why nobody goes a path: this edge is not taken by who came so. Where an earlier decision says the
+/// opposite, other ways may take the edge.
 struct Obstacle {
     flow::EdgeId edge;
     std::optional<flow::EdgeId> opposite;
 };
 
-/// Looks for a way that can be gone: each way that cannot is closed at its obstacle.
+/// Looks for a path that can be gone: each path that cannot is closed at its obstacle.
 class FeasiblePathSearch {
   public:
-    /// `barred` are the nodes, sorted, that the rounds of a loop must not meet to be left out of a way.
+    /// `barred` are the nodes, sorted, that the rounds of a loop must not meet to be left out of a path.
     FeasiblePathSearch(const Program& program, const flow::Graph& graph, const Analysis& analysis,
                        std::span<const flow::NodeId> barred)
         : program_(program)
@@ -71,7 +71,7 @@ class FeasiblePathSearch {
     using FlowPath = std::vector<flow::EdgeId>;
     using Closed = std::vector<flow::EdgeId>;
 
-    /// `find(closed)` gives a way that takes none of the closed edges.
+    /// `find(closed)` gives a path that takes none of the closed edges.
     template<class Find>
     std::optional<FlowPath> run(const Find& find) {
         std::vector<Closed> open{{}};
@@ -105,7 +105,7 @@ class FeasiblePathSearch {
         return std::ranges::equal_range(analysis_.facts().stores, node, {}, &Store::node);
     }
 
-    /// A decision at a place of the way, and the place from which on what it was about may be different.
+    /// A decision at a place of the path, and the place from which on what it was about may be different.
     struct Decided {
         Decision decision;
         std::size_t at;
@@ -138,7 +138,7 @@ class FeasiblePathSearch {
         return std::nullopt;
     }
 
-    /// The last decisions on the way.
+    /// The last decisions on the path.
     [[nodiscard]] std::vector<Decided> decided_on(const FlowPath& path) const {
         constexpr std::size_t most_decided = 256;
         std::vector<Decided> all;
@@ -150,9 +150,9 @@ class FeasiblePathSearch {
         return all;
     }
 
-    /// Finds out, from the way's end to its start, until when each decision tells something.
+    /// Finds out, from the path's end to its start, until when each decision tells something.
     void note_changes(const FlowPath& path, std::vector<Decided>& all) {
-        std::vector<std::pair<Variable, std::size_t>> next_changes; // behind the place looked at
+        std::vector<std::pair<Variable, std::size_t>> next_changes; // after the place looked at
         const auto note = [&](flow::NodeId node, std::size_t at) {
             for (const Store& store : stores_in(node)) {
                 const auto known =
@@ -179,7 +179,7 @@ class FeasiblePathSearch {
 
     // ---- values ----
 
-    /// That a loop is not left before the first round says nothing of the ways behind it: the way goes on,
+    /// That a loop is not left before the first round says nothing of the ways after it: the path goes on,
     /// and what the rounds store is not known on it.
     [[nodiscard]] std::optional<Obstacle> impossible_on(FlowPath path) {
         while (const auto edge = analysis_.first_impossible(path)) {
@@ -189,7 +189,7 @@ class FeasiblePathSearch {
         return std::nullopt;
     }
 
-    /// Takes the edge off the way, and all behind it that what the rounds store decides.
+    /// Takes the edge off the path, and all after it that what the rounds store decides.
     void forget_rounds(FlowPath& path, flow::EdgeId edge) {
         Unsure unsure;
         for (const flow::NodeId node : rounds_before(edge)) {

@@ -9,7 +9,7 @@
 
 namespace maclint::dataflow {
 
-/// Whether every way from the program's start to the node passes an assignment to the variable.
+/// Whether every path from the program's start to the node passes an assignment to the variable.
 [[nodiscard]] bool assigned_on_every_path(const flow::Graph& graph, const Analysis& analysis,
                                           Variable variable, flow::NodeId node);
 
@@ -17,13 +17,13 @@ namespace maclint::dataflow {
 [[nodiscard]] std::vector<const Store*> last_stores_before(const flow::Graph& graph, const Analysis& analysis,
                                                            Variable variable, const Loop& loop);
 
-/// A way from the program's start to the node on which nothing can have changed the variable, and whose
+/// A path from the program's start to the node on which nothing can have changed the variable, and whose
 /// conditions do not contradict each other. Nothing when none is found in a few attempts.
 [[nodiscard]] std::optional<std::vector<flow::EdgeId>>
 path_without_assignment(const Program& program, const flow::Graph& graph, const Analysis& analysis,
                         Variable variable, flow::NodeId node);
 
-/// Whether the program can come over `first` to `then`: by a way whose conditions do not contradict each
+/// Whether the program can come over `first` to `then`: by a path whose conditions do not contradict each
 /// other, and that meets none of the nodes `barred` (sorted) between the two. Looked for in a few attempts.
 [[nodiscard]] bool can_follow(const Program& program, const flow::Graph& graph, const Analysis& analysis,
                               flow::NodeId first, flow::NodeId then,

@@ -98,8 +98,8 @@ class LoopSearch {
         return loop;
     }
 
-    /// Everything from which the latch is reached without passing the head, and which the head reaches: a way
-    /// into the middle of a loop does not belong to it.
+    /// Everything from which the latch is reached without passing the head, and which the head reaches: a
+    /// path into the middle of a loop does not belong to it.
     void collect_body(Loop& loop) {
         ++round_;
         mark_[loop.head] = round_;

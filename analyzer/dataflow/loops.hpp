@@ -34,15 +34,15 @@ struct Loop {
                                            const flow::Graph& graph, const Analysis& analysis,
                                            const Cycles& cycles);
 
-/// Cycles that nothing ends: no way leads out of them, and nothing in them stops the program. The body is all
-/// that can be reached from inside; `region` is the outermost WHILE or DO that holds all of it, if one
+/// Cycles that nothing ends: no path leads out of them, and nothing in them stops the program. The body is
+/// all that can be reached from inside; `region` is the outermost WHILE or DO that holds all of it, if one
 /// does, else `back` is the last jump back in the text. What they change is not looked at.
 [[nodiscard]] std::vector<Loop> find_inescapable_cycles(const Program& program, const flow::Regions& regions,
                                                         const flow::Graph& graph, const Analysis& analysis,
                                                         const Cycles& cycles);
 
 /// Calls `visit` for every fact in the loop's body. Facts are in the order of nodes, and so is the body: each
-/// node's are looked up behind those of the last.
+/// node's are looked up after those of the last.
 template<class Fact, class Visit>
 void for_each_in_body(const Loop& loop, const std::vector<Fact>& facts, const Visit& visit) {
     auto fact = facts.begin();

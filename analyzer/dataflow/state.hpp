@@ -30,7 +30,7 @@ struct EntryKnowledge {
     bool locals_are_callers = false;
     /// Numbers of shared names that several names have (SharedNames); sorted.
     std::span<const std::int32_t> ambiguous_names = {};
-    /// Variables that a program further up may hand down; absent: nobody knows which.
+    /// Variables that a program further up may hand down; absent: it is unknown which.
     std::optional<std::vector<Variable>> handed_down = std::vector<Variable>{};
 };
 
@@ -51,7 +51,7 @@ constexpr unsigned bits_of_group = 8;
 [[nodiscard]] constexpr ChannelGroup group_of(Key key) {
     return {static_cast<std::uint8_t>(key >> bits_of_group), static_cast<GroupId>(key)};
 }
-/// Under this key a state holds the code that the caller's group is known to have on this way.
+/// Under this key a state holds the code that the caller's group is known to have on this path.
 [[nodiscard]] constexpr Key entry_code_key(ChannelGroup of) {
     return entry_code_keys | Key{of.channel} << bits_of_group | of.group;
 }
@@ -90,13 +90,13 @@ class States {
     void write(State& state, Variable variable, const Value& value);
     void write(State& state, ChannelGroup of, ModalValue value);
     void know_entry_code(State& state, ChannelGroup of, double code);
-    /// These channels do not come this way: until other ways join, their groups have no value at all.
+    /// These channels do not come this way: until other paths join, their groups have no value at all.
     void leave_out(State& state, Channels channels);
     /// Everything in the space may have changed; `site` makes the new values differ from others.
     void havoc(State& state, SpaceId space, const Origin& site);
 
     [[nodiscard]] bool equal(const State& a, const State& b) const;
-    /// Both ways meet at `node`.
+    /// Both paths meet at `node`.
     [[nodiscard]] State join(const State& a, const State& b, std::uint32_t node);
     /// As join, but bounds that grow jump to the next number of `thresholds` (sorted) or to infinity.
     [[nodiscard]] State widen(const State& old, const State& now, std::uint32_t node,

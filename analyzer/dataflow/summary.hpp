@@ -22,7 +22,7 @@ struct VariableChange {
 
 struct GroupChange {
     GroupId group;
-    bool may_keep;             ///< on some way the caller's code is in force again
+    bool may_keep;             ///< on some path the caller's code is in force again
     std::vector<double> codes; ///< codes that the program may leave behind
     bool other;                ///< it may leave something else behind
     Channels channels;         ///< in which; all where it names none
@@ -39,7 +39,7 @@ using CallersLabel = std::variant<std::int64_t, std::string>;
 
 struct Summary {
     bool known = false;   ///< false: the program is not there, everything may change
-    bool returns = true;  ///< at least one way leads back to the block behind the call
+    bool returns = true;  ///< at least one path leads back to the block after the call
     bool may_stop = true; ///< it or what it calls may stop: an alarm, a pause, the program's end
     std::vector<VariableChange>
         variables; ///< all that it may write and the caller can see (locals for calls that share them)

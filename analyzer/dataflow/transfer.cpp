@@ -283,7 +283,7 @@ void Transfer::write_group(State& state, ChannelGroup of, ModalValue value) {
 void Transfer::set_code(State& state, GroupId group, double code, OriginId origin) {
     for_each_channel(channels_.running, [&](std::uint8_t channel) {
         SymbolId symbol = states_.table().constant(code);
-        // On a way where the caller's code is known to be this one, setting it puts the caller's code back.
+        // On a path where the caller's code is known to be this one, setting it puts the caller's code back.
         if (states_.entry_code(state, {channel, group}) == code)
             symbol = states_.table().symbols({Symbol::Kind::entry_group, group, 0, 0});
         write_group(state, {channel, group}, {{{symbol, origin}}, false});

@@ -132,7 +132,7 @@ Detection detect_dialect(const Source& source) {
     const std::string_view text = bytes.substr(byte_order_mark_length(bytes), looked_at);
     Detection whole = judge(classify(bytes), text, extension);
     if (whole.certain && whole.dialect != nullptr) return whole;
-    // What line noise behind a good program looks like is chance.
+    // What line noise after a good program looks like is chance.
     const std::string_view first = detect::first_program(text);
     if (first.empty() || first.size() == text.size()) return whole;
     Detection head = judge(Content::text, first, extension);

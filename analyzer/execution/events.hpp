@@ -62,7 +62,7 @@ struct CallBegins {
     EffectId call;
     std::optional<ProgramIndex> target;
 };
-/// Back in the caller, behind the call or at a label.
+/// Back in the caller, after the call or at a label.
 struct CallEnds {
     EffectId call;
     std::optional<ProgramIndex> target;

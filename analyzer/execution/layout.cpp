@@ -22,8 +22,12 @@ Layout::Layout(const Program& program, const flow::Regions& regions)
                 continue;
             }
             for_each_block(program, Stretch{i, program.span_of(i)}, [&](const BlockView& plain) {
-                steps_.push_back({i, plain.span, plain.number, nullptr,
-                                  {plain.settings.begin(), plain.settings.end()}, plain.moves});
+                steps_.push_back({i,
+                                  plain.span,
+                                  plain.number,
+                                  nullptr,
+                                  {plain.settings.begin(), plain.settings.end()},
+                                  plain.moves});
             });
         }
     }
@@ -74,7 +78,7 @@ const flow::Region* Layout::region_of(EffectId effect) const {
     const auto id = regions_.with(effect);
     if (!id) return nullptr;
     const flow::Region& region = regions_.all[*id];
-    // Without its end, or crossing another, it is read as plain text: nobody knows what the control does.
+    // Without its end, or crossing another, it is read as plain text: it is unknown what the control does.
     return region.close && !region.crossed ? &region : nullptr;
 }
 

@@ -1,4 +1,4 @@
-//! The blocks of a program one behind the other, as the control reads them.
+//! The blocks of a program one after the other, as the control reads them.
 #pragma once
 
 #include "analyzer/flow/regions.hpp"
@@ -45,7 +45,7 @@ class Layout {
   private:
     struct Within {
         std::size_t step;
-        EffectId end;                  ///< one behind the last of its slice
+        EffectId end;                  ///< one after the last of its slice
         std::optional<EffectId> guard; ///< around it
     };
     void index(Slice effects, std::size_t step, std::optional<EffectId> guard);

@@ -8,7 +8,7 @@
 
 namespace maclint::flow {
 
-/// Lists of numbers, one behind the other in the same memory: most are short, and there are many.
+/// Lists of numbers, one after the other in the same memory: most are short, and there are many.
 class SliceTable {
   public:
     /// Makes room for so many lists that hold so many numbers together.

@@ -83,7 +83,7 @@ class Building {
                              [this](const StretchView& stretch) { take_stretch(stretch); });
         }
         if (graph_.nodes.empty()) new_node(0, program_.span, {}, false);
-        // A loop at the very end is left for nothing: only a node there tells its way out from its body.
+        // A loop at the very end is left for nothing: only a node there tells its exit from its body.
         const bool branches =
             std::ranges::any_of(loose_, [](const Loose& l) { return l.condition.has_value(); });
         if (branches) new_node(graph_.nodes.back().item, {program_.span.end, program_.span.end}, {}, false);
@@ -166,7 +166,7 @@ class Building {
     }
 
     void take_block(ItemId item, const BlockView& block) {
-        // A program does not begin with a choice: somewhere the way past the block must begin, too. And a
+        // A program does not begin with a choice: somewhere the path past the block must begin, too. And a
         // jump to the block may find it skipped.
         const bool nowhere_yet = graph_.nodes.empty();
         const auto first = static_cast<NodeId>(graph_.nodes.size());
@@ -266,7 +266,7 @@ class Building {
         std::optional<ExpressionId> condition;
         std::vector<Loose> to_close; ///< ends of the branches of a choice
         std::optional<Loose>
-            otherwise; ///< the way when the condition does not hold, until a middle or the close takes it
+            otherwise; ///< the path when the condition does not hold, until a middle or the close takes it
         std::optional<NodeId> fallback; ///< DEFAULT, wherever it stands: all tests come first
     };
 
@@ -518,7 +518,7 @@ class Building {
     Graph graph_;
     Wanted wanted_;
     std::unordered_map<EffectId, ReturnTargets>
-        return_targets_;                             ///< of calls that may go on elsewhere than behind them
+        return_targets_;                             ///< of calls that may go on elsewhere than after them
     std::vector<std::pair<NodeId, EffectId>> calls_; ///< these, and the nodes that end with them
     std::vector<NodeId> goes_elsewhere_;             ///< jumps that need not find their label, and did
     std::unordered_map<RegionId, Open> open_;

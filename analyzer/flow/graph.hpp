@@ -123,7 +123,7 @@ struct Graph {
     [[nodiscard]] std::span<const LabelledBlock> with_label(const Label& label) const;
     /// The node in which the effect runs; nothing in parts that are never executed.
     [[nodiscard]] std::optional<NodeId> node_of(EffectId effect) const;
-    /// Edges on a shortest way from `from` to `to`, or nothing when there is none or the search has met
+    /// Edges on a shortest path from `from` to `to`, or nothing when there is none or the search has met
     /// `most_nodes` nodes. An edge that `usable` refuses is not taken.
     [[nodiscard]] std::optional<std::vector<EdgeId>>
     path(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const;
@@ -136,7 +136,7 @@ struct ReturnTargets {
 };
 using Returns = std::function<ReturnTargets(EffectId call)>;
 
-/// Whether who leaves the program there goes on behind the call, not at a label.
+/// Whether who leaves the program there goes on after the call, not at a label.
 [[nodiscard]] bool returns_behind_call(const Program& program, const Exit& exit);
 
 [[nodiscard]] Graph build_graph(const Program& program, const Regions& regions, const Returns& returns);

@@ -123,7 +123,7 @@ class Pairing {
 
     // ---- judging ----
 
-    /// One cause, one fault: a loop that is never closed explains that the loops behind it seem nested too
+    /// One cause, one fault: a loop that is never closed explains that the loops after it seem nested too
     /// deep or seem to use its number again.
     void check_numbers() {
         std::vector<std::vector<RegionId>> closed_around(result_.all.size());
@@ -140,7 +140,7 @@ class Pairing {
         }
     }
 
-    /// Units stand one behind the other.
+    /// Units stand one after the other.
     void check_units() {
         std::vector<std::optional<RegionId>> unit_around(result_.all.size());
         for (RegionId id = 0; id < result_.all.size(); ++id) {

@@ -19,7 +19,7 @@ struct Region {
     std::vector<EffectId>
         parts; ///< what begins (THEN), divides (ELSE, CASE) and leaves it (BREAK), in text order
     std::optional<EffectId> close;         ///< absent: never closed
-    bool crossed;                          ///< it overlaps another: nobody knows what the control repeats
+    bool crossed;                          ///< it overlaps another: it is unknown what the control repeats
     std::optional<RegionId> parent;        ///< the structure that was open around it
     std::optional<RegionId> closed_around; ///< the innermost loop open around it that is closed at all
     std::optional<std::int64_t> number;

@@ -14,7 +14,7 @@ class ShortestPaths {
     /// Edges that `usable` refuses are not taken.
     ShortestPaths(const Graph& graph, const std::function<bool(EdgeId)>& usable);
 
-    /// The edges of a way to the node, or nothing when there is none.
+    /// The edges of a path to the node, or nothing when there is none.
     [[nodiscard]] std::optional<std::vector<EdgeId>> to(const Graph& graph, NodeId node) const;
 
   private:

@@ -55,7 +55,7 @@ struct VariableSpace {
     InitialValue initial_value;
     std::string_view source;
     std::vector<std::string_view> fixed_names =
-        {}; ///< how its places are spelled behind the prefix, by number
+        {}; ///< how its places are spelled after the prefix, by number
     bool handed_down =
         false; ///< a program may hand places of it down to all that it calls (Program::handed_down)
     bool written_once = false;                ///< constants: only their definition writes them

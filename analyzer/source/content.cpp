@@ -35,7 +35,7 @@ Content classify(std::string_view bytes) {
     bytes.remove_prefix(byte_order_mark_length(bytes));
     const auto sample = without_tape_leader(bytes).substr(0, sample_size);
     if (sample.find_first_not_of(" \t\r\n\v\f\x1A\x7F") == std::string_view::npos) {
-        // A long leader or margin is no verdict on what comes behind the sample.
+        // A long leader or margin is no verdict on what comes after the sample.
         return sample.size() < sample_size ? Content::empty : Content::text;
     }
     if (sample.find('\0') != std::string_view::npos) return Content::binary;

@@ -21,7 +21,7 @@ struct Position {
 
 constexpr bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-/// The offset behind the line end that begins at `offset`: LF, CRLF, CR, or on tape LF CR and LF CR CR.
+/// The offset after the line end that begins at `offset`: LF, CRLF, CR, or on tape LF CR and LF CR CR.
 /// `bytes[offset]` is CR or LF.
 [[nodiscard]] Offset after_line_end(std::string_view bytes, Offset offset);
 
@@ -31,14 +31,14 @@ class LineIndex {
   public:
     LineIndex(std::string_view bytes, Encoding encoding);
 
-    /// Line ends plus one: the text behind the last line end is a line too, even when it is empty.
+    /// Line ends plus one: the text after the last line end is a line too, even when it is empty.
     [[nodiscard]] std::uint32_t line_count() const { return line_count_; }
-    /// Offsets behind the end count as the end; those inside the byte order mark as the first character.
+    /// Offsets after the end count as the end; those inside the byte order mark as the first character.
     [[nodiscard]] Position position(Offset offset) const;
-    /// The line without its line end, and without the byte order mark; lines behind the last count as the
+    /// The line without its line end, and without the byte order mark; lines after the last count as the
     /// last.
     [[nodiscard]] Span line_span(std::uint32_t line) const;
-    /// The byte at a line and a UTF-16 column, both from 1; a column behind the line's end counts as its end.
+    /// The byte at a line and a UTF-16 column, both from 1; a column after the line's end counts as its end.
     [[nodiscard]] Offset offset_at(std::uint32_t line, std::uint32_t column) const;
 
   private:

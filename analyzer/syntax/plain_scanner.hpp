@@ -22,8 +22,8 @@ enum class Lane : std::uint8_t {
 /// A block as the scanner leaves it. For Lane::grammar only the lane is told.
 struct PlainBlock {
     static constexpr std::size_t most_settings = 24; ///< a block with more goes to the grammar
-    Span span;        ///< from its first byte to behind the last one that is no blank
-    Offset next;      ///< behind its end
+    Span span;        ///< from its first byte to after the last one that is no blank
+    Offset next;      ///< after its end
     Span number_span; ///< of the block number; empty without one
     std::int64_t number;
     AddressSet addresses;

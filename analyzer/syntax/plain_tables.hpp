@@ -91,9 +91,9 @@ struct PlainTables {
     std::array<std::string_view, AddressSet::capacity> names; ///< of addresses; empty: as written
     AddressSet may_repeat; ///< addresses that may stand in a block more than once
     char comment_end = 0;
-    char incremental = 0;               ///< may stand behind an address; 0: nothing may
+    char incremental = 0;               ///< may stand after an address; 0: nothing may
     bool blanks_behind_address = false; ///< blanks may stand between address and number
-    char not_behind_number = 0;         ///< no word begins with it directly behind a number; 0: any may
+    char not_behind_number = 0;         ///< no word begins with it directly after a number; 0: any may
     std::uint32_t longest = 0;          ///< a longer block is not plain
     /// Whether a comment speaks to the analyser; the block is not plain then. Asked where it holds an `m`.
     bool (*is_directive)(std::string_view comment) = nullptr;

@@ -20,7 +20,7 @@ namespace {
 /// So many nodes are looked at; what lies beyond may rely on the state.
 constexpr std::size_t most_visits = 20'000;
 
-/// What is known on the way to a node.
+/// What is known on the path to a node.
 struct Point {
     ProgramIndex program;
     flow::NodeId node;
@@ -28,7 +28,7 @@ struct Point {
     flow::NodeId call;  ///< the node that made the call, where the search began in this program
     std::uint32_t idle; ///< bit n: the n-th code under which nobody asks for the value is in force
     Channels channels;  ///< in which the group was left so; 0: all that run the program
-    bool inside; ///< of a program that was called on the way: its return leads back to where we are anyway
+    bool inside; ///< of a program that was called on the path: its return leads back to where we are anyway
 };
 
 class Search {
@@ -60,7 +60,7 @@ class Search {
     [[nodiscard]] const ProgramAnalysis& at(ProgramIndex index) const { return workspace_.programs()[index]; }
 
     void push(const Point& point) {
-        // Two calls that lead to one node are two questions: the way from each may be open or closed.
+        // Two calls that lead to one node are two questions: the path from each may be open or closed.
         const Variable key{point.program, point.node,     point.first, point.call,
                            point.idle,    point.channels, point.inside};
         if (visited_.insert(key).second) stack_.push_back(point);
@@ -77,7 +77,7 @@ class Search {
             waiting_.push_back({std::move(callers), idle_behind(program, 0), stack_.size()});
     }
 
-    /// Goes on behind the call of the next caller.
+    /// Goes on after the call of the next caller.
     void ask_caller() {
         Returning& returning = waiting_.back();
         const Caller caller = returning.callers.back();
@@ -112,7 +112,7 @@ class Search {
                 return_to_callers(program);
     }
 
-    /// Whether the group is as it was behind the run, and nobody has moved under it.
+    /// Whether the group is as it was after the run, and nobody has moved under it.
     bool visit_run(const ProgramAnalysis& program, const flow::Node& node, Point& point) {
         bool goes_on = true;
         for_each_block(program.program(), node.stretch(), [&](const BlockView& block) {
@@ -137,7 +137,7 @@ class Search {
                                    return passes_move(program, node.part, point, motion.without_feed);
                                },
                                [&](const Call& call) { return passes_call(program, id, call, point); },
-                               // What it does is not known: nothing is claimed behind it.
+                               // What it does is not known: nothing is claimed after it.
                                [](const UnreadableBlock&) { return false; },
                                [](const auto&) { return true; },
                            },
@@ -162,7 +162,7 @@ class Search {
                 point.idle = code == idle_[i].code ? point.idle | 1U << i : point.idle & ~(1U << i);
     }
 
-    /// A move for which the value is idle, or to which no way leads from the call, does not count.
+    /// A move for which the value is idle, or to which no path leads from the call, does not count.
     bool passes_move(const ProgramAnalysis& program, Span block, const Point& point, bool without_feed) {
         if (!idle_.empty() && (point.idle != 0 || without_feed)) return true;
         if (!point.inside &&

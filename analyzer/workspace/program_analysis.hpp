@@ -67,7 +67,7 @@ class ProgramAnalysis {
     [[nodiscard]] const flow::Regions& regions() const { return regions_; }
     [[nodiscard]] const flow::Graph& graph() const { return graph_; }
     [[nodiscard]] const dataflow::Analysis& data() const { return *data_; }
-    /// A shortest way from the program's start to the node, over edges that can be taken; nothing when there
+    /// A shortest path from the program's start to the node, over edges that can be taken; nothing when there
     /// is none. May be asked on several threads.
     [[nodiscard]] std::optional<std::vector<flow::EdgeId>> path_from_start(flow::NodeId node) const;
     [[nodiscard]] const dataflow::Facts& facts() const { return data_->facts(); }
@@ -104,7 +104,7 @@ class ProgramAnalysis {
     /// Calls that lead from this program to another, in order; empty when there is no way or it is the same
     /// program.
     [[nodiscard]] std::vector<Caller> path_to(ProgramIndex program) const;
-    /// The calls along that way for the limit, outermost first.
+    /// The calls along that path for the limit, outermost first.
     [[nodiscard]] std::vector<Caller> chain_to(NestingLimit nesting) const;
 
   private:

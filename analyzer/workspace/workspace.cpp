@@ -294,7 +294,7 @@ class WorkspaceBuilder {
     }
 
     /// Arguments that all callers pass and those that some leave out. A call that shares its locals passes
-    /// nobody knows what.
+    /// it is unknown what.
     std::optional<std::vector<std::pair<Variable, dataflow::Vacancy>>>
     what_all_pass(const ProgramAnalysis& analysis) const {
         std::vector<std::pair<Variable, std::size_t>> counts;

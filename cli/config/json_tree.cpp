@@ -1,4 +1,4 @@
-//! nlohmann's SAX parser fed through an iterator that counts: after a token it stands behind the token's end.
+//! nlohmann's SAX parser fed through an iterator that counts: after a token it stands after the token's end.
 #include "cli/config/json_tree.hpp"
 
 #include <algorithm>

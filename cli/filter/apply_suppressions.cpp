@@ -143,7 +143,7 @@ Span removal_of(const Source& source, Span comment) {
     return {comment.begin, line_begins ? end : comment.end};
 }
 
-/// The token with the separator behind it, or before it when it is the last one.
+/// The token with the separator after it, or before it when it is the last one.
 Span removal_of(const Directive& directive, const RuleToken& token) {
     const auto& tokens = directive.tokens;
     const auto index = static_cast<std::size_t>(&token - tokens.data());

@@ -39,7 +39,7 @@ std::string as_shown(const fs::path& path) {
     return normal.empty() ? "." : normal;
 }
 
-/// The file behind all symbolic links: what makes two names one file.
+/// The file after all symbolic links: what makes two names one file.
 std::string identity(const fs::path& path) {
     std::error_code error;
     const fs::path real = fs::canonical(path, error);

@@ -84,7 +84,7 @@ std::string alarm_line(const Alarm& alarm) {
     return std::string(alarm.control) + ": " + std::string(alarm.number) + " " + std::string(alarm.text);
 }
 
-/// The comment that allows the rule, once for every way that the dialects of its examples write comments.
+/// The comment that allows the rule, once for every path that the dialects of its examples write comments.
 std::string allowances(const Rule& rule, std::string_view quote) {
     std::string all;
     for (const Dialect& dialect : dialects()) {

@@ -68,8 +68,8 @@ std::map<EffectId, flow::NodeId> nodes_of_regions(const ProgramAnalysis& analysi
     return nodes;
 }
 
-/// Whether some way leads from the branch past the head of the next one. Nodes are in the order of the text:
-/// the ways of BREAK go beyond the close, those of the test to the next head itself.
+/// Whether some path leads from the branch past the head of the next one. Nodes are in the order of the text:
+/// the paths of BREAK go beyond the close, those of the test to the next head itself.
 bool runs_into(const ProgramAnalysis& analysis, flow::NodeId branch, flow::NodeId next, flow::NodeId close) {
     for (flow::NodeId node = branch; node < next; ++node)
         for (const flow::EdgeId id : analysis.graph().out[node]) {

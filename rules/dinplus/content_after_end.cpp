@@ -1,4 +1,4 @@
-//! DIN103: blocks behind END.
+//! DIN103: blocks after END.
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -41,7 +41,7 @@ extern const Rule content_after_end{
 
 namespace {
 
-/// The first thing behind the heading; empty when nothing is there.
+/// The first thing after the heading; empty when nothing is there.
 Span first_behind(const ProgramFile& file, Span heading) {
     Span first{};
     const auto take = [&](Span span) {

@@ -31,8 +31,8 @@ void check_left_at_end(const ProgramAnalysis& analysis, Reporter& reporter) {
 /// The code that switched it on and what cancels it: "G42", "G40".
 [[nodiscard]] std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId id, double code);
 
-/// Whether some way that can be taken leads from the block that set the part to the node, with the group left
-/// alone in between.
+/// Whether some path that can be taken leads from the block that set the part to the node, with the group
+/// left alone in between.
 [[nodiscard]] bool lasts_until(const ProgramAnalysis& analysis, GroupId group,
                                const dataflow::ModalPart& part, flow::NodeId node);
 

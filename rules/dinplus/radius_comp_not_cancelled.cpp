@@ -69,7 +69,7 @@ namespace {
 
 constexpr ModalRole compensation = ModalRole::cutter_compensation;
 
-/// Whether the word sets another plane than the one that is in force on every way.
+/// Whether the word sets another plane than the one that is in force on every path.
 bool changes_plane(const ProgramAnalysis& analysis, const dataflow::PointState& point) {
     const auto& writes = analysis.facts().modal_writes;
     const auto write = std::ranges::find(writes, point.effect, &dataflow::ModalWrite::effect);

@@ -80,7 +80,7 @@ const Caller* caller_without(const ProgramAnalysis& analysis, Variable formal) {
     return nullptr;
 }
 
-/// A value that nothing has asked for on the way here, or beside it in its condition: nobody knows whether
+/// A value that nothing has asked for on the path here, or beside it in its condition: it is unknown whether
 /// IF NDEF(__ld) OR (#__ld==0) still looks at what decides nothing any more. Languages that tell vacant from
 /// 0 in every comparison have rules of their own.
 bool is_unchecked(const ProgramAnalysis& analysis, const dataflow::Read& read) {

@@ -76,7 +76,7 @@ extern const Rule infinite_loop_unchanged{
 
 namespace {
 
-/// What decides over the loop's ways out, when nothing of it can change in the loop.
+/// What decides over the loop's exits, when nothing of it can change in the loop.
 struct Deciders {
     std::vector<Variable> variables;
     bool fixed = true;
@@ -132,7 +132,7 @@ Span variable_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return back.jump ? effects[*back.jump].span : analysis.graph().nodes[loop.latch].part;
 }
 
-/// MAC336 tells of cycles of jumps that nothing leaves, once for all ways back.
+/// MAC336 tells of cycles of jumps that nothing leaves, once for all paths back.
 bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return std::ranges::any_of(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
         return !cycle.region && cycle.exit_edges.empty() && cycle.holds(loop.head);
@@ -146,7 +146,7 @@ bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loo
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Loop& loop : analysis.loops()) {
         if (loop.can_stop) continue;
-        // A jump back without a condition and a way out repeats a program on purpose, as M99 does.
+        // A jump back without a condition and an exit repeats a program on purpose, as M99 does.
         if (!loop.region && loop.exit_edges.empty()) continue;
         if (has_no_condition(analysis, loop)) continue; // MAC318 owns DO without WHILE
         if (is_in_endless_jumps(analysis, loop)) continue;

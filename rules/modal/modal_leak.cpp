@@ -27,7 +27,7 @@ std::optional<ModalLeak> leak_of(const ProgramAnalysis& analysis, GroupId group,
         const dataflow::ModalValue value = analysis.data().modal(exit, group);
         if (value.unknown) return std::nullopt;
         for (const dataflow::ModalPart& part : value.parts) {
-            // A way on which nothing sets the group, as when a word is ignored, puts nothing back, nor does
+            // A path on which nothing sets the group, as when a word is ignored, puts nothing back, nor does
             // a called program.
             if (part.origin == 0 || is_from_call(analysis, part)) continue;
             const bool fault = is_fault(analysis.control().groups[group], group, exit, part);

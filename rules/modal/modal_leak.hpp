@@ -25,7 +25,7 @@ struct ModalLeak {
 using IsFault =
     std::function<bool(const ModalGroup&, GroupId, const dataflow::ExitState&, const dataflow::ModalPart&)>;
 
-/// One leftover for each group of this concern. A group of which somebody else may have changed something
+/// One leak for each group of this concern. A group of which somebody else may have changed something
 /// unknown is left out, so is what a called program left: that program is told; and so is what every known
 /// caller sets again before it moves.
 [[nodiscard]] std::vector<ModalLeak> find_modal_leaks(const ProgramAnalysis& analysis,
@@ -47,7 +47,7 @@ using IsFault =
 /// The bytes that set the part.
 [[nodiscard]] Span variable_of(const ProgramAnalysis& analysis, const ModalLeak& leak);
 
-/// Reports the leftover where it was set, with the way there and the way to the exit.
+/// Reports the leak where it was set, with the path there and the path to the exit.
 void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const ModalLeak& leak,
                  std::string_view message_id, std::vector<std::string> arguments);
 /// The same with the message "every-way" or "some-ways".

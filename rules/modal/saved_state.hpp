@@ -10,7 +10,7 @@ namespace maclint::rules {
 /// The assignment that gave the value its place; nothing when several may have.
 [[nodiscard]] const dataflow::Store* store_of(const ProgramAnalysis& analysis, const dataflow::Value& value);
 
-/// Where a plain copy began: `#3=#4019` behind `F#3`.
+/// Where a plain copy began: `#3=#4019` after `F#3`.
 struct CopySource {
     ExpressionId expression;      ///< the modal or machine value that was read
     std::optional<GroupId> group; ///< of a modal value

@@ -144,7 +144,7 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
                const DeliberateConditions& deliberate) {
     const Program& program = analysis.program();
     const bool always = condition.truth.can_hold;
-    // Where a jump can leave it, a loop without a way out is MAC319's.
+    // Where a jump can leave it, a loop without an exit is MAC319's.
     if (always && is_loop(program, condition.effect)) return never_ends(analysis, condition);
     if (dataflow::tests_any_vacancy(program, condition.expression)) return false; // MAC222's and MAC228's
     const Sides sides = sides_of(analysis, condition);

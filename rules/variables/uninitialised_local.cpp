@@ -141,7 +141,7 @@ std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Re
     return formal ? "not-passed" : "called";
 }
 
-/// An alias, not the variable behind it; without the brackets around it.
+/// An alias, not the variable after it; without the brackets around it.
 std::string as_written(const Program& program, Span span) {
     std::string name = quoted(program, span);
     while (name.size() > 2 && (name.front() == '[' || name.front() == '('))
@@ -152,13 +152,13 @@ std::string as_written(const Program& program, Span span) {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     // Without arguments a called program may be one that shares its caller's locals.
     if (!analysis.is_main() && !analysis.is_macro()) return;
-    constexpr int most_attempts = 64; // reads of one variable to which a way is looked for
+    constexpr int most_attempts = 64; // reads of one variable to which a path is looked for
     const Program& program = analysis.program();
     const std::vector<Variable> series = series_taken(analysis);
     std::vector<std::pair<Variable, int>> attempts;
     for (const dataflow::Read& read : analysis.facts().reads) {
         if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
-        // Nobody knows whether a control still looks at what decides nothing any more, as behind NDEF(…) OR.
+        // Nobody knows whether a control still looks at what decides nothing any more, as after NDEF(…) OR.
         if (dataflow::asks_for_vacancy(program, analysis.facts(), read.node, read.node, read.variable))
             continue;
         if (std::ranges::find(series, read.variable) != series.end()) continue;

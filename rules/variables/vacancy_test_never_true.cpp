@@ -1,4 +1,4 @@
-//! MAC228: a variable that every way to the test has set is tested for vacancy.
+//! MAC228: a variable that every path to the test has set is tested for vacancy.
 #include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/feasible_paths.hpp"
 #include "analyzer/workspace/program_analysis.hpp"

@@ -54,7 +54,7 @@ bool is_zero(const dataflow::Value& value) {
 }
 
 /// The author treats both cases: another test of the same variable for vacancy is in the same condition, or
-/// in the IF right before or behind.
+/// in the IF right before or after.
 bool tests_both(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison, Variable variable) {
     constexpr flow::NodeId hash_local = 3; // nodes between two IF blocks: the condition and what it guards
     const flow::NodeId first = comparison.node - std::min(comparison.node, hash_local);

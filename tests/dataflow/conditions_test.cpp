@@ -22,7 +22,7 @@ std::string text_of(const Decisions& decisions) {
 
 std::vector<ExpressionId> conditions_of(const Program& program) {
     std::vector<ExpressionId> conditions;
-    flow::for_each_effect(program, [&](EffectId id) {
+    for_each_effect(program, [&](EffectId id) {
         if (const auto* guarded = std::get_if<Guarded>(&program.effects[id].what))
             conditions.push_back(guarded->condition);
     });

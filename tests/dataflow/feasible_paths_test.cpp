@@ -1,4 +1,4 @@
-//! A way to a read is one that somebody can go: no more is asked of it, and no less.
+//! A path to a read is one that somebody can go: no more is asked of it, and no less.
 #include "analyzer/dataflow/feasible_paths.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -10,7 +10,7 @@
 namespace maclint {
 namespace {
 
-/// Whether a way is found to the last read of the variable on which nothing sets it.
+/// Whether a path is found to the last read of the variable on which nothing sets it.
 bool reaches_uninitialised(const std::string& text, std::int32_t variable) {
     const auto workspace = test::analyse_fanuc("O1\n" + text + "M30\n");
     const ProgramAnalysis& program = workspace->programs().front();
@@ -28,7 +28,7 @@ const std::string sets_5_or_not = "IF[#501EQ1]GOTO10\n#5=1\nN10 G0Z#5\n";
 TEST(FeasiblePaths, ACountedLoopInFrontIsPassed) {
     EXPECT_TRUE(reaches_uninitialised("#1=0\nWHILE[#1LT3]DO1\nG0X#1\n#1=#1+1\nEND1\n" + sets_5_or_not, 5));
     EXPECT_TRUE(reaches_uninitialised("#1=0\nN5 G0X#1\n#1=#1+1\nIF[#1LT3]GOTO5\n" + sets_5_or_not, 5));
-    // What the test in front of the loop told of #1 holds no longer behind it.
+    // What the test in front of the loop told of #1 holds no longer after it.
     EXPECT_TRUE(reaches_uninitialised(
         "#1=#100\nIF[#1GE3]GOTO99\nWHILE[#1LT3]DO1\n#1=#1+1\nEND1\n" + sets_5_or_not + "N99", 5));
 }

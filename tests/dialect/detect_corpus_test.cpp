@@ -30,7 +30,7 @@ constexpr Kind kinds[] = {
     {"corpus/fanuc-plain",                             ".ngc",                  "LinuxCNC"},
     {"corpus/fanuc-plain/graelo__gcode-language-server", "complex_cnc",         hobby},
     {"corpus/fanuc-plain/graelo__gcode-language-server", "",                    "a 3D printer"},
-    // The raw output of a CAM system: remarks behind ';' and prose.
+    // The raw output of a CAM system: remarks after ';' and prose.
     {"corpus/fanuc-plain/karlo-c277__APT-Gcode",       "",                      hobby},
     {"corpus/fanuc-plain/placrosse__tree-sitter-gcode", "basic.gcode",          hobby},
     {"corpus/fanuc-plain",                             "",                      "fanuc"},

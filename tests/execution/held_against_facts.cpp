@@ -230,7 +230,7 @@ void HeldAgainstFacts::check_changes(execution::Stepper& stepper, EffectId call)
     }
 }
 
-// ---- the way through the program
+// ---- the path through the program
 
 void HeldAgainstFacts::on(execution::Stepper&, const execution::EffectBegins& event) {
     const auto node = levels_.back().analysis->graph().node_of(event.effect);

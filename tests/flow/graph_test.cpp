@@ -1,4 +1,4 @@
-//! Jumps go where the control's search stops, and every way through a program is in the graph.
+//! Jumps go where the control's search stops, and every path through a program is in the graph.
 #include "tests/support/analysed.hpp"
 
 #include <gmock/gmock.h>
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> unreached_in(const std::string& text) {
 }
 
 TEST(Graph, AJumpIsSearchedToTheEndAndThenFromTheTop) {
-    // Two N10: from line 3 the one behind is found first, from line 5 only the one at the top is left.
+    // Two N10: from line 3 the one after is found first, from line 5 only the one at the top is left.
     EXPECT_THAT(targets_in("O1\nN10 G0X1.\nGOTO10\nN10 G0X2.\nGOTO10\nM30\n"), ElementsAre(4, 2));
 }
 
@@ -137,7 +137,7 @@ TEST(Graph, BehindACallThatDoesNotReturnThereNothingIsReached) {
     EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\n" + alarm), ElementsAre(3, 4));
     EXPECT_THAT(unreached_in("O1\nIF[#100EQ1]THEN M98P2\n#1=5\nM30\n" + alarm), IsEmpty());
     EXPECT_THAT(unreached_in("O1\nM98P3\n#1=5\nM30\n" + alarm + "O3\nM98P2\nM99\n"), ElementsAre(3, 4));
-    // It returns on some way, or may be left out, or what leads back cannot be read.
+    // It returns on some path, or may be left out, or what leads back cannot be read.
     EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\nO2\nIF[#100EQ1]GOTO9\n#3000=1\nN9 M99\n"), IsEmpty());
     EXPECT_THAT(unreached_in("O1\nM98P2L#100\n#1=5\nM30\n" + alarm), IsEmpty());
     EXPECT_THAT(unreached_in("O1\n/M98P2\n#1=5\nM30\n" + alarm), IsEmpty());

@@ -56,14 +56,14 @@ TEST(ModalState, ThatEveryCallerSetsAgainBeforeItMovesHarmsNobody) {
     EXPECT_THAT(
         lines_raised("MAC501", "O1\nG65 P9001 Z5.\nG90 G0 X1\nM30\nO2\nG65 P9001 Z5.\nX1\nM30\n" + sub),
         ElementsAre(10));
-    // Only on one way does the caller set it.
+    // Only on one path does the caller set it.
     EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z5.\nIF[#100EQ1]GOTO9\nG90\nN9 G0 X1\nM30\n" + sub),
                 ElementsAre(8));
 }
 
 TEST(ModalState, ThatACallerLeavesToItsOwnCallersMattersThere) {
     const std::string subs = "O9001\nG65 P9002 Z#26\nM99\nO9002\nG91 G0 Z#26\nM99\n";
-    EXPECT_THAT(lines_raised("MAC501", subs), ElementsAre(5)); // nobody knows who calls O9001
+    EXPECT_THAT(lines_raised("MAC501", subs), ElementsAre(5)); // it is unknown who calls O9001
     EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z1.\nG90 X1\nM30\n" + subs), IsEmpty());
     EXPECT_THAT(lines_raised("MAC501", "O1\nG65 P9001 Z1.\nG0 X1\nM30\n" + subs), ElementsAre(9));
 }
@@ -102,7 +102,7 @@ TEST(Feed, OfAWayThatTheCallerCannotTakeHarmsNobody) {
 }
 
 TEST(Feed, OfTheCallFromWhichTheWayIsOpenMatters) {
-    // Two calls lead to line 9; the way from the later one is closed by its own test, the other one is open.
+    // Two calls lead to line 9; the path from the later one is closed by its own test, the other one is open.
     EXPECT_THAT(
         lines_raised("MAC503",
                      "O1\nG65 P9001 F100.\nIF[#100NE1]GOTO5\nG65 P9001 F100.\nN5\n"

@@ -27,7 +27,7 @@ std::vector<std::string> machine_folders() {
             std::string("/Us") + "ers/"};
 }
 
-/// A slash behind one of these goes on with a relative path or a variable.
+/// A slash after one of these goes on with a relative path or a variable.
 bool continues_a_path(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
            std::string_view("_-.*})$~").find(c) != std::string_view::npos;

@@ -1,4 +1,4 @@
-//! Programs for tests: written as text in the test, read and analysed the way the command does it.
+//! Programs for tests: written as text in the test, read and analysed as the command does it.
 #pragma once
 
 #include "analyzer/workspace/program_analysis.hpp"

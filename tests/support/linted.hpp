@@ -1,4 +1,4 @@
-//! Lints texts without files: the whole way from bytes to judged findings.
+//! Lints texts without files: the whole path from bytes to judged findings.
 #pragma once
 
 #include "cli/lint.hpp"

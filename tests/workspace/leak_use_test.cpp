@@ -30,7 +30,7 @@ TEST(LeakUse, ACallerThatCallsItselfIsAskedOnce) {
                             "O2\nM98P1\nIF[#500GT5]GOTO9\nGOTO8\nN9 M99\nN8 M98P2\n"));
 }
 
-/// The same for the distance mode, with O1 called once and this behind the call.
+/// The same for the distance mode, with O1 called once and this after the call.
 bool matters_behind_call(const std::string& blocks) {
     return matters_in("O3\nG90\nM98P1\n" + blocks + "M30\n");
 }
@@ -67,7 +67,7 @@ TEST(LeakUse, TheCallersOfTheCallerAreAskedWhenItReturns) {
     EXPECT_TRUE(matters_in("O3\nG90\nM98P2\nX1.\nM30\n" + between));
     EXPECT_FALSE(matters_in("O3\nG90\nM98P2\nG90\nX1.\nM30\n" + between));
     EXPECT_TRUE(matters_in("O3\nG90\nM98P2\nG90\nM30\nO4\nM98P2\nX1.\nM30\n" + between));
-    EXPECT_TRUE(matters_in(between)); // nobody knows who calls O2
+    EXPECT_TRUE(matters_in(between)); // it is unknown who calls O2
 }
 
 /// Whether somebody works under the feed that O1 leaves.

@@ -1,4 +1,4 @@
-//! The program at the head of a text: line noise behind it tells nothing about its language.
+//! The program at the head of a text: line noise after it tells nothing about its language.
 #pragma once
 
 #include <string_view>

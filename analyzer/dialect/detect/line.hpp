@@ -33,11 +33,11 @@ class Line {
 
     [[nodiscard]] std::string_view as_written() const { return as_written_; }
     [[nodiscard]] std::string_view whole() const { return whole_; }
-    /// Without its number, its comments in round brackets, and what stands behind `;`.
+    /// Without its number, its comments in round brackets, and what stands after `;`.
     [[nodiscard]] std::string_view code() const { return code_; }
     /// Of the first comment in round brackets, without the bracket.
     [[nodiscard]] std::string_view comment() const { return comment_; }
-    /// Behind the first `;`.
+    /// After the first `;`.
     [[nodiscard]] std::string_view remark() const { return remark_; }
     /// Of a line that holds nothing but letters with numbers; `is_plain` says whether it does.
     [[nodiscard]] std::span<const Word> words() const { return {words_.data(), word_count_}; }

@@ -24,7 +24,7 @@ bool is_c_source(std::string_view text) {
 }
 
 /// Whether texts, numbers and brackets that match are all that stands in the list at the head of the text,
-/// and nothing stands behind it. `[Part "A1"]` is a comment of DIN PLUS.
+/// and nothing stands after it. `[Part "A1"]` is a comment of DIN PLUS.
 bool is_json_list(std::string_view text) {
     constexpr std::string_view between = " \t\r\n,:";
     static constexpr std::string_view names[] = {"true", "false", "null"};

@@ -10,7 +10,7 @@ namespace {
 constexpr bool is_small(char c) { return c >= 'a' && c <= 'z'; }
 constexpr bool begins_number(char c) { return is_digit(c) || c == '-' || c == '+' || c == '.'; }
 
-/// Whether `test(text, at)` holds at any place of `text` behind `first`.
+/// Whether `test(text, at)` holds at any place of `text` after `first`.
 template<typename Test>
 bool anywhere(std::string_view text, char first, Test test) {
     for (std::size_t at = text.find(first); at != std::string_view::npos; at = text.find(first, at + 1))
@@ -18,7 +18,7 @@ bool anywhere(std::string_view text, char first, Test test) {
     return false;
 }
 
-/// Whether a section word heads a line without a number, END (`end`) or another one; behind it at most
+/// Whether a section word heads a line without a number, END (`end`) or another one; after it at most
 /// addresses stand.
 bool heads(const Line& line, bool end) {
     const std::string_view whole = line.whole();

@@ -18,7 +18,7 @@ enum class In : std::uint8_t {
     inside,  ///< anywhere in the code
     line,    ///< the beginning of a line that does not begin with a letter
     comment, ///< the beginning of a comment in round brackets
-    remark,  ///< behind `;`
+    remark,  ///< after `;`
 };
 
 struct Mark {

@@ -23,7 +23,7 @@ enum class Language : std::uint8_t {
     grbl,
     wire_erosion,
     okuma,
-    hobby, ///< G-code with remarks behind `;`, whoever reads it
+    hobby, ///< G-code with remarks after `;`, whoever reads it
 };
 constexpr std::size_t language_count = 11;
 

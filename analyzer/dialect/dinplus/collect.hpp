@@ -12,7 +12,7 @@
 
 namespace maclint::dinplus {
 
-/// The programs of a file: the main part and its local subprograms. Behind a subprogram any other section
+/// The programs of a file: the main part and its local subprograms. After a subprogram any other section
 /// word goes on with the main part.
 class Programs {
   public:

@@ -65,7 +65,7 @@ class ErrorExplainer {
 
     /// Capital words of three or more letters are keywords or nothing; two of them can be addresses.
     [[nodiscard]] std::optional<SyntaxError> unknown_keyword() const {
-        std::vector<bool> selectors; // of the open brackets: behind a variable, as in #w0(WTL)
+        std::vector<bool> selectors; // of the open brackets: after a variable, as in #w0(WTL)
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
             const Token& token = tokens_[i];
             if (token.kind == TokenKind::open)
@@ -143,7 +143,7 @@ void add_variable(const std::optional<Variable>& variable, UnreadableBlock& name
         names.may_write.push_back(*variable);
 }
 
-/// A text that is not closed takes in variables that were meant to stand behind it.
+/// A text that is not closed takes in variables that were meant to stand after it.
 void add_variables_in(std::string_view text, const OpenProgram& program, UnreadableBlock& names) {
     for (auto at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
         const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", at + 1);

@@ -10,7 +10,7 @@ namespace maclint::dinplus {
 [[nodiscard]] bool is_keyword(std::string_view capitals);
 /// Whether a block with the word may open, divide or close a construct.
 [[nodiscard]] bool is_structural(std::string_view capitals);
-/// The word that was meant by one that is none, section words included; empty when nobody knows. Capitals,
+/// The word that was meant by one that is none, section words included; empty when it is unknown. Capitals,
 /// UTF-8.
 [[nodiscard]] std::string meant_by(std::string_view capitals);
 /// Whether the name without its underscores is one of the control's own constants: n95_f.

@@ -45,7 +45,7 @@ Operation find(std::span<const OperationRow> rows, std::string_view name) {
     return row == rows.end() ? Operation::unknown : row->operation;
 }
 
-/// The name behind `#`, blanks and underscores.
+/// The name after `#`, blanks and underscores.
 std::string_view bare_name(std::string_view name) {
     const std::size_t begin = name.find_first_not_of("# \t_");
     return begin == std::string_view::npos ? std::string_view{} : name.substr(begin);
@@ -168,7 +168,7 @@ const Variable* BlockLowering::alias_of(std::string_view name) const {
     return row == open_->aliases.end() ? nullptr : &row->second;
 }
 
-/// A name is known by what stands behind `#`, `_` included.
+/// A name is known by what stands after `#`, `_` included.
 Variable BlockLowering::named_variable(const Node& node, SpaceId space) {
     std::string_view written = text(node);
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));

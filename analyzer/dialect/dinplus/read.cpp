@@ -74,7 +74,7 @@ class Language {
         return !words.empty() && take_section(words, raw.span);
     }
 
-    /// Section words behind a block number, and words that have only the shape of one, are told by the tree.
+    /// Section words after a block number, and words that have only the shape of one, are told by the tree.
     void lower(const syntax::Tree& tree, const RawBlock& raw) {
         for (const syntax::Node& node : tree.nodes) {
             if (kind_of(node) == Kind::section) return take_unknown_section(tree, node, raw);

@@ -25,7 +25,7 @@ constexpr SpaceId local = 0, ///< #l
     machine = 7;             ///< #i #n #m #d #e #w #t #a
 } // namespace spaces
 
-/// Rows of ControlModel::families, one for each letter behind `#`.
+/// Rows of ControlModel::families, one for each letter after `#`.
 namespace families {
 constexpr FamilyId l = 0, x = 1, c = 2, g = 3, i = 4, n = 5, m = 6, d = 7, e = 8, w = 9, t = 10, a = 11;
 }

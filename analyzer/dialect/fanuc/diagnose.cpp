@@ -67,7 +67,7 @@ class ErrorExplainer {
         });
         return {tokens_.begin(), text};
     }
-    /// Whether a '/' divides nothing: at the head of a block, behind another one, before a word.
+    /// Whether a '/' divides nothing: at the head of a block, after another one, before a word.
     [[nodiscard]] bool marks_skip(std::size_t index, const Token* next) const {
         return index == 0 || text(tokens_[index - 1]) == "/" ||
                (next != nullptr && next->kind == TokenKind::letters);
@@ -91,7 +91,7 @@ std::string ErrorExplainer::last_keyword(const Token& token) const {
     return word.size() == 1 ? word : std::string();
 }
 
-/// Whether an operand must follow: behind `=`, an operator, a function, IF.
+/// Whether an operand must follow: after `=`, an operator, a function, IF.
 bool ErrorExplainer::wants_value(const Token& token) const {
     switch (token.kind) {
     case TokenKind::equals:
@@ -204,11 +204,11 @@ bool ErrorExplainer::is_known(const Token& token, const Token* next, int depth) 
     if (!split_keywords(word).empty()) return true;
     const std::string_view behind_first = std::string_view(word).substr(1);
     const bool value_follows = depth == 0 && gives_value(next);
-    // An address before a function, a label behind GOTO: XSIN[30], GOTON800.
+    // An address before a function, a label after GOTO: XSIN[30], GOTON800.
     if (value_follows && (is_function(behind_first) || word.ends_with("GOTON") || word.ends_with("GOTOO")))
         return true;
     if (explain(word).known || depth > 0) return false;
-    // Letters before a keyword or behind one are addresses when a value follows: THENG1.
+    // Letters before a keyword or after one are addresses when a value follows: THENG1.
     if (value_follows && !split_keywords(std::string_view(word).substr(0, word.size() - 1)).empty())
         return true;
     if (is_function(behind_first)) return true;

@@ -85,7 +85,7 @@ std::span<const syntax::Node* const> BlockLowering::take_head(Block& block,
     return items.subspan(taken);
 }
 
-/// Words in a row act together; statements act one after another; what stands behind a `/` may be skipped.
+/// Words in a row act together; statements act one after another; what stands after a `/` may be skipped.
 void BlockLowering::lower_items(std::span<const Node* const> items) {
     for (std::size_t i = 0; i < items.size();) {
         const Kind kind = kind_of(*items[i]);

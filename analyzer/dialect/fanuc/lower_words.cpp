@@ -11,7 +11,7 @@
 namespace maclint::fanuc {
 namespace {
 
-/// "X", or ",X" behind a comma, with static lifetime.
+/// "X", or ",X" after a comma, with static lifetime.
 std::string_view address_text(char letter, bool comma) {
     static constexpr std::string_view words = ",A,B,C,D,E,F,G,H,I,J,K,L,M,N,O,P,Q,R,S,T,U,V,W,X,Y,Z";
     if (letter < 'A' || letter > 'Z') return comma ? "," : "@";
@@ -83,7 +83,7 @@ void BlockLowering::lower_words(std::span<const Node* const> nodes) {
     const std::span<const NcWord> words(words_);
     const Span all = join(span(*nodes.front()), span(*nodes.back()));
 
-    // A macro call takes every word behind it as its own.
+    // A macro call takes every word after it as its own.
     const auto call = std::ranges::find_if(words, [](const NcWord& word) {
         return word.letter == 'G' && !word.comma && word.literal && is_macro_call(*word.literal);
     });

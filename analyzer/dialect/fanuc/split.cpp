@@ -12,7 +12,7 @@ namespace {
 
 Offset size_of(std::string_view text) { return static_cast<Offset>(text.size()); }
 
-/// Behind blanks, line ends and comments.
+/// After blanks, line ends and comments.
 Offset skip_to_code(std::string_view text, Offset at) {
     while (at < text.size()) {
         if (is_blank(text[at]) || ends_block(text[at]))
@@ -30,7 +30,7 @@ bool ends_line(std::string_view text, Offset mark) {
     return behind == text.size() || ends_block(text[behind]);
 }
 
-/// The first tape mark between `from` and the end of its line; `from` is the head of a line or behind a mark.
+/// The first tape mark between `from` and the end of its line; `from` is the head of a line or after a mark.
 std::optional<Offset> find_mark_in_line(std::string_view text, Offset from) {
     bool heads_block = true;
     Offset at = from;
@@ -93,7 +93,7 @@ bool glued_program(std::string_view text, Offset begin, Offset at) {
     return ends_program(text.substr(begin, at - begin));
 }
 
-/// The first line at or behind `from` that holds a program number and nothing else but comments: what
+/// The first line at or after `from` that holds a program number and nothing else but comments: what
 /// follows is a program, even when noise left an odd number of marks before it.
 std::optional<Offset> find_program_alone_in_line(std::string_view text, Offset from) {
     for (Offset at = skip_to_code(text, from); at < text.size();) {

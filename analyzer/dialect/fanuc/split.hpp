@@ -11,14 +11,14 @@
 
 namespace maclint::fanuc {
 
-/// Behind the blanks and the tape leader at `at`.
+/// After the blanks and the tape leader at `at`.
 [[nodiscard]] Offset skip_blanks(std::string_view text, Offset at);
 
 /// The block that begins at `begin`. It ends at `;`, at a line end, before a tape mark at the end of its
 /// line, or before the number of the next program in `M99O0810`.
 void cut_block(std::string_view text, Offset begin, RawBlock& block);
 
-/// The first tape mark at or behind `from`, which is the head of a line or behind a mark.
+/// The first tape mark at or after `from`, which is the head of a line or after a mark.
 /// A mark is a `%` outside of comments that begins a block or ends a line.
 [[nodiscard]] std::optional<Offset> find_tape_mark(std::string_view text, Offset from);
 
@@ -29,14 +29,14 @@ struct TapeStart {
 };
 [[nodiscard]] TapeStart find_tape_start(std::string_view text);
 
-/// What stands behind a mark in an open tape: another program, or nothing that the control reads.
+/// What stands after a mark in an open tape: another program, or nothing that the control reads.
 struct BehindMark {
     Offset begin;
     bool opens; ///< `begin` is a mark that opens the tape again
 };
-/// Behind the mark that opens a tape: the first block. A title on the mark's own line is passed over.
+/// After the mark that opens a tape: the first block. A title on the mark's own line is passed over.
 [[nodiscard]] Offset behind_opening_mark(std::string_view text, Offset mark);
-/// Behind a mark in an open tape: the next program, or the mark that opens the tape again, or the end of the
+/// After a mark in an open tape: the next program, or the mark that opens the tape again, or the end of the
 /// text.
 [[nodiscard]] BehindMark behind_mark(std::string_view text, Offset mark);
 

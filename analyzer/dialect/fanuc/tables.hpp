@@ -17,7 +17,7 @@ namespace spaces {
 constexpr SpaceId local = 0, common = 1, retained = 2, machine = 3, named = 4;
 }
 
-/// The only family: the number behind `#`.
+/// The only family: the number after `#`.
 constexpr FamilyId numbered = 0;
 
 /// Rows of ControlModel::calls.

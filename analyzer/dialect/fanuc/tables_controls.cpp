@@ -9,7 +9,7 @@
 namespace maclint::fanuc {
 namespace {
 
-/// One row of the control table. Every row gives a mill and a lathe, named with "-lathe" behind.
+/// One row of the control table. Every row gives a mill and a lathe, named with "-lathe" after.
 struct ControlRow {
     std::string_view model;
     std::string_view description;

@@ -16,7 +16,7 @@ ModalGroup unassigned(std::string_view name) {
     return {name, Role::other, 'G', Restore::none, {}, {}, none, none, "not assigned on this machine type"};
 }
 
-// Rows behind the numbered groups: words that are modal, and variables that act like a modal group.
+// Rows after the numbered groups: words that are modal, and variables that act like a modal group.
 void append_values(std::vector<ModalGroup>& groups) {
     // clang-format off
     groups.push_back({"feed",                      Role::feed,                'F', Restore::value,       {},   {},  none, none, "SEED-001:1360"});

@@ -1,4 +1,4 @@
-//! What the numbers behind `#` stand for.
+//! What the numbers after `#` stand for.
 #include "analyzer/dialect/fanuc/tables.hpp"
 
 #include <algorithm>
