@@ -13,8 +13,14 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 5> source_folders = {"analyzer/", "rules/", "cli/", "tests/",
                                                             "bench/"};
-constexpr std::array<std::string_view, 6> ignored_names = {
-    ".git", "build", ".cache", "node_modules", "__pycache__", "compile_commands.json"};
+constexpr std::array<std::string_view, 5> ignored_names = {".git", ".cache", "node_modules", "__pycache__",
+                                                           "compile_commands.json"};
+
+/// `build`, and those that somebody keeps beside it: gigabytes of objects.
+bool is_build_folder(const fs::directory_entry& entry) {
+    return entry.is_directory() &&
+           (entry.path().filename() == "build" || entry.path().filename().string().starts_with("build-"));
+}
 
 template<class Names>
 bool is_one_of(const Names& names, std::string_view name) {
@@ -51,7 +57,7 @@ std::vector<ProjectFile> all_files() {
     std::vector<ProjectFile> files;
     for (auto entry = fs::recursive_directory_iterator(root); entry != fs::recursive_directory_iterator();
          ++entry) {
-        if (is_one_of(ignored_names, entry->path().filename().string())) {
+        if (is_one_of(ignored_names, entry->path().filename().string()) || is_build_folder(*entry)) {
             entry.disable_recursion_pending();
         } else if (entry->is_regular_file() && !entry->is_symlink()) {
             files.push_back({fs::relative(entry->path(), root).generic_string(), read(entry->path())});
