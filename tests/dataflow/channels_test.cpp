@@ -112,6 +112,27 @@ TEST(Channels, AConditionOfOneSlideDoesNotKeepAnotherFromItsBlocks) {
                 IsEmpty());
 }
 
+/// What the compensation can be at the only tool change, in the slides that make it.
+dataflow::ModalValue at_tool_change(const std::string& text) {
+    const auto workspace = test::analyse_text("dinplus", text);
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    const auto group = analysis.control().group_with(ModalRole::cutter_compensation);
+    return analysis.data().modal(analysis.facts().tool_changes.at(0), group.value());
+}
+
+TEST(Channels, ASlideThatHasEndedHasNothingOnAnyMore) {
+    // G42 of slide 1 and G40 of slide 2; only G40 when slide 1 has ended.
+    EXPECT_EQ(at_tool_change("MACHINING\n$1 N1 G42\n$2 N2 G40\nN3 T2\nN4 M30\nEND\n").parts.size(), 2U);
+    EXPECT_EQ(at_tool_change("MACHINING\n$1 N1 G42\n$2 N2 G40\n$1 N3 M30\nN4 T2\nN5 M30\nEND\n").parts.size(),
+              1U);
+}
+
+TEST(Channels, WhatASlideHasOnIsUnknownWhereItMayNotCome) {
+    const std::string before = "MACHINING\n$2 N1 G42\n$1 N2 IF #l1==1\nN3 THEN\n";
+    EXPECT_TRUE(at_tool_change(before + "$2 N4 T2\nN5 ENDIF\nN6 M30\nEND\n").unknown);
+    EXPECT_FALSE(at_tool_change(before + "$1 N4 T2\nN5 ENDIF\nN6 M30\nEND\n").unknown);
+}
+
 TEST(Channels, NothingIsKnownOfAVariableThatOnlySomeSlidesStoreIn) {
     const auto workspace = test::analyse_text(
         "dinplus", "MACHINING\n$1 N1 #l1=5\n$2 N2 #l2=#l1\nN3 #l3=7\n$2 N4 #l4=#l3\nN5 M30\nEND\n");

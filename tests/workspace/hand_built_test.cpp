@@ -5,6 +5,7 @@
 #include "tests/support/hand_built.hpp"
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -131,6 +132,28 @@ TEST(NamedLabels, ABlockIsFoundByItsNumberAndByItsName) {
     const auto workspace = analyse({built.finish()});
     EXPECT_EQ(target_of(program(*workspace, "MAIN"), 1), 3U);
     EXPECT_EQ(target_of(program(*workspace, "MAIN"), 2), 3U);
+}
+
+/// The lines to which a jump in line 2 can lead whose target only the running program knows.
+std::vector<std::uint32_t> computed_targets(LabelSearch search) {
+    HandBuilt built("MAIN.MPF", "N10 FIRST: R1=0\nIF R1==1 GOTO R2\nN20 LAST: M30\n");
+    const Variable r1{rows::r, 1};
+    built.labelled_block(10, "FIRST", {Assign{r1, built.load({rows::r, 3})}});
+    built.block({Step(built.apply(Operation::equal, {built.load(r1), built.number(1)}),
+                      Jump{built.load({rows::r, 2}), search, MissingLabel::alarm})});
+    built.labelled_block(20, "LAST", {Stop{Stop::Kind::end, std::nullopt}});
+    const auto workspace = analyse({built.finish()});
+    const ProgramAnalysis& main = program(*workspace, "MAIN");
+    std::set<std::uint32_t> lines;
+    for (const flow::LabelledBlock& target : main.targets_of(main.graph().jumps.at(0)))
+        lines.insert(test::line_of(main, target.block.begin));
+    return {lines.begin(), lines.end()};
+}
+
+TEST(NamedLabels, AComputedJumpLeadsOnlyWhereItsSearchLooks) {
+    EXPECT_THAT(computed_targets(LabelSearch::backward), ElementsAre(1));
+    EXPECT_THAT(computed_targets(LabelSearch::forward), ElementsAre(3));
+    EXPECT_THAT(computed_targets(LabelSearch::forward_then_backward), ElementsAre(1, 3));
 }
 
 TEST(UntilLoop, RunsOnceAndEndsWhenItsConditionIsTrue) {
@@ -301,6 +324,21 @@ TEST(DeclaredVariables, HoldWhatTheirTypeCanHold) {
     EXPECT_EQ(value_read(main, b, 6).constant(), 1);
     EXPECT_TRUE(value_read(main, i, 6).integer);
     EXPECT_FALSE(value_read(main, i, 6).constant());
+}
+
+TEST(DeclaredVariables, WhatIsNotZeroMayBeRoundedToZero) {
+    HandBuilt built("P.SPF", "IF A==0 GOTOF DONE\nI=A\nR1=I\nDONE: RET\n");
+    const Variable i = built.declare("I", VariableType::integer);
+    const Variable a = built.formal("A", VariableType::number, Passing::by_value);
+    built.block({Step(built.apply(Operation::equal, {built.load(a), built.number(0)}),
+                      Jump{built.name("DONE"), LabelSearch::forward, MissingLabel::alarm})});
+    built.block({Assign{i, built.load(a)}});
+    built.block({Assign{Variable{rows::r, 1}, built.load(i)}});
+    built.labelled_block("DONE", {Return{}});
+    const auto workspace = analyse({built.finish()});
+    const ProgramAnalysis& p = program(*workspace, "P");
+    EXPECT_FALSE(value_read(p, a, 2).can_be(0));
+    EXPECT_TRUE(value_read(p, i, 3).can_be(0)); // 0.4 becomes 0
 }
 
 TEST(DeclaredVariables, AnInitialValueIsReadUntilSomethingIsStored) {
