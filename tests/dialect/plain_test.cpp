@@ -344,12 +344,12 @@ TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocks) {
                                              "S12345678901234567"};
     std::mt19937 random(20240501);
     std::size_t plain = 0;
-    for (int round = 0; round < 4000 && !HasFailure(); ++round) {
+    for (int round = 0; round < 1000 && !HasFailure(); ++round) {
         const std::string text = from_pieces(random, pieces);
         plain += compare_fanuc(text, "fanuc", "generated.nc");
         plain += compare_fanuc(text, "fanuc-lathe", "generated.nc");
     }
-    EXPECT_GT(plain, 2000U);
+    EXPECT_GT(plain, 500U);
 }
 
 TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocksOfDinPlus) {
@@ -435,12 +435,12 @@ TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocksOfDinPlus) {
                                              "T1 ID\"X\""};
     std::mt19937 random(20240502);
     std::size_t plain = 0;
-    for (int round = 0; round < 6000 && !HasFailure(); ++round) {
+    for (int round = 0; round < 1000 && !HasFailure(); ++round) {
         const std::string blocks = from_pieces(random, pieces);
         for (const char* section : {"MACHINING\n", "FINISHED\n", "TURRET\n"})
             plain += compare_dinplus(section + blocks, "generated.nc");
     }
-    EXPECT_GT(plain, 2000U);
+    EXPECT_GT(plain, 500U);
 }
 
 std::size_t compare_folder(const std::filesystem::path& folder, std::string_view language) {
