@@ -77,7 +77,7 @@ struct Rule {
     std::vector<Example> good; ///< raises nothing
     std::vector<Alarm> alarms;
     std::vector<std::string_view> sources;
-    /// `SyntaxErrorKind`: whatever the text has of that kind, see rules/irregular.hpp.
+    /// `SyntaxErrorKind`: whatever the text has of that kind, see rules/syntax_errors.hpp.
     std::variant<RaisedByCommand, SyntaxErrorKind, FileCheck, ProgramCheck, WordCheck> check;
 };
 

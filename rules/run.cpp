@@ -2,8 +2,8 @@
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
+#include "rules/syntax_errors.hpp"
 #include "rules/word_check.hpp"
 
 #include <algorithm>

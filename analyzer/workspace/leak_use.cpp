@@ -61,8 +61,8 @@ class Search {
 
     void push(const Point& point) {
         // Two calls that lead to one node are two questions: the path from each may be open or closed.
-        const Variable key{point.program, point.node,     point.first, point.call,
-                           point.idle,    point.channels, point.inside};
+        const Visit key{point.program, point.node,     point.first, point.call,
+                        point.idle,    point.channels, point.inside};
         if (visited_.insert(key).second) stack_.push_back(point);
     }
 
@@ -211,9 +211,9 @@ class Search {
     };
     std::vector<Returning> waiting_;
     std::set<ProgramIndex> returned_;
-    using Variable =
+    using Visit =
         std::tuple<ProgramIndex, flow::NodeId, EffectId, flow::NodeId, std::uint32_t, Channels, bool>;
-    std::set<Variable> visited_;
+    std::set<Visit> visited_;
     LeakUse result_{false, nullptr, {}};
 };
 

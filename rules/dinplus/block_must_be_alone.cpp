@@ -1,6 +1,6 @@
 //! DIN008: IF, THEN, ELSE or ENDIF shares its block.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
+#include "rules/syntax_errors.hpp"
 
 namespace maclint::rules {
 

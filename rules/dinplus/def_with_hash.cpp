@@ -1,6 +1,6 @@
 //! DIN323: DEF, NDEF or DVDEF with a # before the name.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
+#include "rules/syntax_errors.hpp"
 
 namespace maclint::rules {
 

@@ -5,7 +5,10 @@
 #include "rules/word_check.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -55,36 +58,48 @@ bool may_be_argument(const WordsOfBlock& block, const Word& word) {
     return std::ranges::find(repeatable, word.address) != repeatable.end() && may_call(block);
 }
 
+/// An address of a block, and its first two words that have a value.
+struct Occurrence {
+    std::string_view address;
+    const Word* first;
+    const Word* second;
+};
+
+/// In the order of their first words. A block has few addresses, however many words.
+std::vector<Occurrence> occurrences_in(std::span<const Word> words) {
+    std::vector<Occurrence> occurrences;
+    for (const Word& word : words) {
+        if (!word.has_value()) continue;
+        const auto known = std::ranges::find(occurrences, word.address, &Occurrence::address);
+        if (known == occurrences.end())
+            occurrences.push_back({word.address, &word, nullptr});
+        else if (known->second == nullptr)
+            known->second = &word;
+    }
+    return occurrences;
+}
+
 void check(const WordsOfBlock& block, Reporter& reporter) {
     const auto& repeatable = block.analysis.control().repeatable;
     if (repeatable.empty()) return; // nobody has said which words exclude each other
+    std::vector<Occurrence> repeated = occurrences_in(block.words);
+    std::erase_if(repeated, [&](const Occurrence& address) {
+        return address.second == nullptr ||
+               std::ranges::find(repeatable, address.address) != repeatable.end() ||
+               may_be_argument(block, *address.second);
+    });
+    if (repeated.empty() || has_alternatives(block)) return;
     std::string addresses;
-    const Word* first = nullptr;
-    const Word* last = nullptr;
-    std::size_t count = 0;
-    for (std::size_t i = 1; i < block.words.size(); ++i) {
-        const Word& word = block.words[i];
-        const auto before = block.words.first(i);
-        const auto same = [&](const Word& other) {
-            return other.address == word.address && other.has_value();
-        };
-        const auto found = std::ranges::find_if(before, same);
-        if (!word.has_value() || found == before.end()) continue;
-        if (std::ranges::find(repeatable, word.address) != repeatable.end() || may_be_argument(block, word))
-            continue;
-        if (std::ranges::count_if(before, same) > 1) continue; // told at the second
-        if (count++ == 0) {
-            first = &*found;
-            last = &word;
-        }
-        addresses += (addresses.empty() ? "" : ", ") + std::string(word.address);
-    }
-    if (count == 0 || has_alternatives(block)) return;
+    for (const Occurrence& address : repeated)
+        addresses += (addresses.empty() ? "" : ", ") + std::string(address.address);
+    const auto [address, first, last] = *std::ranges::min_element(
+        repeated, {}, [](const Occurrence& occurrence) { return occurrence.second->span.begin; });
     const Program& program = block.analysis.program();
     Finding& finding =
-        count == 1 ? reporter.report(block.analysis.file(), last->span, "twice",
-                                     {addresses, quoted(program, first->span), quoted(program, last->span)})
-                   : reporter.report(block.analysis.file(), last->span, "several", {addresses});
+        repeated.size() == 1
+            ? reporter.report(block.analysis.file(), last->span, "twice",
+                              {addresses, quoted(program, first->span), quoted(program, last->span)})
+            : reporter.report(block.analysis.file(), last->span, "several", {addresses});
     finding.related.push_back({&block.analysis.file(), first->span, "the first one stands here"});
 }
 

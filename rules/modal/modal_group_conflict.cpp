@@ -4,6 +4,7 @@
 #include "rules/rule.hpp"
 #include "rules/word_check.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,24 +66,23 @@ std::optional<Member> member(const ControlModel& control, const Word& word) {
 void check(const WordsOfBlock& block, Reporter& reporter) {
     const ControlModel& control = block.analysis.control();
     if (control.repeatable.empty()) return; // nobody has said which words exclude each other
-    std::vector<Member> members;
+    std::vector<Member> members;            // one of each group
     for (const Word& word : block.words) {
         const auto found = member(control, word);
         if (!found) continue;
-        // The same code once more changes nothing.
-        for (const Member& before : members) {
-            if (before.group != found->group || before.code == found->code) continue;
-            if (has_alternatives(block)) return;
-            const Program& program = block.analysis.program();
-            Finding& finding =
-                reporter.report(block.analysis.file(), word.span, "plain",
-                                {quoted(program, before.word->span), quoted(program, word.span),
-                                 std::string(control.groups[found->group].name)});
-            finding.related.push_back(
-                {&block.analysis.file(), before.word->span, "the other one stands here"});
-            return;
+        const auto before = std::ranges::find(members, found->group, &Member::group);
+        if (before == members.end()) {
+            members.push_back(*found);
+            continue;
         }
-        members.push_back(*found);
+        if (before->code == found->code) continue; // the same code once more changes nothing
+        if (has_alternatives(block)) return;
+        const Program& program = block.analysis.program();
+        Finding& finding = reporter.report(block.analysis.file(), word.span, "plain",
+                                           {quoted(program, before->word->span), quoted(program, word.span),
+                                            std::string(control.groups[found->group].name)});
+        finding.related.push_back({&block.analysis.file(), before->word->span, "the other one stands here"});
+        return;
     }
 }
 

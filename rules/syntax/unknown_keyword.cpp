@@ -1,6 +1,6 @@
 //! MAC118: a word that the control does not know.
-#include "rules/irregular.hpp"
 #include "rules/rule.hpp"
+#include "rules/syntax_errors.hpp"
 
 namespace maclint::rules {
 

@@ -39,13 +39,15 @@ const Language fanuc_family{fanuc::grammar,
                             fanuc::cut_block,
                             "()()#<>[]/%\0 1N.,=+-&@\xC3\x84\xEF\xBB\xBF"sv,
                             {MACLINT_SOURCE_DIR "/corpus/fanuc", MACLINT_SOURCE_DIR "/tests/fixtures",
-                             MACLINT_SHARED "/corpus/fanuc-macro", MACLINT_SHARED "/reference/seed-programs"}};
+                             MACLINT_SHARED "/corpus/fanuc-macro",
+                             MACLINT_SHARED "/reference/seed-programs"}};
 const Language din_plus{dinplus::grammar,
                         dinplus::make_cache_key,
                         dinplus::cut_block,
                         "\"\"[[]]()#;/%\0 \xE2\x80\x9C\xE2\x80\x9D\xC3\x84_$N1=+.,?A"sv,
                         {MACLINT_SOURCE_DIR "/corpus/dinplus", MACLINT_SOURCE_DIR "/tests/fixtures",
-                         MACLINT_SHARED "/reference/dinplus-examples", MACLINT_SHARED "/reference/seed-programs"}};
+                         MACLINT_SHARED "/reference/dinplus-examples",
+                         MACLINT_SHARED "/reference/seed-programs"}};
 
 /// The blocks of a text that are short enough for the cache.
 void add_blocks(const Language& language, std::string_view text, std::set<std::string>& blocks) {
@@ -130,7 +132,8 @@ class RandomBlocks {
     };
 
     char byte() {
-        return random_(3) == 0 ? static_cast<char>(random_(256)) : language_.marks[random_(language_.marks.size())];
+        return random_(3) == 0 ? static_cast<char>(random_(256))
+                               : language_.marks[random_(language_.marks.size())];
     }
 
     std::string chance() {
@@ -178,20 +181,39 @@ void expect_own_trees(const Language& language, const std::set<std::string>& blo
 }
 
 TEST(ParseCache, GivesFanucBlocksOfEveryKindTheirOwnTree) {
-    expect_own_trees(fanuc_family,
-                     {"N2IF[#1EQ10]GOTO1", "X - [ #12 ] Y.5", "/2 G0 X1", "/0 G0 X1", "#101=#[#3+5]*2.5(TEXT 12 [])",
-                      "Z3./M14", "WHILE[#1LT5]DO1 (LOOP", "G65P9010A#1B-#[#2+1]", "DPRNT[X#100[53]*Y12]",
-                      "O1234(TITLE)", "O0 N0", "ZI#23 YI5", "IF #1EQ2 GOTO5", "#1=ATAN[#2]/[3]", "X#1/2",
-                      "SETVN 100[A1,B2]", "#_ABSKP[1]", "GO1 X1O5", "#<A(B>=1", "#<A(BC=1", "X1(A)Y2", 
-                      "M98<PART 1>(CALL)", std::string("#1=1(A\0B)", 9), "#1=1(A B)"});
+    expect_own_trees(fanuc_family, {"N2IF[#1EQ10]GOTO1",
+                                    "X - [ #12 ] Y.5",
+                                    "/2 G0 X1",
+                                    "/0 G0 X1",
+                                    "#101=#[#3+5]*2.5(TEXT 12 [])",
+                                    "Z3./M14",
+                                    "WHILE[#1LT5]DO1 (LOOP",
+                                    "G65P9010A#1B-#[#2+1]",
+                                    "DPRNT[X#100[53]*Y12]",
+                                    "O1234(TITLE)",
+                                    "O0 N0",
+                                    "ZI#23 YI5",
+                                    "IF #1EQ2 GOTO5",
+                                    "#1=ATAN[#2]/[3]",
+                                    "X#1/2",
+                                    "SETVN 100[A1,B2]",
+                                    "#_ABSKP[1]",
+                                    "GO1 X1O5",
+                                    "#<A(B>=1",
+                                    "#<A(BC=1",
+                                    "X1(A)Y2",
+                                    "M98<PART 1>(CALL)",
+                                    std::string("#1=1(A\0B)", 9),
+                                    "#1=1(A B)"});
 }
 
 TEST(ParseCache, GivesDinPlusBlocksOfEveryKindTheirOwnTree) {
-    expect_own_trees(din_plus,
-                     {"N15 G1 X-2.5 ID\"a1\" [note 7]", "[//]", "[ab]", "PRINT(\"open", "#l12=#_a1", "#KEY \"A[B\"",
-                      "#KEY \"A-B\"", "#T\xC3\x84 \"A[B\"", "\xE2\x80\x9C" "A[B\xE2\x80\x9D", "N1 // see \"a[b\"",
-                      "G1 X5 (see \"a) X1 \"b", "G1 X5 (see \"a1 X1 \"b", "/159 N5 G0", "IF #l1>5 [a \" b] \"c",
-                      "L\"sub\" LA5", "; 5\" [a] X1"});
+    expect_own_trees(din_plus, {"N15 G1 X-2.5 ID\"a1\" [note 7]", "[//]", "[ab]", "PRINT(\"open", "#l12=#_a1",
+                                "#KEY \"A[B\"", "#KEY \"A-B\"", "#T\xC3\x84 \"A[B\"",
+                                "\xE2\x80\x9C"
+                                "A[B\xE2\x80\x9D",
+                                "N1 // see \"a[b\"", "G1 X5 (see \"a) X1 \"b", "G1 X5 (see \"a1 X1 \"b",
+                                "/159 N5 G0", "IF #l1>5 [a \" b] \"c", "L\"sub\" LA5", "; 5\" [a] X1"});
 }
 
 TEST(ParseCache, GivesBlocksOfTheCorporaTheirOwnTree) {

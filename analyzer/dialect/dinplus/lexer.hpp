@@ -1,5 +1,5 @@
-//! The lexer of DIN PLUS: classes of bytes, comments, texts, tokens. Whatever looks at the text of a line looks
-//! through it: splitter, diagnosis, parse cache, plausibility, the search for section words.
+//! The lexer of DIN PLUS: classes of bytes, comments, texts, tokens. Whatever looks at the text of a line
+//! looks through it: splitter, diagnosis, parse cache, plausibility, the search for section words.
 #pragma once
 
 #include "analyzer/source/span.hpp"

@@ -5,7 +5,7 @@
 
 namespace maclint {
 
-/// One finding for every irregularity of the kind: the message "cure" where a cure is known and the rule has
+/// One finding for every syntax error of the kind: the message "cure" where a cure is known and the rule has
 /// it, otherwise "plain"; their arguments are the offending text and the cure.
 void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter& reporter);
 

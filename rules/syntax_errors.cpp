@@ -1,5 +1,5 @@
-//! Turns irregularities into findings.
-#include "rules/irregular.hpp"
+//! Turns syntax errors into findings.
+#include "rules/syntax_errors.hpp"
 
 #include "analyzer/source/encoding.hpp"
 
