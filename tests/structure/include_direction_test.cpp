@@ -1,5 +1,5 @@
-//! Dependencies point one way, between the rooms of the analyzer too, and what is right of the program model
-//! knows no dialect.
+//! Dependencies point one way, between the folders of the analyzer too, and what is right of the program
+//! model knows no dialect.
 #include "tests/structure/project_files.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A room includes only what stands before it.
+/// A folder includes only what stands before it.
 constexpr std::array<std::string_view, 13> layers = {"grammar/",
                                                      "analyzer/source/",
                                                      "analyzer/syntax/",
@@ -39,11 +39,11 @@ constexpr std::array<std::string_view, 8> dialect_blind = {
 
 constexpr std::array<std::string_view, 5> dialects = {"fanuc", "nct", "haas", "dinplus", "sinumerik"};
 
-/// Position of a path's room in the layers; their number when it is in none of them.
+/// Position of a path's folder in the layers; their number when it is in none of them.
 std::size_t layer_of(std::string_view path) {
-    const auto room =
+    const auto folder =
         std::ranges::find_if(layers, [&](std::string_view layer) { return path.starts_with(layer); });
-    return static_cast<std::size_t>(room - layers.begin());
+    return static_cast<std::size_t>(folder - layers.begin());
 }
 
 bool is_dialect_blind(std::string_view path) {
@@ -110,7 +110,7 @@ std::vector<std::string> dialect_names(const std::vector<ProjectFile>& files) {
     return found;
 }
 
-TEST(Dependencies, EverySourceOfTheAnalyzerStandsInARoom) {
+TEST(Dependencies, EverySourceOfTheAnalyzerStandsInAKnownFolder) {
     for (const ProjectFile& file : sources())
         EXPECT_TRUE(!file.path.starts_with("analyzer/") || layer_of(file.path) < layers.size()) << file.path;
 }
@@ -131,7 +131,7 @@ TEST(DependencyCheck, FindsABackwardInclude) {
     EXPECT_THAT(backward_includes(files), ElementsAre("analyzer/flow/graph.cpp includes rules/rule.hpp"));
 }
 
-TEST(DependencyCheck, FindsABackwardIncludeBetweenRoomsOfTheAnalyzer) {
+TEST(DependencyCheck, FindsABackwardIncludeBetweenFoldersOfTheAnalyzer) {
     const std::vector<ProjectFile> files = {
         {"analyzer/flow/graph.cpp", "#include \"analyzer/dataflow/state.hpp\"\n"},
         {"analyzer/dataflow/state.cpp", "#include \"analyzer/flow/graph.hpp\"\n"}};
