@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace maclint::rules {
@@ -33,6 +34,9 @@ extern const Rule duplicate_address{
         {{"twice",
           "Address {0} stands twice in one block: the control takes '{2}' and passes '{1}' over, or stops "
           "with alarm 5074. Remove the word that is not meant, or write two blocks."},
+         {"same",
+          "Address {0} stands twice in one block, both times as '{1}': some controls stop with alarm 5074. "
+          "Remove one of the two."},
          {"several",
           "Addresses {0} stand twice in one block: the control takes the last word of each, or stops with "
           "alarm 5074. Write two blocks if a line end was lost."}},
@@ -95,11 +99,14 @@ void check(const WordsOfBlock& block, Reporter& reporter) {
     const auto [address, first, last] = *std::ranges::min_element(
         repeated, {}, [](const Occurrence& occurrence) { return occurrence.second->span.begin; });
     const Program& program = block.analysis.program();
-    Finding& finding =
-        repeated.size() == 1
-            ? reporter.report(block.analysis.file(), last->span, "twice",
-                              {addresses, quoted(program, first->span), quoted(program, last->span)})
-            : reporter.report(block.analysis.file(), last->span, "several", {addresses});
+    const std::string before = quoted(program, first->span);
+    const std::string after = quoted(program, last->span);
+    const auto report = [&](std::string_view message, std::vector<std::string> arguments) -> Finding& {
+        return reporter.report(block.analysis.file(), last->span, message, std::move(arguments));
+    };
+    Finding& finding = repeated.size() > 1 ? report("several", {addresses})
+                       : before == after   ? report("same", {addresses, after})
+                                           : report("twice", {addresses, before, after});
     finding.related.push_back({&block.analysis.file(), first->span, "the first one stands here"});
 }
 

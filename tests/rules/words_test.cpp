@@ -25,6 +25,18 @@ TEST(DuplicateAddress, NamesTheWordThatTheControlTakes) {
     EXPECT_THAT(messages[0], HasSubstr("takes 'X3.' and passes 'X1.' over"));
 }
 
+TEST(DuplicateAddress, SaysWhenBothWordsAreTheSame) {
+    const auto messages = messages_raised("MAC559", "O1\nG97 S1000 M3 S1000\nM30\n");
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_THAT(messages[0], HasSubstr("both times as 'S1000'"));
+}
+
+TEST(DuplicateAddress, IsFoundOnceInABlockOfAMillionWords) {
+    std::string block;
+    for (int i = 0; i < 1'000'000; ++i) block += "X1.";
+    EXPECT_THAT(lines_raised("MAC559", "O1\n" + block + "\nM30\n"), ElementsAre(2));
+}
+
 TEST(DuplicateAddress, IsOneFindingForTwoBlocksInOneLine) {
     const auto messages = messages_raised("MAC559", "O1\nG90 G1 F100.\nX1. Y2. G2 X3. Y4. R5.\nM30\n");
     ASSERT_EQ(messages.size(), 1U);
