@@ -168,7 +168,7 @@ void Stepper::run_effect(EffectId id) {
                        for (const ExpressionId value : text().values_of(what)) (void)evaluate(value);
                    },
                    [&](const Motion&) { move(); }, [&](const Stop& what) { stop(id, what); },
-                   [&](const RegionMark& what) { structure(id, what); },
+                   [&](const RegionMark& what) { pass_mark(id, what); },
                    [&](const Jump& what) { jump(what); }, [&](const Call& what) { call(id, what); },
                    [&](const Return& what) { return_to_caller(id, what); },
                    [&](const Exchange& what) { exchange(what); },
@@ -239,20 +239,20 @@ void Stepper::stop(EffectId id, const Stop& stop) {
     }
 }
 
-void Stepper::structure(EffectId id, const RegionMark& structure) {
+void Stepper::pass_mark(EffectId id, const RegionMark& mark) {
     const flow::Region* region = top().layout->region_of(id);
     if (region == nullptr) {
-        if (structure.condition) (void)truth(*structure.condition);
+        if (mark.condition) (void)truth(*mark.condition);
         return;
     }
-    switch (structure.part) {
+    switch (mark.part) {
     case RegionMark::Part::begin: return;
     case RegionMark::Part::open: return open(id, *region);
     case RegionMark::Part::middle: // the branch above ends
     case RegionMark::Part::leave: return go_to(*region->close);
     case RegionMark::Part::close:
-        if (region->region_kind == RegionKind::until_loop && structure.condition) {
-            if (decide(*structure.condition) || done()) return;
+        if (region->region_kind == RegionKind::until_loop && mark.condition) {
+            if (decide(*mark.condition) || done()) return;
         }
         if (is_loop(region->region_kind)) top().at = {top().layout->step_of(region->open), region->open};
         return;

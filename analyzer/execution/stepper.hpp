@@ -46,7 +46,7 @@ class Stepper {
     [[nodiscard]] std::optional<EffectId> effect() const { return effect_; }
     /// What a variable of the running program holds.
     [[nodiscard]] Content content(Variable variable);
-    [[nodiscard]] double code(GroupId group);
+    [[nodiscard]] double code(GroupId id);
 
   private:
     using Variables = std::unordered_map<Variable, Content, VariableHash>;
@@ -87,9 +87,9 @@ class Stepper {
     void assign(const Assign& assign);
     void store_at(const StoreAt& target, Content content);
     void set_modal(const SetModal& set);
-    void set_group(GroupId group, Content content);
+    void set_group(GroupId changed, Content content);
     void stop(EffectId id, const Stop& stop);
-    void structure(EffectId id, const RegionMark& structure);
+    void pass_mark(EffectId id, const RegionMark& mark);
     void open(EffectId id, const flow::Region& region);
     void select(const flow::Region& region);
     void jump(const Jump& jump);
@@ -113,7 +113,7 @@ class Stepper {
     [[nodiscard]] Content& content_of(Variable variable);
     [[nodiscard]] Content& shared_content_of(Variable variable);
     [[nodiscard]] std::pair<Level*, Variable> owner_of(Variable variable);
-    [[nodiscard]] std::optional<double>& group(GroupId group);
+    [[nodiscard]] std::optional<double>& group(GroupId id);
 
     [[nodiscard]] Level& top() { return levels_.back(); }
     [[nodiscard]] const Program& text() const { return levels_.back().analysis->program(); }

@@ -210,10 +210,9 @@ TEST(ParseCache, GivesFanucBlocksOfEveryKindTheirOwnTree) {
 TEST(ParseCache, GivesDinPlusBlocksOfEveryKindTheirOwnTree) {
     expect_own_trees(din_plus, {"N15 G1 X-2.5 ID\"a1\" [note 7]", "[//]", "[ab]", "PRINT(\"open", "#l12=#_a1",
                                 "#KEY \"A[B\"", "#KEY \"A-B\"", "#T\xC3\x84 \"A[B\"",
-                                "\xE2\x80\x9C"
-                                "A[B\xE2\x80\x9D",
-                                "N1 // see \"a[b\"", "G1 X5 (see \"a) X1 \"b", "G1 X5 (see \"a1 X1 \"b",
-                                "/159 N5 G0", "IF #l1>5 [a \" b] \"c", "L\"sub\" LA5", "; 5\" [a] X1"});
+                                std::string("\xE2\x80\x9C") + "A[B\xE2\x80\x9D", "N1 // see \"a[b\"",
+                                "G1 X5 (see \"a) X1 \"b", "G1 X5 (see \"a1 X1 \"b", "/159 N5 G0",
+                                "IF #l1>5 [a \" b] \"c", "L\"sub\" LA5", "; 5\" [a] X1"});
 }
 
 TEST(ParseCache, GivesBlocksOfTheCorporaTheirOwnTree) {

@@ -211,7 +211,7 @@ std::vector<std::string> meaning(const ProgramFile& file) {
             lines.push_back(meaning(program, words));
         });
     }
-    for (const SyntaxError& error : file.syntax_errors) lines.push_back(std::string(name_of(error.kind)));
+    for (const SyntaxError& error : file.syntax_errors) lines.emplace_back(name_of(error.kind));
     return lines;
 }
 

@@ -90,7 +90,7 @@ class HeldAgainstFacts {
     void check_changes(execution::Stepper& stepper, EffectId call);
 
     [[nodiscard]] Watched watched_in(const ProgramAnalysis& analysis) const;
-    [[nodiscard]] std::optional<Content> value_of(dataflow::SymbolId symbol) const;
+    [[nodiscard]] std::optional<Content> value_of(dataflow::SymbolId id) const;
     [[nodiscard]] bool allows(const dataflow::Value& value, Content content) const;
     [[nodiscard]] bool allows(const dataflow::ModalValue& value, double code) const;
     void claim(bool holds, const std::string& kind, const std::string& what);

@@ -13,7 +13,8 @@ class Dice {
         : engine_{seed} {}
     std::size_t below(std::size_t limit) { return static_cast<std::size_t>(engine_()) % limit; }
     int between(int low, int high) {
-        return low + static_cast<int>(below(static_cast<std::size_t>(high - low + 1)));
+        const int values = high - low + 1;
+        return low + static_cast<int>(below(static_cast<std::size_t>(values)));
     }
     /// One time in so many.
     bool one_in(std::size_t times) { return below(times) == 0; }
