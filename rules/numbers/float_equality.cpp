@@ -28,8 +28,9 @@ extern const Rule float_equality{
     .on_by_default = true,
     .off_reason = "",
     .data_flow = true,
-    .messages = {{"equal", "'{0}' may fail for numbers that are equal on paper: '{1}' is rounded. Compare "
-                           "the distance instead: whether its ABS is less than 0.001."},
+    .messages = {{"equal",
+                  "'{0}' may be false for numbers that are equal on paper: '{1}' is rounded. Compare "
+                  "the distance instead: whether its ABS is less than 0.001."},
                  {"not-equal",
                   "'{0}' may be true for numbers that are equal on paper: '{1}' is rounded. Compare "
                   "the distance instead: whether its ABS is 0.001 or more."},

@@ -238,5 +238,10 @@ TEST(ModalCode, IsNotFeedOrSpeed) {
     EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4109\n#4=#3/2\n#5=SQRT[#4119*2]\nM99\n"), IsEmpty());
 }
 
+TEST(FeedLeak, OfAVariableThatMayBeVacantIsReportedAsWell) {
+    // Nothing says whether #514 is set; where it is, its value stays in force.
+    EXPECT_THAT(lines_raised("MAC503", "O9001\nG1 X#24 F#514\nM99\n"), ElementsAre(2));
+}
+
 } // namespace
 } // namespace maclint
