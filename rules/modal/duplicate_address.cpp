@@ -62,11 +62,11 @@ bool may_be_argument(const WordsOfBlock& block, const Word& word) {
     return std::ranges::find(repeatable, word.address) != repeatable.end() && may_call(block);
 }
 
-/// An address of a block, and its first two words that have a value.
+/// An address of a block, and the first and the last of its words that have a value.
 struct Occurrence {
     std::string_view address;
     const Word* first;
-    const Word* second;
+    const Word* last;
 };
 
 /// In the order of their first words. A block has few addresses, however many words.
@@ -77,8 +77,8 @@ std::vector<Occurrence> occurrences_in(std::span<const Word> words) {
         const auto known = std::ranges::find(occurrences, word.address, &Occurrence::address);
         if (known == occurrences.end())
             occurrences.push_back({word.address, &word, nullptr});
-        else if (known->second == nullptr)
-            known->second = &word;
+        else
+            known->last = &word;
     }
     return occurrences;
 }
@@ -88,16 +88,16 @@ void check(const WordsOfBlock& block, Reporter& reporter) {
     if (repeatable.empty()) return; // nobody has said which words exclude each other
     std::vector<Occurrence> repeated = occurrences_in(block.words);
     std::erase_if(repeated, [&](const Occurrence& address) {
-        return address.second == nullptr ||
+        return address.last == nullptr ||
                std::ranges::find(repeatable, address.address) != repeatable.end() ||
-               may_be_argument(block, *address.second);
+               may_be_argument(block, *address.last);
     });
     if (repeated.empty() || has_alternatives(block)) return;
     std::string addresses;
     for (const Occurrence& address : repeated)
         addresses += (addresses.empty() ? "" : ", ") + std::string(address.address);
     const auto [address, first, last] = *std::ranges::min_element(
-        repeated, {}, [](const Occurrence& occurrence) { return occurrence.second->span.begin; });
+        repeated, {}, [](const Occurrence& occurrence) { return occurrence.last->span.begin; });
     const Program& program = block.analysis.program();
     const std::string before = quoted(program, first->span);
     const std::string after = quoted(program, last->span);

@@ -23,6 +23,9 @@ TEST(DuplicateAddress, NamesTheWordThatTheControlTakes) {
     const auto messages = messages_raised("MAC559", "O1\nG90 G0 X1. Y2. X3.\nM30\n");
     ASSERT_EQ(messages.size(), 1U);
     EXPECT_THAT(messages[0], HasSubstr("takes 'X3.' and passes 'X1.' over"));
+    const auto of_three = messages_raised("MAC559", "O1\nG90 G0 X1. Y2. X3. X4.\nM30\n");
+    ASSERT_EQ(of_three.size(), 1U);
+    EXPECT_THAT(of_three[0], HasSubstr("takes 'X4.' and passes 'X1.' over"));
 }
 
 TEST(DuplicateAddress, SaysWhenBothWordsAreTheSame) {
