@@ -43,7 +43,7 @@ class Transfer {
     [[nodiscard]] std::optional<Step> step_of(const State& state, Variable variable, ExpressionId value);
     void store(State& state, Variable variable, Value value, ExpressionId expression);
     void store_at(State& state, const StoreAt& target, const Value& value, ExpressionId expression);
-    void clobber_indexed(State& state, FamilyId family, const Value& index);
+    void clobber_indexed(State& state, FamilyId of, const Value& index);
     void clobber_passed(State& state, const Call& call);
     [[nodiscard]] bool is_ambiguous(Variable variable) const;
     void set_modal(State& state, const SetModal& set);

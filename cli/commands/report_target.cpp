@@ -40,7 +40,8 @@ bool is_named_like_program(const std::string& path) {
 /// What text and concise reports write beside places in programs, which alone look like blocks.
 bool may_be_report(std::string_view text) {
     constexpr std::array<std::string_view, 4> words = {" checked", "error[", "warning[", "note["};
-    return std::ranges::any_of(words, [&](std::string_view word) { return text.find(word) != text.npos; });
+    return std::ranges::any_of(
+        words, [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
 }
 
 bool holds_program(const std::string& path) {

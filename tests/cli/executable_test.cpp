@@ -230,10 +230,10 @@ TEST_F(Executable, WritesNoReportOverAProgram) {
 TEST_F(Executable, WritesReportsOverEarlierReports) {
     folder.write("O1001.nc", bad);
     folder.write("O1000.nc", good);
-    for (const std::string format : {"text", "concise", "json", "sarif"})
+    for (const std::string format : {"text:", "concise:", "json:", "sarif:"})
         for (const std::string program : {"O1001.nc", "O1000.nc", "."})
             for (const std::string name : {"report.txt", "report"}) {
-                const Finished finished = run({program, "--output", format + ":" + name});
+                const Finished finished = run({program, "--output", format + name});
                 EXPECT_NE(finished.status, 2) << format << ' ' << program << ' ' << finished.err;
             }
 }
@@ -295,8 +295,8 @@ TEST_F(Executable, ReadsALatheTextAsSuchWhateverControlIsNamed) {
     folder.write(".maclint.json", R"({"controls": {"Turn 2": {"model": "fanuc-30i"}},
         "files": [{"glob": "O1*", "control": "Turn 2"}, {"glob": "O2*", "control": "fanuc-16i"},
                   {"glob": "O3*", "control": "fanuc-16i-lathe"}]})");
-    const std::string turning = "G50S2000\nT0101\nG96S200M3\nG0X50.Z2.\nG90X40.Z-20.F.2\nM30\n";
-    for (const std::string name : {"O1", "O2", "O3", "O4"}) folder.write(name, name + "\n" + turning);
+    const std::string turning = "\nG50S2000\nT0101\nG96S200M3\nG0X50.Z2.\nG90X40.Z-20.F.2\nM30\n";
+    for (const std::string name : {"O1", "O2", "O3", "O4"}) folder.write(name, name + turning);
     folder.write("O11", "O11\nT1M6\nG43H1Z50.\nG1X1.F100\nM30\n");
     EXPECT_THAT(run({"--show-config", "O1"}).out,
                 HasSubstr("fanuc-30i-lathe, Turn 2 (FANUC Series 30i/31i/32i, lathe with G code system A) "

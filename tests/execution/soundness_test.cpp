@@ -76,7 +76,7 @@ class RandomEnvironment {
             }
         for (const Variable variable : program.handed_down)
             if (dice_.one_in(2) && !control.spaces[variable.space].written_once)
-                effects.stores.push_back({program.meant_by(variable), content()});
+                effects.stores.emplace_back(program.meant_by(variable), content());
         for (std::size_t i = 0; i < control.groups.size(); ++i)
             if (control.groups[i].role != ModalRole::macro_call && dice_.one_in(4))
                 effects.codes.emplace_back(static_cast<GroupId>(i),
@@ -142,7 +142,8 @@ void expect_sound(unsigned programs, const Generate& generate) {
         const std::vector<NamedText> files = generate(dice);
         if (const auto what = refuted(files, dice, held)) {
             std::string texts;
-            for (const auto& [path, text] : files) texts += "--- " + path + "\n" + text;
+            for (const auto& [path, text] : files)
+                texts.append("--- ").append(path).append("\n").append(text);
             ADD_FAILURE() << "seed " << seed << ": " << *what << "\n" << texts;
             return;
         }

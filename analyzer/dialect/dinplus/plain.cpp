@@ -101,7 +101,7 @@ PlainTables commands() {
     row_of(tables, "NS").traits = block_name;
     row_of(tables, "NE").traits = block_name;
     row_of(tables, "T") = {}; // changes the tool
-    for (std::uint8_t which = 0; which < tables.codes.size(); ++which) {
+    for (const std::uint8_t which : {std::uint8_t{0}, std::uint8_t{1}}) {
         const std::string_view letter = which == 0 ? "G" : "M";
         row_of(tables, letter).start = PlainStart::code;
         row_of(tables, letter).which = which;

@@ -9,7 +9,6 @@
 namespace maclint::fanuc {
 namespace {
 
-using syntax::PlainCode;
 using syntax::PlainStart;
 using syntax::PlainTables;
 
