@@ -7,6 +7,10 @@
 
 namespace maclint::syntax {
 
+Lane scan_block(std::string_view text, Offset begin, const PlainTables& tables, PlainBlock& block) {
+    return PlainScanner<NoWords>(text, begin, tables, block, {}).run();
+}
+
 double scaled(std::uint64_t mantissa, unsigned decimals) {
     static constexpr std::array<double, 16> powers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                    1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};

@@ -19,7 +19,7 @@ enum class Lane : std::uint8_t {
     grammar, ///< the block must be parsed
 };
 
-/// A block as the scanner leaves it. For Lane::grammar only the lane is told.
+/// A block as the scanner leaves it. For Lane::grammar only the lane is known.
 struct PlainBlock {
     static constexpr std::size_t most_settings = 24; ///< a block with more goes to the grammar
     Span span;        ///< from its first byte to after the last one that is no blank
@@ -121,32 +121,39 @@ class PlainScanner {
     bool item(Row row) {
         if (row.start == PlainStart::comment) return comment();
         const char* const address = at_++;
-        if (!tables_.pairs.empty() && at_ != end_ && is_capital(*at_) && is_capital(*address)) {
-            row = tables_.pairs[PlainTables::pair(*address, *at_)];
-            ++at_;
-        }
-        if (row.start == PlainStart::not_plain) return false;
-        const char* const behind_address = at_;
-        const bool incremental = takes_incremental(row);
-        if (tables_.blanks_behind_address || row.start == PlainStart::block_number)
-            while (at_ != end_ && is_blank(*at_)) ++at_;
         if (at_ == end_) return false;
-        if (row.start == PlainStart::block_number) return block_number();
+        bool incremental = false;
+        const char* after_address = at_;
+        if (!may_begin_number(*at_)) { // rarely: a second letter, an increment, blanks
+            if (!tables_.pairs.empty() && is_capital(*at_) && is_capital(*address)) {
+                row = tables_.pairs[PlainTables::pair(*address, *at_)];
+                after_address = ++at_;
+            }
+            incremental = takes_incremental(row);
+            if (tables_.blanks_after_address || row.start == PlainStart::block_number)
+                while (at_ != end_ && is_blank(*at_)) ++at_;
+            if (at_ == end_) return false;
+        }
         const char* const digits = at_;
-        of_values_ |= row.traits;
+        if (row.start == PlainStart::block_number) return block_number();
         if (!number_of(row)) return false;
-        if (tables_.not_behind_number != 0 && at_ != end_ && *at_ == tables_.not_behind_number) return false;
-        if (addresses_.contains(row.id)) repeated_.add(row.id);
-        addresses_.add(row.id);
+        if (tables_.not_after_number != 0 && at_ != end_ && *at_ == tables_.not_after_number) return false;
+        of_values_ |= row.traits;
+        const AddressSet own = AddressSet::of(row.id);
+        repeated_.add(addresses_.common(own));
+        addresses_.add(own);
         if constexpr (Words::wanted)
             words_.visit(PlainWord{row.id,
                                    incremental,
                                    point_,
                                    value_of(digits),
-                                   {offset(address), offset(behind_address)},
+                                   {offset(address), offset(after_address)},
                                    {offset(address), offset(at_)}});
         return true;
     }
+
+    /// Digits, signs and the point; what else is among them is no number either.
+    static constexpr bool may_begin_number(char c) { return c >= '+' && c <= '9'; }
 
     bool takes_incremental(Row row) {
         if (tables_.incremental == 0 || at_ == end_ || *at_ != tables_.incremental) return false;
@@ -208,14 +215,14 @@ class PlainScanner {
         mantissa_ = 0;
         const char* const digits = at_;
         for (; at_ != end_ && is_digit(*at_); ++at_)
-            mantissa_ = mantissa_ * 10 + static_cast<std::uint64_t>(*at_ - '0');
+            mantissa_ = mantissa_ * 10 + static_cast<unsigned char>(*at_ - '0');
         digits_ = static_cast<std::size_t>(at_ - digits);
         decimals_ = 0;
         point_ = at_ != end_ && *at_ == '.';
         if (!point_) return;
         const char* const decimals = ++at_;
         for (; at_ != end_ && is_digit(*at_); ++at_)
-            mantissa_ = mantissa_ * 10 + static_cast<std::uint64_t>(*at_ - '0');
+            mantissa_ = mantissa_ * 10 + static_cast<unsigned char>(*at_ - '0');
         decimals_ = static_cast<unsigned>(at_ - decimals);
         digits_ += decimals_;
     }
@@ -297,10 +304,8 @@ class PlainScanner {
 };
 
 /// Scans the block that begins at `begin` in `text`.
-[[nodiscard]] inline Lane scan_block(std::string_view text, Offset begin, const PlainTables& tables,
-                                     PlainBlock& block) {
-    return PlainScanner<NoWords>(text, begin, tables, block, {}).run();
-}
+[[nodiscard]] Lane scan_block(std::string_view text, Offset begin, const PlainTables& tables,
+                              PlainBlock& block);
 
 /// The same, and calls `visit(PlainWord)` for its words, the block number left out.
 template<class Visit>

@@ -19,6 +19,15 @@ class AddressSet {
     static constexpr std::size_t capacity = 64;
 
     constexpr AddressSet() = default;
+    [[nodiscard]] static constexpr AddressSet of(AddressId id) {
+        AddressSet set;
+        set.bits_ = bit(id);
+        return set;
+    }
+    [[nodiscard]] constexpr AddressSet common(AddressSet other) const {
+        other.bits_ &= bits_;
+        return other;
+    }
     void add(AddressId id) { bits_ |= bit(id); }
     void add(AddressSet other) { bits_ |= other.bits_; }
     [[nodiscard]] constexpr bool contains(AddressId id) const { return (bits_ & bit(id)) != 0; }
@@ -91,10 +100,10 @@ struct PlainTables {
     std::array<std::string_view, AddressSet::capacity> names; ///< of addresses; empty: as written
     AddressSet may_repeat; ///< addresses that may stand in a block more than once
     char comment_end = 0;
-    char incremental = 0;               ///< may stand after an address; 0: nothing may
-    bool blanks_behind_address = false; ///< blanks may stand between address and number
-    char not_behind_number = 0;         ///< no word begins with it directly after a number; 0: any may
-    std::uint32_t longest = 0;          ///< a longer block is not plain
+    char incremental = 0;              ///< may stand after an address; 0: nothing may
+    bool blanks_after_address = false; ///< blanks may stand between address and number
+    char not_after_number = 0;         ///< no word begins with it directly after a number; 0: any may
+    std::uint32_t longest = 0;         ///< a longer block is not plain
     /// Whether a comment speaks to the analyser; the block is not plain then. Asked where it holds an `m`.
     bool (*is_directive)(std::string_view comment) = nullptr;
 

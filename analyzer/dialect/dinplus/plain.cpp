@@ -68,7 +68,7 @@ PlainTables descriptions() {
     for (const char c : std::string_view("GMT")) tables.may_repeat.add(static_cast<AddressId>(c - 'A'));
     tables.comment_end = ']';
     tables.incremental = 'i';
-    tables.not_behind_number = 'O';
+    tables.not_after_number = 'O';
     tables.longest = longest;
     tables.is_directive = addresses_maclint;
     return tables;

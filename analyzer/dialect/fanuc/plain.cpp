@@ -68,7 +68,7 @@ PlainTables plain_tables(const CodeTable& codes) {
     }
 
     tables.comment_end = ')';
-    tables.blanks_behind_address = true;
+    tables.blanks_after_address = true;
     tables.longest = std::numeric_limits<std::uint32_t>::max();
     tables.is_directive = addresses_maclint;
     return tables;
