@@ -1,7 +1,7 @@
 //! What a run depends on and no program text tells: chosen by whoever starts the stepper.
 #pragma once
 
-#include "analyzer/program/model.hpp"
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/semantics/concrete.hpp"
 
 #include <functional>
@@ -32,7 +32,7 @@ struct Environment {
     /// What somebody types when the program asks for the variable.
     std::function<Content(const Program&, Variable)> typed_in;
     /// Whether the switch for one of the block's skip levels is on.
-    std::function<bool(const Block&)> skips;
+    std::function<bool(const BlockView&)> skips;
     std::function<UnknownEffects(const Program&, CallKindId)> unknown_call;
 };
 

@@ -16,10 +16,10 @@ using semantics::Content;
 // Every event is one of the program that runs at the time; see Stepper::program().
 
 struct ProgramBegins {};
-/// A block, plain or not; it is not skipped.
+/// A block that is not skipped.
 struct BlockBegins {
-    ItemId item;
     Span span;
+    bool has_effects; ///< which follow, each with an event of its own
 };
 struct EffectBegins {
     EffectId effect;

@@ -1,8 +1,6 @@
 //! Lays the executed sections of a program out.
 #include "analyzer/execution/layout.hpp"
 
-#include "analyzer/program/block_view.hpp"
-
 #include <algorithm>
 #include <cassert>
 
@@ -14,22 +12,10 @@ Layout::Layout(const Program& program, const flow::Regions& regions)
     , within_(program.effects.size()) {
     for (const Section& section : program.sections) {
         if (section.executed == Section::Executed::never) continue;
-        for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) {
-            const Item& item = program.items[i];
-            if (const auto* block = std::get_if<Block>(&item)) {
-                index(block->effects, steps_.size(), std::nullopt);
-                steps_.push_back({i, block->span, block->sequence_number, block, {}, false});
-                continue;
-            }
-            for_each_block(program, Stretch{i, program.span_of(i)}, [&](const BlockView& plain) {
-                steps_.push_back({i,
-                                  plain.span,
-                                  plain.number,
-                                  nullptr,
-                                  {plain.settings.begin(), plain.settings.end()},
-                                  plain.moves});
-            });
-        }
+        for_each_block(program, section, [&](const BlockView& block) {
+            index(block.effects, steps_.size(), std::nullopt);
+            steps_.push_back({block, {block.settings.begin(), block.settings.end()}});
+        });
     }
 }
 
@@ -44,9 +30,8 @@ void Layout::index(Slice effects, std::size_t step, std::optional<EffectId> guar
 
 std::optional<std::size_t> Layout::find(const Label& label, std::size_t from, LabelSearch search) const {
     const auto has_it = [&](std::size_t step) {
-        if (const auto* name = std::get_if<BlockName>(&label))
-            return steps_[step].block != nullptr && steps_[step].block->name == *name;
-        return steps_[step].number == std::get<std::int64_t>(label);
+        if (const auto* name = std::get_if<BlockName>(&label)) return steps_[step].block.name == *name;
+        return steps_[step].block.number == std::get<std::int64_t>(label);
     };
     const bool own_first = search == LabelSearch::forward_then_top;
     if (search != LabelSearch::backward)

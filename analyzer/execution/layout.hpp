@@ -2,21 +2,17 @@
 #pragma once
 
 #include "analyzer/flow/regions.hpp"
-#include "analyzer/program/model.hpp"
+#include "analyzer/program/block_view.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace maclint::execution {
 
-/// A block that is executed, plain or not.
+/// A block that is executed; its settings are kept here.
 struct Step {
-    ItemId item;
-    Span span;
-    std::optional<std::int64_t> number;
-    const Block* block;                 ///< nullptr: a plain one
-    std::vector<ModalSetting> settings; ///< of a plain block
-    bool moves = false;                 ///< of a plain block
+    BlockView block;
+    std::vector<ModalSetting> settings;
 };
 
 /// Where something stands in the program: a step, and the effect in it that comes next.

@@ -132,23 +132,18 @@ void Stepper::step() {
     if (level.at.step == level.layout->steps().size())
         return leave(Leaving::runs_off, std::nullopt, std::nullopt);
     const Step& step = level.layout->steps()[level.at.step];
-    if (step.block == nullptr) return run_plain(step);
-    if (step.block->skip_levels != 0 && environment_.skips(*step.block)) {
+    if (step.block.skip_levels != 0 && environment_.skips(step.block)) {
         ++level.at.step;
         return;
     }
-    report(BlockBegins{step.item, step.span});
-    if (step.block->effects.count == 0)
-        ++level.at.step;
-    else
-        level.at.effect = step.block->effects.first;
-}
-
-void Stepper::run_plain(const Step& step) {
-    report(BlockBegins{step.item, step.span});
-    ++top().at.step;
+    report(BlockBegins{step.block.span, step.block.effects.count != 0});
+    if (step.block.effects.count != 0) {
+        level.at.effect = step.block.effects.first;
+        return;
+    }
+    ++level.at.step;
     for (const ModalSetting& setting : step.settings) group(setting.group) = setting.value;
-    if (step.moves) move();
+    if (step.block.moves) move();
 }
 
 void Stepper::run_effect(EffectId id) {

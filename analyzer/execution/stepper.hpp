@@ -81,7 +81,6 @@ class Stepper {
     [[nodiscard]] const Layout& layout_of(const ProgramAnalysis& analysis);
 
     void step();
-    void run_plain(const Step& step);
     void run_effect(EffectId id);
     void go_to(EffectId after);
     void assign(const Assign& assign);

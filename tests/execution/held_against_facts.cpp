@@ -241,19 +241,13 @@ void HeldAgainstFacts::on(execution::Stepper&, const execution::EffectBegins& ev
 }
 
 void HeldAgainstFacts::on(execution::Stepper&, const execution::BlockBegins& event) {
+    if (event.has_effects) return; // they say where it is
     Level& level = levels_.back();
-    const Item& item = level.analysis->program().items[event.item];
-    const auto* block = std::get_if<Block>(&item);
-    if (block != nullptr && block->effects.count != 0) return; // its effects tell
     const auto& nodes = level.analysis->graph().nodes;
     for (flow::NodeId id = 0; id < nodes.size(); ++id) {
         const flow::Node& node = nodes[id];
-        const bool is_it =
-            node.is_run
-                ? block == nullptr && node.part.begin <= event.span.begin && event.span.end <= node.part.end
-                : block != nullptr && node.part.begin == event.span.begin && node.part.end == event.span.end;
-        if (node.item != event.item || !is_it) continue;
-        come_to(id, level.node == id && block == nullptr && level.offset < event.span.begin);
+        if (event.span.begin < node.part.begin || node.part.end < event.span.end) continue;
+        come_to(id, level.node == id && node.is_run && level.offset < event.span.begin);
         level.effect.reset();
         level.offset = event.span.begin;
         return;

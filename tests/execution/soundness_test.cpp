@@ -33,7 +33,7 @@ class RandomEnvironment {
             return value_of(program, program.expressions[id]);
         };
         environment.typed_in = [this](const Program&, Variable) { return Content{number()}; };
-        environment.skips = [this](const Block&) { return dice_.one_in(2); };
+        environment.skips = [this](const BlockView&) { return dice_.one_in(2); };
         environment.unknown_call = [this](const Program& program, CallKindId kind) {
             return unknown_call(program, kind);
         };

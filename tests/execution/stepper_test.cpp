@@ -25,7 +25,7 @@ Environment quiet() {
     environment.code_at_start = [](GroupId) { return 0.0; };
     environment.value_of = [](const Program&, ExpressionId) { return Content{0}; };
     environment.typed_in = [](const Program&, Variable) { return Content{7}; };
-    environment.skips = [](const Block&) { return false; };
+    environment.skips = [](const BlockView&) { return false; };
     environment.unknown_call = [](const Program&, CallKindId) { return UnknownEffects{}; };
     return environment;
 }
@@ -187,7 +187,7 @@ TEST(Stepper, WhatAnUnknownProgramDoesIsToldByTheEnvironment) {
 
 TEST(Stepper, ABlockIsSkippedWhereTheSwitchIsOn) {
     Environment environment = quiet();
-    environment.skips = [](const Block& block) { return block.skip_levels == 1U << 2U; };
+    environment.skips = [](const BlockView& block) { return block.skip_levels == 1U << 2U; };
     const Ended ended = run_macro("/#100=1\n/2#101=1\nM30\n", environment);
     EXPECT_EQ(ended.variables.at(100), Content{1});
     EXPECT_EQ(ended.variables.at(101), Content{});
