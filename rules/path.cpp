@@ -1,4 +1,4 @@
-//! Puts ways through the flow graph into words.
+//! Puts paths through the flow graph into words.
 #include "rules/path.hpp"
 
 #include "analyzer/program/block_view.hpp"

@@ -12,7 +12,7 @@
 namespace maclint {
 
 /// The jumps and branches on this path, in execution order. Branches whose other side does not lead to the
-/// way's end go without saying; of the rest the last twelve are told.
+/// path's end are left out; of the rest the last twelve are reported.
 [[nodiscard]] std::vector<RelatedLocation> steps_along(const ProgramAnalysis& analysis,
                                                        std::span<const flow::EdgeId> path);
 

@@ -14,8 +14,8 @@ namespace maclint {
                                                                   flow::Imbalance kind);
 
 /// All faults in the pairing of a construct that pairs by nesting alone; a fault between two constructs is
-/// the outer one's, whose close comes too early. Branches that lack the word which opens them are told once,
-/// up to their close. Faults that an unreadable block may explain are held back.
+/// the outer one's, whose close comes too early. Branches that lack the word which opens them are reported
+/// once, up to their close. Faults that an unreadable block may explain are held back.
 [[nodiscard]] std::vector<flow::RegionFault> nesting_faults(const ProgramAnalysis& analysis,
                                                             RegionKind region_kind);
 

@@ -301,7 +301,7 @@ class Solver {
     [[nodiscard]] bool returns() const {
         return std::ranges::any_of(facts_.exits,
                                    [this](const ExitState& left_with) {
-                                       return flow::returns_behind_call(program_, left_with.exit);
+                                       return flow::returns_after_call(program_, left_with.exit);
                                    }) ||
                any_reached([](const Effect& effect) {
                    const auto* unreadable = std::get_if<UnreadableBlock>(&effect.what);

@@ -36,7 +36,7 @@ Value Transfer::load_modal(const State& state, GroupId group, ExpressionId id) {
     Value value = opaque(id);
     value.vacancy = Vacancy::set;
     value.exactness = Exactness::exact;
-    // Several ways that all leave the same code are one code.
+    // Several paths that all leave the same code are one code.
     bool one = !modal.unknown && !modal.parts.empty();
     for (const ModalPart& part : modal.parts) one &= part.symbol == modal.parts.front().symbol;
     if (!one) return value;
@@ -66,7 +66,7 @@ Value Transfer::load_at(const State& state, FamilyId family, const Value& index,
     }
 }
 
-/// #[#31+10] with a vacant #31 is #10 only by a mistake that is told at #31.
+/// #[#31+10] with a vacant #31 is #10 only by a mistake that is reported at #31.
 bool Transfer::rests_on_vacant(const State& state, ExpressionId index) {
     return std::ranges::any_of(variables_of(program_, index).variables, [&](Variable variable) {
         const Vacancy vacancy = states_.read(state, variable).vacancy;

@@ -50,8 +50,8 @@ class Unsure {
     std::vector<SpaceId> spaces_;
 };
 
-/// Why nobody goes a path: this edge is not taken by who came so. Where an earlier decision says the
-/// opposite, other ways may take the edge.
+/// Why a path is not feasible: this edge is not taken after what stands before it. Where an earlier decision
+/// says the opposite, other paths may take the edge.
 struct Obstacle {
     flow::EdgeId edge;
     std::optional<flow::EdgeId> opposite;
@@ -179,7 +179,7 @@ class FeasiblePathSearch {
 
     // ---- values ----
 
-    /// That a loop is not left before the first round says nothing of the ways after it: the path goes on,
+    /// That a loop is not left before the first round says nothing of the paths after it: the path goes on,
     /// and what the rounds store is not known on it.
     [[nodiscard]] std::optional<Obstacle> impossible_on(FlowPath path) {
         while (const auto edge = analysis_.first_impossible(path)) {
@@ -201,8 +201,8 @@ class FeasiblePathSearch {
                 else
                     unsure.add(change.space);
         }
-        const auto behind = path.erase(std::ranges::find(path, edge));
-        const auto kept = std::remove_if(behind, path.end(), [&](flow::EdgeId id) {
+        const auto after = path.erase(std::ranges::find(path, edge));
+        const auto kept = std::remove_if(after, path.end(), [&](flow::EdgeId id) {
             const flow::Edge& next = graph_.edges[id];
             for (const Store& store : stores_in(next.from)) {
                 if (unsure.decides(program_, store.expression))

@@ -1,4 +1,4 @@
-//! Ways through a program around every assignment to a variable.
+//! Paths through a program around every assignment to a variable.
 #pragma once
 
 #include "analyzer/dataflow/loops.hpp"

@@ -26,7 +26,7 @@ struct EntryKnowledge {
     /// All callers are known: whether each argument is passed by all, some or none of them. Absent: there may
     /// be other callers.
     std::optional<std::vector<std::pair<Variable, Vacancy>>> arguments;
-    /// Some caller shares its locals with the program: what they hold at the start, nobody knows.
+    /// Some caller shares its locals with the program: what they hold at the start is unknown.
     bool locals_are_callers = false;
     /// Numbers of shared names that several names have (SharedNames); sorted.
     std::span<const std::int32_t> ambiguous_names = {};
@@ -140,7 +140,7 @@ class States {
     std::vector<std::uint32_t> entry_modals_;
 };
 
-/// Beyond so many ways a modal group counts as unknown.
+/// With more possible codes than this a modal group counts as unknown.
 constexpr std::size_t most_modal_parts = 12;
 
 } // namespace maclint::dataflow

@@ -21,7 +21,7 @@ namespace maclint::dataflow {
 /// nothing.
 enum class Vacancy : std::uint8_t { set, vacant, maybe, unknown };
 
-/// Whether rounding has touched a value. `rounded` has a place (Value::rounding).
+/// Whether rounding has touched a value. `rounded` comes with where (Value::rounding).
 enum class Exactness : std::uint8_t { exact, unknown, rounded };
 
 using SymbolId = std::uint32_t; ///< equal symbols at one point of the program are equal values
@@ -30,9 +30,9 @@ using OriginId = std::uint32_t; ///< 0: none
 /// Where something came from.
 struct Origin {
     enum class Kind : std::uint8_t { none, entry, effect, expression, run } kind;
-    std::uint32_t id;   ///< effect or expression; entry: the number of the place; run: the modal group that a
-                        ///< plain block set
-    std::uint32_t node; ///< flow node; entry: the space of the place
+    std::uint32_t id; ///< effect or expression; entry: the number of the variable; run: the modal group that
+                      ///< a plain block set
+    std::uint32_t node; ///< flow node; entry: the space of the variable
     friend bool operator==(const Origin&, const Origin&) = default;
 };
 
@@ -44,7 +44,7 @@ struct Symbol {
         entry,       ///< a: key; the value at the program's start
         entry_group, ///< a: group; the code in force when the program was called
         opaque,      ///< a: expression or effect, b: what for; nothing more is known
-        joined,      ///< a: key, b: node where ways with different values meet
+        joined,      ///< a: key, b: node where paths with different values meet
         result,      ///< a: operation, b, c: operand symbols
         if_set,      ///< of a word: a, or what was in force before where that is vacant; b: effect, c: node
     } kind;
@@ -78,14 +78,14 @@ struct Value {
     friend bool operator==(const Value&, const Value&) = default;
 };
 
-/// One way a modal group can be: a code, the caller's code, a value.
+/// One thing that a modal group can be: a code, the caller's code, a value.
 struct ModalPart {
     SymbolId symbol;
     OriginId origin; ///< what set it; 0: nothing in this program
     friend bool operator==(const ModalPart&, const ModalPart&) = default;
 };
 
-/// All ways a modal group can be at a point, sorted by symbol; `unknown` beside them: any other, too.
+/// All that a modal group can be at a point, sorted by symbol; `unknown` beside them: any other, too.
 struct ModalValue {
     SmallVector<ModalPart, 2> parts;
     bool unknown = false;

@@ -583,14 +583,14 @@ const LabelledBlock* Graph::find_label(const Label& label, Offset from, LabelSea
     const auto blocks = with_label(label);
     const auto begin_of = [](const LabelledBlock& labelled) { return labelled.block.begin; };
     const auto own = std::ranges::lower_bound(blocks, from, {}, begin_of);
-    const auto behind = std::ranges::upper_bound(blocks, from, {}, begin_of);
+    const auto after = std::ranges::upper_bound(blocks, from, {}, begin_of);
     const auto at = [&](auto found) { return found == blocks.end() ? nullptr : &*found; };
     const auto last_before = [&](auto end) { return end == blocks.begin() ? nullptr : &*std::prev(end); };
     switch (search) {
     case LabelSearch::forward_then_top: return at(own == blocks.end() ? blocks.begin() : own);
-    case LabelSearch::forward: return at(behind);
-    case LabelSearch::backward: return last_before(behind);
-    case LabelSearch::forward_then_backward: return behind != blocks.end() ? at(behind) : last_before(behind);
+    case LabelSearch::forward: return at(after);
+    case LabelSearch::backward: return last_before(after);
+    case LabelSearch::forward_then_backward: return after != blocks.end() ? at(after) : last_before(after);
     }
     return nullptr;
 }
@@ -643,7 +643,7 @@ std::optional<Label> constant_target(const Program& program, ExpressionId target
     return constant_number(program, target);
 }
 
-bool returns_behind_call(const Program& program, const Exit& exit) {
+bool returns_after_call(const Program& program, const Exit& exit) {
     if (exit.kind == ExitKind::runs_off) return true;
     if (exit.kind != ExitKind::returns) return false;
     const auto& label = std::get<Return>(program.effects[*exit.effect].what).resume_label;

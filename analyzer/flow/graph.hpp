@@ -137,7 +137,7 @@ struct ReturnTargets {
 using Returns = std::function<ReturnTargets(EffectId call)>;
 
 /// Whether who leaves the program there goes on after the call, not at a label.
-[[nodiscard]] bool returns_behind_call(const Program& program, const Exit& exit);
+[[nodiscard]] bool returns_after_call(const Program& program, const Exit& exit);
 
 [[nodiscard]] Graph build_graph(const Program& program, const Regions& regions, const Returns& returns);
 

@@ -202,7 +202,7 @@ class Pairing {
 
     void check_unclosed(RegionId id, std::optional<EffectId> meant) {
         const Region& region = result_.all[id];
-        // A loop that lost its DO has no number; a number out of range is told already.
+        // A loop that lost its DO has no number; a number out of range is reported already.
         const bool reported =
             is_loop(region.region_kind) && has_numbers() && (!region.number || is_out_of_range(region));
         if (!reported) fault(Imbalance::never_closed, region.open, meant);

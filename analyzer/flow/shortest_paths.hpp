@@ -1,4 +1,4 @@
-//! Shortest ways from a program's start to each of its nodes.
+//! Shortest paths from a program's start to each of its nodes.
 #pragma once
 
 #include "analyzer/flow/graph.hpp"

@@ -409,7 +409,7 @@ class Program {
     [[nodiscard]] bool has_several_channels() const { return (channels & (channels - 1U)) != 0; }
     /// The channels that run the blocks of an item: those that it or its section names, else all.
     [[nodiscard]] Channels channels_of(ItemId item) const;
-    /// The variable that a name stands for; any other place is itself.
+    /// The variable that a name stands for; any other variable is itself.
     [[nodiscard]] Variable meant_by(Variable variable) const;
     /// "#101", "__la".
     [[nodiscard]] std::string spell(Variable variable) const;

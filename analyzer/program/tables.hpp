@@ -48,16 +48,16 @@ enum class VariableType : std::uint8_t { number, integer, text, truth };
 /// One row of the variable-space table.
 struct VariableSpace {
     std::string_view name;   ///< "local variable"
-    std::string_view prefix; ///< how a place of it is written before its number: "#"
-    bool named; ///< a place's number is that of a name (Names; SharedNames where programs share it), not
+    std::string_view prefix; ///< how a variable of it is written before its number: "#"
+    bool named; ///< a variable's number is that of a name (Names; SharedNames where programs share it), not
                 ///< part of the spelling
     Scope scope;
     InitialValue initial_value;
     std::string_view source;
     std::vector<std::string_view> fixed_names =
-        {}; ///< how its places are spelled after the prefix, by number
+        {}; ///< how its variables are spelled after the prefix, by number
     bool handed_down =
-        false; ///< a program may hand places of it down to all that it calls (Program::handed_down)
+        false; ///< a program may hand variables of it down to all that it calls (Program::handed_down)
     bool written_once = false;                ///< constants: only their definition writes them
     VariableType type = VariableType::number; ///< of variables that no declaration speaks of
 };
@@ -164,7 +164,7 @@ enum class Meaning : std::uint8_t {
 struct VariableRange {
     std::int32_t first, last;
     Meaning meaning;
-    SpaceId space; ///< for places and for machine values that can be written
+    SpaceId space; ///< for variables and for machine values that can be written
     GroupId group; ///< for Meaning::modal and OnWrite::set_modal
     OnWrite on_write;
     bool changes_by_itself; ///< inputs, timers, positions: a loop that waits for it can end

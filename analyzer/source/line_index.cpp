@@ -52,9 +52,9 @@ void LineIndex::build() {
 
 Position LineIndex::position(Offset offset) const {
     offset = std::clamp(offset, checkpoints_.front().at, size());
-    const auto behind = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), offset,
-                                         [](Offset wanted, const Checkpoint& c) { return wanted < c.at; });
-    Checkpoint from = *std::prev(behind);
+    const auto after = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), offset,
+                                        [](Offset wanted, const Checkpoint& c) { return wanted < c.at; });
+    Checkpoint from = *std::prev(after);
     while (true) {
         const Offset end = find_line_end(from.at, offset);
         if (end == offset) break;
@@ -69,10 +69,10 @@ Position LineIndex::position(Offset offset) const {
 
 Span LineIndex::line_span(std::uint32_t line) const {
     line = std::clamp(line, std::uint32_t{1}, line_count_);
-    const auto behind =
+    const auto after =
         std::upper_bound(checkpoints_.begin(), checkpoints_.end(), line,
                          [](std::uint32_t wanted, const Checkpoint& c) { return wanted < c.line; });
-    Checkpoint from = *std::prev(behind);
+    Checkpoint from = *std::prev(after);
     while (from.line < line) {
         const Offset begin = after_line_end(bytes_, find_line_end(from.at, size()));
         from = {begin, begin, from.line + 1, 0};

@@ -44,7 +44,7 @@ class Search {
 
     LeakUse run() {
         while (!(stack_.empty() && waiting_.empty()) && !result_.matters) {
-            if (!waiting_.empty() && stack_.size() == waiting_.back().behind) {
+            if (!waiting_.empty() && stack_.size() == waiting_.back().earlier) {
                 ask_caller();
                 continue;
             }
@@ -66,7 +66,7 @@ class Search {
         if (visited_.insert(key).second) stack_.push_back(point);
     }
 
-    /// Every way back to the callers of a program is the same: they are asked once.
+    /// Every path back to the callers of a program is the same: they are asked once.
     void return_to_callers(const ProgramAnalysis& program) {
         if (!returned_.insert(program.index()).second) return;
         std::vector<Caller> callers =
@@ -74,7 +74,7 @@ class Search {
         if (callers.empty())
             result_.matters |= !program.is_main();
         else
-            waiting_.push_back({std::move(callers), idle_behind(program, 0), stack_.size()});
+            waiting_.push_back({std::move(callers), idle_after(program, 0), stack_.size()});
     }
 
     /// Goes on after the call of the next caller.
@@ -179,13 +179,13 @@ class Search {
         if (site == nullptr || !site->target || site->in_cycle) return false;
         const ProgramAnalysis& callee = at(*site->target);
         push({callee.index(), 0, 0, 0, point.idle, 0, true});
-        point.idle = idle_behind(callee, point.idle);
+        point.idle = idle_after(callee, point.idle);
         return std::ranges::find(callee.summary().groups, group_, &dataflow::GroupChange::group) ==
                callee.summary().groups.end();
     }
 
     /// Which of the codes are in force when the program has returned.
-    [[nodiscard]] std::uint32_t idle_behind(const ProgramAnalysis& program, std::uint32_t before) const {
+    [[nodiscard]] std::uint32_t idle_after(const ProgramAnalysis& program, std::uint32_t before) const {
         std::uint32_t idle = before;
         for (std::size_t i = 0; i < idle_.size(); ++i)
             for (const dataflow::GroupChange& change : program.summary().groups) {
@@ -207,7 +207,7 @@ class Search {
     struct Returning {
         std::vector<Caller> callers;
         std::uint32_t idle;
-        std::size_t behind; ///< so many points were there before, and come later
+        std::size_t earlier; ///< so many points were there before, and come later
     };
     std::vector<Returning> waiting_;
     std::set<ProgramIndex> returned_;

@@ -9,7 +9,7 @@ namespace maclint {
 
 /// Whether somebody works under the state that a program leaves in a modal group when it returns.
 struct LeakUse {
-    /// Some caller moves before it sets the group again, or nobody knows all callers.
+    /// Some caller moves before it sets the group again, or not all callers are known.
     bool matters;
     const ProgramAnalysis* program; ///< whose block it is; nullptr when no block is known
     Span block;                     ///< the first block found that moves so

@@ -78,12 +78,12 @@ class ProgramAnalysis {
     }
     [[nodiscard]] const dataflow::Summary& summary() const { return data_->summary(); }
 
-    /// The blocks that a jump can reach; none when nobody knows.
+    /// The blocks that a jump can reach; none when that is unknown.
     [[nodiscard]] std::vector<flow::LabelledBlock> targets_of(const flow::ResolvedJump& jump) const;
     /// The first jump that can go to the label, or call that can return there.
     [[nodiscard]] std::optional<EffectId> user_of_label(const Label& label) const;
     /// The modal calls of this program that are active in the state at a node: where each was made. None when
-    /// a program that nobody knows may have ended them.
+    /// an unknown program may have ended them.
     [[nodiscard]] std::vector<dataflow::OriginId> own_modal_calls(const dataflow::State& state,
                                                                   flow::NodeId node) const;
 
@@ -99,10 +99,10 @@ class ProgramAnalysis {
     [[nodiscard]] bool is_macro() const { return is_macro_; }
     /// It calls itself, directly or through others.
     [[nodiscard]] bool is_recursive() const { return recursive_; }
-    /// The deepest way in which the programs of the workspace reach it.
+    /// How deep the deepest calls of the workspace that reach it are.
     [[nodiscard]] CallDepth depth() const { return depth_; }
-    /// Calls that lead from this program to another, in order; empty when there is no way or it is the same
-    /// program.
+    /// Calls that lead from this program to another, in order; empty when there is no such path or it is the
+    /// same program.
     [[nodiscard]] std::vector<Caller> path_to(ProgramIndex program) const;
     /// The calls along that path for the limit, outermost first.
     [[nodiscard]] std::vector<Caller> chain_to(NestingLimit nesting) const;

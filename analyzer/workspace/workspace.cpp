@@ -378,7 +378,7 @@ class WorkspaceBuilder {
         for (const ProgramAnalysis& program : programs_) follow(program.index());
     }
 
-    /// Longest ways from programs that nobody calls, callers before callees; calls within a cycle do not
+    /// Longest paths from programs that nothing calls, callers before callees; calls within a cycle do not
     /// count.
     void measure_depth() {
         for (std::size_t component = components_.members.size(); component-- > 0;)

@@ -45,8 +45,8 @@ namespace {
 Span first_behind(const ProgramFile& file, Span heading) {
     Span first{};
     const auto take = [&](Span span) {
-        const bool behind = span.begin >= heading.end && span.end > span.begin;
-        if (behind && (first.end == 0 || span.begin < first.begin)) first = span;
+        const bool after = span.begin >= heading.end && span.end > span.begin;
+        if (after && (first.end == 0 || span.begin < first.begin)) first = span;
     };
     for (const Program& program : file.programs) {
         for (const Section& section : program.sections) {

@@ -54,7 +54,7 @@ extern const Rule if_unbalanced{
 
 namespace {
 
-/// An IF that lacks its THEN, too, is told by the rule for that.
+/// An IF that lacks its THEN, too, is reported by the rule for that.
 bool lacks_then(const ProgramAnalysis& analysis, Span choice) {
     return std::ranges::any_of(analysis.file().syntax_errors, [&](const SyntaxError& syntax_error) {
         return syntax_error.kind == SyntaxErrorKind::then_missing && syntax_error.span.begin < choice.end &&

@@ -44,7 +44,7 @@ extern const Rule missing_end{
 namespace {
 
 /// The machining part breaks off with a block that nobody can read, or has none: the text is a sketch, or its
-/// last word is told as what it is.
+/// last word is reported as what it is.
 bool is_cut_off(const Program& program) {
     if (program.sections.empty() || program.sections.back().items.count == 0) return true;
     const auto last = last_block(program);
@@ -58,7 +58,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!is_whole_main_program(program)) return;
     const auto& kinds = analysis.control().sections;
     const auto end = std::ranges::find(kinds, SectionKind::Role::end, &SectionKind::role);
-    // A program that lacks its machining part, too, was cut off before it: that is told.
+    // A program that lacks its machining part, too, was cut off before it: that is reported.
     const bool runs = std::ranges::any_of(kinds, [&](const SectionKind& kind) {
         return kind.role == SectionKind::Role::machining && has_section(program, kind);
     });

@@ -111,7 +111,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto group = find_own_group(analysis.control(), compensation);
     if (!group) return;
     std::vector<dataflow::OriginId> reported;              // one finding for each block that switches it on
-    for (const ModalLeak& leak : left_at_return(analysis)) // those are told as such
+    for (const ModalLeak& leak : left_at_return(analysis)) // those are reported as such
         if (leak.group == *group) reported.push_back(leak.part.origin);
     for (const dataflow::PointState& change : find_points(analysis)) {
         const dataflow::ModalValue value = analysis.data().modal(change, *group);

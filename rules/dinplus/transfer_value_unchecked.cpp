@@ -122,7 +122,7 @@ void report(const ProgramAnalysis& analysis, const dataflow::Read& read, const C
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    // Nobody knows what an IF without its ENDIF guards.
+    // What an IF without its ENDIF guards is unknown.
     const flow::Regions& regions = analysis.regions();
     if (regions.balance_unknown || !regions.faults.empty()) return;
     std::vector<Variable> reported;

@@ -50,7 +50,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const flow::Graph& graph = analysis.graph();
     for (const dataflow::Loop& cycle : analysis.inescapable_cycles()) {
         const auto& jump = graph.edges[cycle.back].jump;
-        // Loops of the text and conditions that never hold are told by their own rules.
+        // Loops of the text and conditions that never hold are reported by their own rules.
         if (cycle.region || !jump || !cycle.exit_edges.empty()) continue;
         const Span span = analysis.program().effects[*jump].span;
         Finding& finding =

@@ -85,7 +85,7 @@ std::vector<Occurrence> occurrences_in(std::span<const Word> words) {
 
 void check(const WordsOfBlock& block, Reporter& reporter) {
     const auto& repeatable = block.analysis.control().repeatable;
-    if (repeatable.empty()) return; // nobody has said which words exclude each other
+    if (repeatable.empty()) return; // it is unknown which words exclude each other
     std::vector<Occurrence> repeated = occurrences_in(block.words);
     std::erase_if(repeated, [&](const Occurrence& address) {
         return address.last == nullptr ||

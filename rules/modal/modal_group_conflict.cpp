@@ -65,7 +65,7 @@ std::optional<Member> member(const ControlModel& control, const Word& word) {
 
 void check(const WordsOfBlock& block, Reporter& reporter) {
     const ControlModel& control = block.analysis.control();
-    if (control.repeatable.empty()) return; // nobody has said which words exclude each other
+    if (control.repeatable.empty()) return; // it is unknown which words exclude each other
     std::vector<Member> members;            // one of each group
     for (const Word& word : block.words) {
         const auto found = member(control, word);

@@ -51,7 +51,7 @@ std::string words_for(flow::ExitKind kind) {
     }
 }
 
-/// A jump that nobody can say whether it is taken: to blocks that run as a subprogram of this program. A
+/// A jump of which it is unknown whether it is taken: to blocks that run as a subprogram of this program. A
 /// return then need not leave it.
 bool may_return_within(const Program& program) {
     return std::ranges::any_of(program.effects, [&](const Effect& effect) {

@@ -17,17 +17,17 @@ struct ModalLeak {
     GroupId group;
     dataflow::ModalPart part;        ///< the last in the text that sets the group so
     const dataflow::ExitState* exit; ///< where it is still in force
-    bool on_every_path;              ///< false: on other ways the program puts the group right
+    bool on_every_path;              ///< false: on other paths the program puts the group right
     LeakUse leak_use;                ///< what callers do with it
 };
 
-/// Whether this way of a group at an exit is one that the rule speaks of.
+/// Whether what a group can be at an exit is something that the rule reports.
 using IsFault =
     std::function<bool(const ModalGroup&, GroupId, const dataflow::ExitState&, const dataflow::ModalPart&)>;
 
 /// One leak for each group of this concern. A group of which somebody else may have changed something
-/// unknown is left out, so is what a called program left: that program is told; and so is what every known
-/// caller sets again before it moves.
+/// unknown is left out, so is what a called program left: that program is reported; and so is what every
+/// known caller sets again before it moves.
 [[nodiscard]] std::vector<ModalLeak> find_modal_leaks(const ProgramAnalysis& analysis,
                                                       RestorePolicy restore_policy, const IsFault& is_fault);
 
@@ -50,7 +50,7 @@ using IsFault =
 /// Reports the leak where it was set, with the path there and the path to the exit.
 void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const ModalLeak& leak,
                  std::string_view message_id, std::vector<std::string> arguments);
-/// The same with the message "every-way" or "some-ways".
+/// The same with the message "every-path" or "some-paths".
 void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const ModalLeak& leak,
                  std::vector<std::string> arguments);
 

@@ -158,7 +158,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     std::vector<std::pair<Variable, int>> attempts;
     for (const dataflow::Read& read : analysis.facts().reads) {
         if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
-        // Nobody knows whether a control still looks at what decides nothing any more, as after NDEF(…) OR.
+        // It is unknown whether a control still looks at what decides nothing any more, as after NDEF(…) OR.
         if (dataflow::asks_for_vacancy(program, analysis.facts(), read.node, read.node, read.variable))
             continue;
         if (std::ranges::find(series, read.variable) != series.end()) continue;

@@ -17,7 +17,7 @@ bool starts_with_any(std::string_view text, std::span<const std::string_view> he
     return std::ranges::any_of(heads, [&](std::string_view head) { return text.starts_with(head); });
 }
 
-std::string_view behind_number(std::string_view line) {
+std::string_view after_number(std::string_view line) {
     std::size_t at = !line.empty() && line.front() == 'N' ? 1 : 0;
     while (at < line.size() && is_blank(line[at])) ++at;
     const std::size_t digits = at;
@@ -39,7 +39,7 @@ void Line::split() {
     without_comments_.clear();
     const std::string_view whole = whole_;
     if (std::ranges::none_of(whole, [](char c) { return c == '(' || c == ';'; })) {
-        code_ = behind_number(whole);
+        code_ = after_number(whole);
         return;
     }
     for (std::size_t at = 0; at < whole.size();) {
@@ -57,7 +57,7 @@ void Line::split() {
         if (comment_.empty()) comment_ = comment;
         at = end;
     }
-    code_ = behind_number(trim(without_comments_));
+    code_ = after_number(trim(without_comments_));
 }
 
 void Line::read_words() {
@@ -107,7 +107,7 @@ bool looks_like_block(std::string_view whole) {
     while (!whole.empty() && (whole.front() == '/' || whole.front() == ' ')) whole.remove_prefix(1);
     constexpr std::string_view beginnings = "(%;:<";
     if (whole.empty() || beginnings.find(whole.front()) != std::string_view::npos) return true;
-    const std::string_view code = behind_number(whole);
+    const std::string_view code = after_number(whole);
     constexpr std::string_view code_beginnings = "#(/;";
     if (code.empty() || code_beginnings.find(code.front()) != std::string_view::npos) return true;
     static constexpr std::string_view keywords[] = {"IF[",   "IF [",  "WHILE", "GOTO",  "END",  "DO",

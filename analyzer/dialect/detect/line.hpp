@@ -58,7 +58,7 @@ class Line {
 };
 
 /// `line` without a sequence number `N10` or the bare number of a Klartext line.
-[[nodiscard]] std::string_view behind_number(std::string_view line);
+[[nodiscard]] std::string_view after_number(std::string_view line);
 
 /// Whether a control of the Fanuc family could mean this: a word, a variable, a keyword, a comment, a mark.
 [[nodiscard]] bool looks_like_block(std::string_view whole);

@@ -71,13 +71,13 @@ bool loop(const Line& line) {
            line.code().find("DO") != std::string_view::npos;
 }
 
-bool goto_behind_condition(const Line& line) {
+bool goto_after_condition(const Line& line) {
     const std::string_view code = line.code();
     if (!code.starts_with("IF")) return false;
     const std::size_t close = code.rfind(']');
     if (close == std::string_view::npos) return code.find("]GOTO") != std::string_view::npos;
-    const std::string_view behind = trim(code.substr(close + 1));
-    return behind.starts_with("GOTO") || behind.starts_with("THEN") ||
+    const std::string_view after = trim(code.substr(close + 1));
+    return after.starts_with("GOTO") || after.starts_with("THEN") ||
            code.find("]THEN") != std::string_view::npos || code.find("]GOTO") != std::string_view::npos;
 }
 

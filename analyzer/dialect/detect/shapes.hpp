@@ -21,20 +21,20 @@ bool work_offset_by_g15(const Line& line);               ///< `G15 H1`
 bool macro_call(const Line& line);                       ///< `G65 P9100`
 
 // ---- other code ----
-bool program_number(const Line& line);        ///< `O1234` and no more
-bool loop(const Line& line);                  ///< `WHILE[…]DO1`
-bool goto_behind_condition(const Line& line); ///< `IF[…]GOTO10`, `IF[…]THEN`
-bool o_word(const Line& line);                ///< `o100 sub`, `o<name> call`
-bool klartext_function(const Line& line);     ///< `FN 0: Q1 = +5`
-bool klartext_line(const Line& line);         ///< `L X+10 R0 FMAX`
-bool ends_in_star(const Line& line);          ///< `N10 G00 X+5 *`
-bool r_parameter(const Line& line);           ///< `R10=`
-bool array_element(const Line& line);         ///< `DEPTH[3]=`
-bool condition_row(const Line& line);         ///< `E001=10 16 15`
-bool setting(const Line& line);               ///< `$H`, `$120=50`
-bool osp_file_name(const Line& line);         ///< `$PART.MIN%`
-bool osp_variable(const Line& line);          ///< `VC1=`
-bool remark(const Line& line);                ///< `; text` that is no block
+bool program_number(const Line& line);       ///< `O1234` and no more
+bool loop(const Line& line);                 ///< `WHILE[…]DO1`
+bool goto_after_condition(const Line& line); ///< `IF[…]GOTO10`, `IF[…]THEN`
+bool o_word(const Line& line);               ///< `o100 sub`, `o<name> call`
+bool klartext_function(const Line& line);    ///< `FN 0: Q1 = +5`
+bool klartext_line(const Line& line);        ///< `L X+10 R0 FMAX`
+bool ends_in_star(const Line& line);         ///< `N10 G00 X+5 *`
+bool r_parameter(const Line& line);          ///< `R10=`
+bool array_element(const Line& line);        ///< `DEPTH[3]=`
+bool condition_row(const Line& line);        ///< `E001=10 16 15`
+bool setting(const Line& line);              ///< `$H`, `$120=50`
+bool osp_file_name(const Line& line);        ///< `$PART.MIN%`
+bool osp_variable(const Line& line);         ///< `VC1=`
+bool remark(const Line& line);               ///< `; text` that is no block
 
 // ---- DIN PLUS ----
 bool section_word(const Line& line);

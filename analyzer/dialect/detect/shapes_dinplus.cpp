@@ -26,10 +26,10 @@ bool heads(const Line& line, bool end) {
     const auto ends_words = [](char c) {
         return !is_capital(c) && !is_blank(c) && c != '_' && static_cast<unsigned char>(c) < 0x80;
     };
-    const auto* const behind = std::ranges::find_if(whole, ends_words);
+    const auto* const after = std::ranges::find_if(whole, ends_words);
     constexpr std::string_view after_names = ":;=("; // a label, a call, an assignment
-    if (behind != whole.end() && after_names.find(*behind) != std::string_view::npos) return false;
-    const std::string_view head(whole.begin(), behind);
+    if (after != whole.end() && after_names.find(*after) != std::string_view::npos) return false;
+    const std::string_view head(whole.begin(), after);
     const auto section = dinplus::find_section(head);
     if (!section || (section->word->kind == "END") != end) return false;
     std::string_view rest = trim(head.substr(section->length));
@@ -112,8 +112,8 @@ bool unknown_coordinate(const Line& line) {
 bool slide(const Line& line) {
     const std::string_view whole = line.whole();
     if (whole.size() < 4 || whole[0] != '$' || !is_digit(whole[1])) return false;
-    const std::string_view behind = trim(whole.substr(2));
-    return behind.front() == 'N' || behind.front() == '$';
+    const std::string_view after = trim(whole.substr(2));
+    return after.front() == 'N' || after.front() == '$';
 }
 
 bool file_name(const Line& line) {

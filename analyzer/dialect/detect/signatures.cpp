@@ -38,7 +38,7 @@ constexpr Mark marks[] = {
     {fanuc,          4, 1, In::code,    "",           program_number,        "a program number"},
     {fanuc,          2, 2, In::words,   "",           macro_call,            "a macro call"},
     {fanuc,          2, 2, In::code,    "",           macro_call,            "a macro call"},
-    {fanuc,          2, 2, In::code,    "",           goto_behind_condition, "IF and GOTO"},
+    {fanuc,          2, 2, In::code,    "",           goto_after_condition, "IF and GOTO"},
     {fanuc,          2, 2, In::code,    "",           loop,                  "WHILE and DO"},
     {fanuc,          2, 1, In::head,    "#3000",      nullptr,               ""},
     {fanuc,          2, 1, In::head,    "DPRNT[",     nullptr,               ""},

@@ -90,10 +90,10 @@ void BlockLowering::lower_items(std::span<const Node* const> items) {
             lower_statement(*items[i++]);
             continue;
         }
-        std::size_t behind = i;
-        while (behind < items.size() && is_word(kind_of(*items[behind]))) ++behind;
-        lower_words(items.subspan(i, behind - i));
-        i = behind;
+        std::size_t after = i;
+        while (after < items.size() && is_word(kind_of(*items[after]))) ++after;
+        lower_words(items.subspan(i, after - i));
+        i = after;
     }
 }
 

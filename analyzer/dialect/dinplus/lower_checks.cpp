@@ -8,7 +8,7 @@
 namespace maclint::dinplus {
 namespace {
 
-/// Nodes that do nothing, and are told or passed over elsewhere.
+/// Nodes that do nothing, and are reported or passed over elsewhere.
 bool is_aside(Kind kind) {
     return is_head(kind) || kind == Kind::stray_parenthesis || kind == Kind::stray_bracket ||
            kind == Kind::foreign_comment;

@@ -59,7 +59,7 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span span) {
         store_elsewhere(target, value, span);
 }
 
-/// Stores where no single place of the model is named: in `#g(#c2)`, in a value of the control.
+/// Stores where no single variable is named: in `#g(#c2)`, in a value of the control.
 void BlockLowering::store_elsewhere(const Node& target, ExpressionId value, Span span) {
     switch (kind_of(target)) {
     case Kind::variable:

@@ -25,8 +25,8 @@ std::string_view BlockLowering::address_of(const Node& node) const {
 
 BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
     NcWord word{address_of(node), &node, std::nullopt, std::nullopt};
-    const std::string_view behind = text(node).substr(word.address.size());
-    bool incremental = behind.starts_with('i');
+    const std::string_view after = text(node).substr(word.address.size());
+    bool incremental = after.starts_with('i');
     switch (kind_of(node)) {
     case Kind::literal_word: word.value = lower_expression(node); break;
     case Kind::letter_o_word: { // GO is G0

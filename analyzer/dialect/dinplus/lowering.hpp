@@ -86,7 +86,7 @@ class BlockLowering : private TreeLowering {
     ExpressionId lower_function(const Node& node);
     ExpressionId lower_vacancy_test(const Node& node);
 
-    /// What `#l1` names: a place, or the row and number that the control owns.
+    /// What `#l1` names: a variable, or the row and number that the control owns.
     struct Numbered {
         FamilyId family;
         std::int32_t number;

@@ -74,7 +74,8 @@ class Language {
         return !words.empty() && take_section(words, raw.span);
     }
 
-    /// Section words after a block number, and words that have only the shape of one, are told by the tree.
+    /// Section words after a block number, and words that have only the shape of one, are recognised by the
+    /// tree.
     void lower(const syntax::Tree& tree, const RawBlock& raw) {
         for (const syntax::Node& node : tree.nodes) {
             if (kind_of(node) == Kind::section) return take_unknown_section(tree, node, raw);
@@ -126,8 +127,8 @@ class Language {
 
     /// Whether words stand there that are no parameters of any section: G and M codes, the number of the next
     /// block, words of control flow.
-    [[nodiscard]] bool holds_command(Span behind_name) const {
-        const std::vector<Token> tokens = tokens_of(text_, behind_name);
+    [[nodiscard]] bool holds_command(Span after_name) const {
+        const std::vector<Token> tokens = tokens_of(text_, after_name);
         for (std::size_t i = 0; i < tokens.size(); ++i) {
             if (tokens[i].kind != Token::Kind::letters) continue;
             const std::string_view word = text_.substr(tokens[i].span.begin, tokens[i].span.length());

@@ -50,7 +50,7 @@ inline constexpr auto transfer_letters = std::to_array<std::string_view>({
     "la", "lb", "lc", "ld", "le", "lf", "lh", "li", "lj", "lk", "ln", "lo", "lp", "lr", "ls", "lu", "lw", "lx", "ly",
     "lz", "bs", "be", "ws", "ac", "wc", "rc", "ic", "kc", "jc", "id", "at"});
 // clang-format on
-/// The place of `#__name`; `name` without the underscores, any case: "la", and "id1" for "id". The bare
+/// The variable `#__name`; `name` without the underscores, any case: "la", and "id1" for "id". The bare
 /// letters that some lists print ("i" for "li") are taken too.
 [[nodiscard]] std::optional<Variable> transfer_variable(std::string_view name);
 

@@ -202,16 +202,16 @@ bool ErrorExplainer::is_known(const Token& token, const Token* next, int depth) 
     std::string word = capitals(token);
     if (word.size() == 1) return true;
     if (!split_keywords(word).empty()) return true;
-    const std::string_view behind_first = std::string_view(word).substr(1);
+    const std::string_view after_first = std::string_view(word).substr(1);
     const bool value_follows = depth == 0 && gives_value(next);
     // An address before a function, a label after GOTO: XSIN[30], GOTON800.
-    if (value_follows && (is_function(behind_first) || word.ends_with("GOTON") || word.ends_with("GOTOO")))
+    if (value_follows && (is_function(after_first) || word.ends_with("GOTON") || word.ends_with("GOTOO")))
         return true;
     if (explain(word).known || depth > 0) return false;
     // Letters before a keyword or after one are addresses when a value follows: THENG1.
     if (value_follows && !split_keywords(std::string_view(word).substr(0, word.size() - 1)).empty())
         return true;
-    if (is_function(behind_first)) return true;
+    if (is_function(after_first)) return true;
     // Abbreviations of functions, and addresses left without a value.
     return word.size() == 2;
 }

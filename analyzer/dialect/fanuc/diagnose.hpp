@@ -10,7 +10,7 @@
 
 namespace maclint::fanuc {
 
-/// What a block that could not be read names: places that it may write, labels that it may jump to.
+/// What a block that could not be read names: variables that it may write, labels that it may jump to.
 [[nodiscard]] UnreadableBlock names_in(const Program& program, Span block);
 
 /// What is wrong with a block that does not parse, told from its text alone; none where only the parser can

@@ -63,15 +63,15 @@ class Family {
         while (at < text_.size()) {
             if (!tape_open_) {
                 tape_open_ = true;
-                at = behind_opening_mark(text_, at);
+                at = after_opening_mark(text_, at);
             }
             at = skip_blanks(text_, pass_plain(at, visit));
             if (at == text_.size()) break;
             close_run(); // the decoder of a run reads on to its end: nothing but plain blocks stands in it
             if (text_[at] != '%') break;
-            const BehindMark behind = behind_mark(text_, at);
-            tape_open_ = !behind.opens;
-            at = behind.begin;
+            const AfterMark after = after_mark(text_, at);
+            tape_open_ = !after.opens;
+            at = after.begin;
         }
         return at;
     }

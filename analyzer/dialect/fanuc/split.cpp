@@ -26,8 +26,8 @@ Offset skip_to_code(std::string_view text, Offset at) {
 }
 
 bool ends_line(std::string_view text, Offset mark) {
-    const Offset behind = skip_blanks(text, mark + 1);
-    return behind == text.size() || ends_block(text[behind]);
+    const Offset after = skip_blanks(text, mark + 1);
+    return after == text.size() || ends_block(text[after]);
 }
 
 /// The first tape mark between `from` and the end of its line; `from` is the head of a line or after a mark.
@@ -166,7 +166,7 @@ TapeStart find_tape_start(std::string_view text) {
     return {*mark, true};
 }
 
-Offset behind_opening_mark(std::string_view text, Offset mark) {
+Offset after_opening_mark(std::string_view text, Offset mark) {
     const Offset at = skip_blanks(text, mark + 1);
     if (at == text.size() || text[at] == '(' || text[at] == '%' || ends_block(text[at]) ||
         begins_block(text, at))
@@ -174,7 +174,7 @@ Offset behind_opening_mark(std::string_view text, Offset mark) {
     return line_end(text, at);
 }
 
-BehindMark behind_mark(std::string_view text, Offset mark) {
+AfterMark after_mark(std::string_view text, Offset mark) {
     const std::optional<Offset> next = find_tape_mark(text, mark + 1);
     const std::string_view here = text.substr(0, next.value_or(size_of(text)));
     if (next && begins_program(here, skip_to_code(here, mark + 1))) return {mark + 1, false};

@@ -30,15 +30,15 @@ struct TapeStart {
 [[nodiscard]] TapeStart find_tape_start(std::string_view text);
 
 /// What stands after a mark in an open tape: another program, or nothing that the control reads.
-struct BehindMark {
+struct AfterMark {
     Offset begin;
     bool opens; ///< `begin` is a mark that opens the tape again
 };
 /// After the mark that opens a tape: the first block. A title on the mark's own line is passed over.
-[[nodiscard]] Offset behind_opening_mark(std::string_view text, Offset mark);
+[[nodiscard]] Offset after_opening_mark(std::string_view text, Offset mark);
 /// After a mark in an open tape: the next program, or the mark that opens the tape again, or the end of the
 /// text.
-[[nodiscard]] BehindMark behind_mark(std::string_view text, Offset mark);
+[[nodiscard]] AfterMark after_mark(std::string_view text, Offset mark);
 
 /// A program number or name that heads a block.
 struct ProgramHead {
