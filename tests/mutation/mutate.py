@@ -246,17 +246,21 @@ def judge_all(order, workers, count, seconds):
 
 
 def read_explanations(path):
-    """(file, the line as it would be) to the reason why nobody minds."""
-    reasons, file, line = {}, None, None
+    """(file, the line as it is, the line as it would be) to the reason why nobody minds."""
+    reasons, file, lines = {}, None, {}
     for text in path.read_text().splitlines() if path.exists() else []:
         if text.startswith('## '):
             file = text[3:].strip()
-        elif text.startswith('    ') and text.strip():
-            line = text.strip()
-        elif text.strip() and file and line:
-            reasons[file, line] = text.strip()
-            line = None
+        elif text.startswith(('    - ', '    + ')):
+            lines[text[4]] = text[6:].strip()
+        elif text.strip() and len(lines) == 2:
+            reasons[file, lines['-'], lines['+']] = text.strip()
+            lines = {}
     return reasons
+
+
+def key_of(mutant):
+    return mutant.file, mutant.before.strip(), mutant.after.strip()
 
 
 def difference(mutant):
@@ -269,7 +273,7 @@ def report(results, reasons, seed, seconds):
     judged = counts['killed'] + counts['survived']
     share = counts['killed'] / judged if judged else 1.0
     survivors = [mutant for mutant, verdict, _ in results if verdict == 'survived']
-    unexplained = [m for m in survivors if (m.file, m.after.strip()) not in reasons]
+    unexplained = [m for m in survivors if key_of(m) not in reasons]
     lines = ['# Mutants', '',
              f'Seed {seed}, {seconds:.0f} s. {judged} mutants: {counts["killed"]} killed ({100 * share:.1f} %), '
              f'{counts["survived"]} survived, {len(unexplained)} of them without an explanation. '
@@ -284,7 +288,7 @@ def report(results, reasons, seed, seconds):
         lines.append(f'| {kind} | {own["killed"]} | {own["survived"]} |')
     lines += ['', '## Survivors', '']
     for mutant in survivors:
-        reason = reasons.get((mutant.file, mutant.after.strip()), '**not explained**')
+        reason = reasons.get(key_of(mutant), '**not explained**')
         lines += [mutant.describe(), '', '```diff', difference(mutant).rstrip('\n'), '```', '', reason, '']
     lines += ['## Killed', '']
     lines += [f'- {m.describe()}: `{m.after.strip()}` by {test}' for m, verdict, test in results if verdict == 'killed']
