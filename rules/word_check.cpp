@@ -13,32 +13,18 @@ namespace {
 /// A rule that takes part in the pass.
 struct Taking {
     const WordCheck* check;
+    syntax::AddressSet addresses; ///< that it looks at
     Reporter reporter;
-};
 
-/// Which blocks the rules can want, told from what is known of them without their words.
-class Wanted {
-  public:
-    Wanted(const Program& program, std::span<const Taking> rules) {
-        for (const Taking& rule : rules) {
-            const syntax::AddressSet addresses = addresses_named(program, rule.check->addresses);
-            switch (rule.check->blocks) {
-            case WordCheck::Blocks::all: any_.add(addresses); break;
-            case WordCheck::Blocks::repeated: repeated_.add(addresses); break;
-            case WordCheck::Blocks::conflicting: conflicting_.add(addresses); break;
-            }
+    /// Whether it can find anything in blocks of which this is known.
+    [[nodiscard]] bool wants(const WordSummary& words) const {
+        switch (check->blocks) {
+        case WordCheck::Blocks::all: return words.addresses.meets(addresses);
+        case WordCheck::Blocks::repeated: return words.repeated.meets(addresses);
+        case WordCheck::Blocks::conflicting: return words.conflicts && words.addresses.meets(addresses);
         }
+        return true;
     }
-
-    [[nodiscard]] bool operator()(const WordSummary& words) const {
-        return words.addresses.meets(any_) || words.repeated.meets(repeated_) ||
-               (words.conflicts && words.addresses.meets(conflicting_));
-    }
-
-  private:
-    syntax::AddressSet any_;
-    syntax::AddressSet repeated_;
-    syntax::AddressSet conflicting_;
 };
 
 bool has_modal_calls(const Program& program) {
@@ -70,18 +56,23 @@ bool may_call(const WordsOfBlock& block) {
 }
 
 std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<const Rule* const> rules) {
+    const Program& program = analysis.program();
     std::vector<Taking> taking;
     for (const Rule* rule : rules)
         if (const auto* check = std::get_if<WordCheck>(&rule->check))
-            taking.push_back({check, Reporter(*rule)});
+            taking.push_back({check, addresses_named(program, check->addresses), Reporter(*rule)});
     if (taking.empty()) return {};
-    const Program& program = analysis.program();
     const bool modal_calls = has_modal_calls(program);
-    for_each_block_with_words(program, Wanted(program, taking),
-                              [&](const BlockView& block, std::span<const Word> words) {
-                                  for (Taking& rule : taking)
-                                      rule.check->check({analysis, block, words, modal_calls}, rule.reporter);
-                              });
+    const auto wanted = [&](const WordSummary& words) {
+        return std::ranges::any_of(taking, [&](const Taking& rule) { return rule.wants(words); });
+    };
+    for_each_block_with_words(
+        program, wanted,
+        [&](const BlockView& block, std::span<const Word> words, const WordSummary* summary) {
+            for (Taking& rule : taking)
+                if (summary == nullptr || rule.wants(*summary))
+                    rule.check->check({analysis, block, words, modal_calls}, rule.reporter);
+        });
     std::vector<Finding> findings;
     for (Taking& rule : taking) std::ranges::move(rule.reporter.take(), std::back_inserter(findings));
     return findings;

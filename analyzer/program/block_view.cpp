@@ -26,6 +26,7 @@ std::vector<ModalSetting> last_settings(const Program& program, const PlainRun& 
 }
 
 syntax::AddressSet addresses_named(const Program& program, std::string_view names) {
+    if (names.empty()) return syntax::AddressSet::all();
     syntax::AddressSet set;
     if (program.plain_tables[0] == nullptr) return set;
     const auto& known = program.plain_tables[0]->names;
@@ -38,8 +39,7 @@ syntax::AddressSet addresses_named(const Program& program, std::string_view name
     };
     // An address without a name may be any.
     for (std::size_t id = 0; id < known.size(); ++id)
-        if (names.empty() || known[id].empty() || is_named(known[id]))
-            set.add(static_cast<syntax::AddressId>(id));
+        if (known[id].empty() || is_named(known[id])) set.add(static_cast<syntax::AddressId>(id));
     return set;
 }
 

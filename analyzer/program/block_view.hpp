@@ -238,29 +238,33 @@ void for_each_effect(const Program& program, const Visit& visit) {
 /// The addresses that are named, separated by blanks; all of them for "".
 [[nodiscard]] syntax::AddressSet addresses_named(const Program& program, std::string_view names);
 
-/// `visit(BlockView, words)` for the blocks that have words. Plain blocks are only read where
-/// `wanted(summary)` wants them, or blocks beside them.
+/// `visit(BlockView, words, summary)` for the blocks that have words; the summary is nullptr where it is not
+/// known. Plain blocks are only read where `wanted(summary)` wants them, or blocks beside them.
 template<class Wanted, class Visit>
 void for_each_block_with_words(const Program& program, const Wanted& wanted, const Visit& visit) {
     std::vector<Word> words;
+    WordSummary summary;
     const auto scan = [&](std::string_view text, Offset at, const syntax::PlainTables& tables,
                           syntax::PlainBlock& block) {
         words.clear();
-        return syntax::scan_words(text, at, tables, block, [&](const syntax::PlainWord& word) {
-            words.push_back({blocks::address_of(text, tables, word), Literal{word.value, word.decimal_point},
-                             word.incremental, word.span});
-        });
+        const syntax::Lane lane =
+            syntax::scan_words(text, at, tables, block, [&](const syntax::PlainWord& word) {
+                words.push_back({blocks::address_of(text, tables, word),
+                                 Literal{word.value, word.decimal_point}, word.incremental, word.span});
+            });
+        summary = {block.addresses, block.repeated, block.conflicts};
+        return lane;
     };
     for (const Item& item : program.items) {
         if (const auto* block = std::get_if<Block>(&item)) {
             const auto stored = std::span(program.words).subspan(block->words.first, block->words.count);
-            if (!stored.empty()) visit(blocks::view_of(*block), stored);
+            if (!stored.empty()) visit(blocks::view_of(*block), stored, nullptr);
             continue;
         }
         const auto& run = std::get<PlainRun>(item);
         if (!wanted(run.words)) continue;
         blocks::scan_again(program, run, run.span, scan, [&](const BlockView& block) {
-            if (!words.empty()) visit(block, std::span<const Word>(words));
+            if (!words.empty()) visit(block, std::span<const Word>(words), &summary);
         });
     }
 }

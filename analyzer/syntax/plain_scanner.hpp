@@ -49,7 +49,12 @@ struct PlainWord {
 };
 
 /// `mantissa` with the decimal point moved `decimals` places; both exact up to 15 digits.
-[[nodiscard]] double scaled(std::uint64_t mantissa, unsigned decimals);
+[[nodiscard]] inline double scaled(std::uint64_t mantissa, unsigned decimals) {
+    static constexpr std::array<double, 16> powers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                   1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const auto whole = static_cast<double>(mantissa);
+    return decimals == 0 ? whole : whole / powers[decimals];
+}
 /// A number of more digits; only digits and the point are looked at.
 [[nodiscard]] double read_long_number(std::string_view text);
 

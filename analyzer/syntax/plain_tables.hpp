@@ -24,6 +24,11 @@ class AddressSet {
         set.bits_ = bit(id);
         return set;
     }
+    [[nodiscard]] static constexpr AddressSet all() {
+        AddressSet set;
+        set.bits_ = ~std::uint64_t{0};
+        return set;
+    }
     [[nodiscard]] constexpr AddressSet common(AddressSet other) const {
         other.bits_ &= bits_;
         return other;

@@ -67,7 +67,7 @@ TEST(PlainLane, TakesPlainBlocksOfDinPlus) {
         EXPECT_EQ(lane_of(text, of_commands()), Lane::grammar) << text;
 }
 
-TEST(PlainLane, JoinsBlocksToRunsWithWhatTheyLeaveBehind) {
+TEST(PlainLane, JoinsBlocksToRunsWithWhatTheyLeaveAfter) {
     const ProgramFile file = maclint::testing::read("G90G0X1.\n\n(NOTE)\nN5G1Y2.F100\nF200");
     const Program& program = file.programs.front();
     ASSERT_EQ(program.items.size(), 1U);
@@ -123,7 +123,7 @@ std::vector<std::int64_t> numbers_of(const Program& program) {
     return numbers;
 }
 
-TEST(PlainLane, BlocksBehindWhatItCannotReadAreDecodedToo) {
+TEST(PlainLane, BlocksAfterWhatItCannotReadAreDecodedToo) {
     for (const char* between : {"(MACLINT ALLOW MAC301)", "(NEVER CLOSED", "%\n%"}) {
         const ProgramFile file =
             maclint::testing::read("%\nO1\nN1 G1 X1.\n" + std::string(between) + "\nN2 G1 X2.\nN3 X3.\n");
@@ -207,9 +207,10 @@ std::vector<std::string> meaning(const ProgramFile& file) {
         lines.push_back(program.name);
         for_each_block(program, [&](const BlockView& block) { lines.push_back(meaning(program, block)); });
         const auto all = [](const WordSummary&) { return true; };
-        for_each_block_with_words(program, all, [&](const BlockView&, std::span<const Word> words) {
-            lines.push_back(meaning(program, words));
-        });
+        for_each_block_with_words(program, all,
+                                  [&](const BlockView&, std::span<const Word> words, const WordSummary*) {
+                                      lines.push_back(meaning(program, words));
+                                  });
     }
     for (const SyntaxError& error : file.syntax_errors) lines.emplace_back(name_of(error.kind));
     return lines;

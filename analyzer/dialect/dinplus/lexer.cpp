@@ -83,9 +83,23 @@ bool may_hold_remark_with_marks(std::string_view block) {
 /// Bytes that mean something where a text or comment may not be what it seems, or that the grammar tells
 /// apart in there: `[//]` is no comment, U+201D ends a text. They are few.
 bool is_kept_in_key(char c) {
-    constexpr std::string_view marks = "\"[]()#;/\r\n";
-    return static_cast<unsigned char>(c) >= 0x80 || marks.find(c) != std::string_view::npos;
+    switch (c) {
+    case '"':
+    case '[':
+    case ']':
+    case '(':
+    case ')':
+    case '#':
+    case ';':
+    case '/':
+    case '\r':
+    case '\n': return true;
+    default: return static_cast<unsigned char>(c) >= 0x80;
+    }
 }
+
+/// Whether a text or a comment may begin with the byte.
+bool may_open(char c) { return c == '[' || c == '"' || c == '\xE2'; }
 
 } // namespace
 
@@ -250,7 +264,7 @@ std::vector<Token> tokens_of(std::string_view file, Span block) {
 void make_cache_key(std::string_view block, std::string& key) {
     key.assign(block);
     std::ranges::replace_if(key, is_digit, '0');
-    if (block.find_first_of("[\"\xE2") == std::string_view::npos || may_hold_remark_with_marks(block)) return;
+    if (std::ranges::none_of(block, may_open) || may_hold_remark_with_marks(block)) return;
     Lexer lexer(block, {0, size_of(block)});
     while (const std::optional<Token> token = lexer.next()) {
         const bool inside =
