@@ -1,47 +1,12 @@
-//! What operations do to ranges, whole numbers and rounding: bounds worked out by hand.
-#include "analyzer/dataflow/arithmetic.hpp"
+//! What operations do to ranges and value numbers: worked out by hand.
+#include "tests/dataflow/computing.hpp"
 
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
 namespace maclint::dataflow {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-class Arithmetic : public testing::Test {
-  protected:
-    ValueTable table;
-
-    Value range(double low, double high) {
-        Value value;
-        value.symbol = table.symbols({Symbol::Kind::opaque, ++values_, 0, 0});
-        value.low = low;
-        value.high = high;
-        value.vacancy = Vacancy::set;
-        value.exactness = Exactness::exact;
-        return value;
-    }
-    Value whole(double low, double high) {
-        Value value = range(low, high);
-        value.integer = true;
-        return value;
-    }
-    Value number(double value) { return number_value(table, value); }
-
-    Value apply(Operation operation, const Value& a) {
-        return compute(table, operation, std::array{a}, {Origin::Kind::expression, 1, 0});
-    }
-    Value apply(Operation operation, const Value& a, const Value& b) {
-        return compute(table, operation, std::array{a, b}, {Origin::Kind::expression, 1, 0});
-    }
-
-  private:
-    std::uint64_t values_ = 0;
-};
 
 #define EXPECT_RANGE(value, from, to)                                                                        \
     {                                                                                                        \
@@ -100,47 +65,58 @@ TEST_F(Arithmetic, ARemainderOfWhatIsNotNegativeStaysBelowTheDivisor) {
     EXPECT_RANGE(apply(Operation::modulo, whole(0, 100), whole(0, 5)), -infinity, infinity);
 }
 
-TEST_F(Arithmetic, WholeNumbersStayWholeUnlessTheyAreDivided) {
-    EXPECT_TRUE(apply(Operation::add, whole(0, 2), whole(0, 2)).integer);
-    EXPECT_FALSE(apply(Operation::add, whole(0, 2), range(0, 2)).integer);
-    EXPECT_TRUE(apply(Operation::multiply, whole(0, 2), whole(0, 2)).integer);
-    EXPECT_FALSE(apply(Operation::divide, whole(0, 2), whole(1, 2)).integer);
-    EXPECT_TRUE(apply(Operation::truncate, range(0, 2)).integer);
-    EXPECT_TRUE(apply(Operation::round_up, range(0, 2)).integer);
-    EXPECT_TRUE(apply(Operation::bit_and, range(0, 2), range(0, 2)).integer);
-    EXPECT_FALSE(apply(Operation::sine, whole(0, 2)).integer);
-    EXPECT_FALSE(apply(Operation::add_point, whole(0, 2)).integer);
-}
-
-TEST_F(Arithmetic, APowerIsWholeOnlyWhereTheExponentIsNotNegative) {
-    EXPECT_TRUE(apply(Operation::power, whole(2, 3), whole(0, 2)).integer);
-    EXPECT_FALSE(apply(Operation::power, whole(2, 3), whole(-1, 2)).integer);
-}
-
-TEST_F(Arithmetic, RoundingTouchesWhatBinaryNumbersCannotHold) {
-    EXPECT_EQ(apply(Operation::add, range(0, 9), number(0.5)).exactness, Exactness::unknown);
-    EXPECT_EQ(apply(Operation::add, whole(0, 9), number(0.5)).exactness, Exactness::exact);
-    EXPECT_EQ(apply(Operation::add, whole(0, 9), number(0.1)).exactness, Exactness::rounded);
-    EXPECT_EQ(apply(Operation::divide, whole(0, 9), number(2)).exactness, Exactness::exact);
-    EXPECT_EQ(apply(Operation::divide, whole(0, 9), number(3)).exactness, Exactness::rounded);
-    EXPECT_EQ(apply(Operation::divide, number(9), number(3)).exactness, Exactness::exact);
-    EXPECT_EQ(apply(Operation::sine, whole(0, 9)).exactness, Exactness::rounded);
-    EXPECT_EQ(apply(Operation::truncate, apply(Operation::sine, whole(0, 9))).exactness, Exactness::exact);
-    EXPECT_TRUE(is_inexact(number(0.1)));
-    EXPECT_FALSE(is_inexact(number(0.25)));
+TEST_F(Arithmetic, WhatIsPerhapsVacantIsTheReasonForAZeroThatItMakes) {
+    using enum Operation;
+    Value doubtful = with(Vacancy::maybe, range(1, 9));
+    doubtful.vacancy_origin = 7;
+    for (const Operation one : {negate, absolute, round, truncate, round_up, add_point})
+        EXPECT_EQ(apply(one, doubtful).vacancy_origin, 7U);
+    EXPECT_EQ(apply(multiply, range(1, 9), doubtful).vacancy_origin, 7U);
+    EXPECT_EQ(apply(multiply, doubtful, range(1, 9)).vacancy_origin, 7U);
+    EXPECT_EQ(apply(add, range(1, 9), doubtful).vacancy_origin, 0U);
+    EXPECT_EQ(apply(cosine, doubtful).vacancy_origin, 0U);
+    EXPECT_EQ(apply(negate, with(Vacancy::set, doubtful)).vacancy_origin, 0U); // no zero
+    EXPECT_EQ(apply(negate, range(0, 9)).vacancy_origin, 0U);                  // no doubt
 }
 
 TEST_F(Arithmetic, WholeResultsOfConstantsAreConstants) {
     EXPECT_EQ(apply(Operation::add, number(2), number(3)).symbol, number(5).symbol);
     EXPECT_EQ(apply(Operation::truncate, number(2.7)).symbol, number(2).symbol);
+    EXPECT_NE(apply(Operation::add, with(Exactness::unknown, number(2)), number(3)).symbol, number(5).symbol);
+    const Value quarter = apply(Operation::divide, number(1), number(4));
+    EXPECT_EQ(quarter.constant(), 0.25);
+    EXPECT_FALSE(quarter.integer);
+}
+
+TEST_F(Arithmetic, WhatIsTooLargeForANumberIsNoConstant) {
+    const Value large = apply(Operation::multiply, number(1e200), number(1e200));
+    const Value larger = apply(Operation::multiply, number(1e300), number(1e300));
+    EXPECT_NE(large.symbol, larger.symbol);
+    EXPECT_RANGE(apply(Operation::subtract, larger, large), -infinity, infinity);
 }
 
 TEST_F(Arithmetic, OperandsThatCanBeExchangedGiveOneValue) {
     const Value a = whole(0, 9), b = whole(0, 9);
     EXPECT_EQ(apply(Operation::add, a, b).symbol, apply(Operation::add, b, a).symbol);
-    EXPECT_EQ(apply(Operation::bit_xor, a, b).symbol, apply(Operation::bit_xor, b, a).symbol);
-    EXPECT_NE(apply(Operation::subtract, a, b).symbol, apply(Operation::subtract, b, a).symbol);
+    using enum Operation;
+    for (const Operation operation : {multiply, bit_and, bit_or, bit_xor})
+        EXPECT_EQ(apply(operation, a, b).symbol, apply(operation, b, a).symbol);
+    for (const Operation operation : {subtract, divide, modulo, power, arc_tangent_of_two})
+        EXPECT_NE(apply(operation, a, b).symbol, apply(operation, b, a).symbol);
     EXPECT_NE(apply(Operation::add, a, b).symbol, apply(Operation::multiply, a, b).symbol);
+}
+
+TEST_F(Arithmetic, AFunctionThatNobodyKnowsMayGiveAnythingEachTime) {
+    const Value a = whole(0, 9);
+    const auto at = [&](Operation operation, std::uint32_t expression) {
+        return compute(table, operation, std::array{a}, {Origin::Kind::expression, expression, 0});
+    };
+    EXPECT_NE(at(Operation::unknown, 1).symbol, at(Operation::unknown, 2).symbol);
+    EXPECT_EQ(at(Operation::sine, 1).symbol, at(Operation::sine, 2).symbol);
+    EXPECT_RANGE(at(Operation::unknown, 1), -infinity, infinity);
+    EXPECT_FALSE(at(Operation::unknown, 1).integer);
+    EXPECT_EQ(at(Operation::unknown, 1).exactness, Exactness::unknown);
+    EXPECT_EQ(at(Operation::unknown, 1).vacancy, Vacancy::set);
 }
 
 TEST_F(Arithmetic, NotZeroStaysNotZeroUnderSigns) {
@@ -149,65 +125,6 @@ TEST_F(Arithmetic, NotZeroStaysNotZeroUnderSigns) {
     EXPECT_TRUE(apply(Operation::negate, value).nonzero);
     EXPECT_TRUE(apply(Operation::absolute, value).nonzero);
     EXPECT_FALSE(apply(Operation::add, value, number(1)).nonzero);
-}
-
-void expect_truth(Truth truth, bool can_hold, bool can_fail) {
-    EXPECT_EQ(truth.can_hold, can_hold);
-    EXPECT_EQ(truth.can_fail, can_fail);
-}
-
-TEST_F(Arithmetic, RangesDecideComparisons) {
-    const auto decide = [&](Operation operation, const Value& a, const Value& b) {
-        return compare(operation, a, b, false);
-    };
-    expect_truth(decide(Operation::less, range(1, 2), range(3, 4)), true, false);
-    expect_truth(decide(Operation::less, range(1, 3), range(3, 4)), true, true);
-    expect_truth(decide(Operation::less, range(3, 4), range(1, 3)), false, true);
-    expect_truth(decide(Operation::less_equal, range(1, 3), range(3, 4)), true, false);
-    expect_truth(decide(Operation::less_equal, range(4, 5), range(1, 3)), false, true);
-    expect_truth(decide(Operation::greater, range(3, 4), range(1, 2)), true, false);
-    expect_truth(decide(Operation::greater, range(1, 3), range(3, 4)), false, true);
-    expect_truth(decide(Operation::greater_equal, range(3, 4), range(1, 3)), true, false);
-    expect_truth(decide(Operation::equal, range(1, 2), range(3, 4)), false, true);
-    expect_truth(decide(Operation::equal, range(1, 3), range(3, 4)), true, true);
-    expect_truth(decide(Operation::equal, number(3), number(3)), true, false);
-    expect_truth(decide(Operation::not_equal, range(1, 2), range(3, 4)), true, false);
-    expect_truth(decide(Operation::not_equal, number(3), number(3)), false, true);
-    const Value same = range(0, 9);
-    expect_truth(decide(Operation::equal, same, same), true, false);
-    expect_truth(decide(Operation::less, same, same), false, true);
-}
-
-TEST_F(Arithmetic, VacantDiffersFromANumberUnlessTheControlTakesItForZero) {
-    const Value vacant = vacant_value(table, 0);
-    expect_truth(compare(Operation::equal, vacant, number(0), false), false, true);
-    expect_truth(compare(Operation::not_equal, number(0), vacant, false), true, false);
-    EXPECT_TRUE(compare(Operation::equal, vacant, number(0), true).can_hold);
-    expect_truth(test_vacancy(Operation::is_vacant, vacant), true, false);
-    expect_truth(test_vacancy(Operation::is_set, vacant), false, true);
-    expect_truth(test_vacancy(Operation::is_vacant, number(0)), false, true);
-    Value maybe = range(0, 1);
-    maybe.vacancy = Vacancy::maybe;
-    expect_truth(test_vacancy(Operation::is_set, maybe), true, true);
-    expect_truth(compare(Operation::equal, maybe, range(0, 1), false), true, true);
-}
-
-TEST_F(Arithmetic, EveryComparisonHasItsOppositeAndItsMirror) {
-    using enum Operation;
-    constexpr std::array<std::array<Operation, 3>, 6> rows{{{equal, not_equal, equal},
-                                                            {not_equal, equal, not_equal},
-                                                            {less, greater_equal, greater},
-                                                            {less_equal, greater, greater_equal},
-                                                            {greater, less_equal, less},
-                                                            {greater_equal, less, less_equal}}};
-    for (const auto& [operation, opposed, exchanged] : rows) {
-        EXPECT_EQ(opposite(operation), opposed);
-        EXPECT_EQ(mirrored(operation), exchanged);
-        EXPECT_TRUE(is_comparison(operation));
-    }
-    EXPECT_EQ(opposite(is_vacant), is_set);
-    EXPECT_EQ(opposite(is_set), is_vacant);
-    EXPECT_FALSE(is_comparison(is_vacant));
 }
 
 } // namespace

@@ -127,6 +127,19 @@ TEST(Channels, ASlideThatHasEndedHasNothingOnAnyMore) {
               1U);
 }
 
+TEST(Channels, ASlideThatHasEndedHasNoCodeOfAnyGroup) {
+    const auto workspace = test::analyse_text(
+        "dinplus", "MACHINING\n$1 N1 G1 G42 G95 F1\n$2 N2 G0 G40 G94 F2\n$1 N3 M30\nN4 T2\n"
+                   "N5 M30\nEND\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    for (const ModalRole role :
+         {ModalRole::motion, ModalRole::cutter_compensation, ModalRole::feed_mode, ModalRole::feed}) {
+        const GroupId group = *analysis.control().group_with(role);
+        EXPECT_EQ(analysis.data().modal(analysis.facts().tool_changes.at(0), group).parts.size(), 1U)
+            << analysis.control().groups[group].name;
+    }
+}
+
 TEST(Channels, WhatASlideHasOnIsUnknownWhereItMayNotCome) {
     const std::string before = "MACHINING\n$2 N1 G42\n$1 N2 IF #l1==1\nN3 THEN\n";
     EXPECT_TRUE(at_tool_change(before + "$2 N4 T2\nN5 ENDIF\nN6 M30\nEND\n").unknown);

@@ -1,6 +1,7 @@
 //! Which decisions contradict each other, and what conditions are made of.
 #include "analyzer/dataflow/conditions.hpp"
 #include "tests/support/analysed.hpp"
+#include "tests/support/hand_built.hpp"
 
 #include <string>
 #include <utility>
@@ -71,6 +72,10 @@ TEST(Contradictions, WhoComparesWithWholeNumbersMeansWholeNumbers) {
         4U);
     EXPECT_EQ(contradiction({{"#1GT1", true}, {"#1LT3", true}, {"#1EQ2", true}}), none);
     EXPECT_EQ(contradiction({{"#1GT1", true}, {"#1LT3", true}, {"#1EQ2", false}}), 2U);
+    EXPECT_EQ(contradiction({{"#1GT1.5", true}, {"#1LT2", true}}), none); // who does not, does not
+    EXPECT_EQ(contradiction({{"#1NE2", true}, {"#1GE2", true}, {"#1LE2", true}}), 2U);
+    EXPECT_EQ(contradiction({{"#1NE2", true}, {"#1GE2", true}, {"#1LE3", true}}), none);
+    EXPECT_EQ(contradiction({{"#1GE2", true}, {"#1LE3", true}, {"#1NE#4", true}, {"#1NE5", true}}), none);
 }
 
 TEST(Contradictions, AnInputIsZeroOrOne) {
@@ -86,11 +91,52 @@ TEST(Contradictions, BetweenTwoVariablesWhicheverStandsFirst) {
     EXPECT_EQ(contradiction({{"#1LT#2", true}, {"#2LT#3", true}}), none);
 }
 
+TEST(Contradictions, OfEachComparisonWithEachOther) {
+    // Below, at and above 5: two comparisons agree where they share one of the three.
+    const std::vector<std::pair<std::string, unsigned>> all{{"LT", 1}, {"EQ", 2}, {"GT", 4},
+                                                            {"LE", 3}, {"NE", 5}, {"GE", 6}};
+    for (const auto& [one, where_one] : all)
+        for (const auto& [other, where_other] : all) {
+            const auto expected = (where_one & where_other) == 0 ? std::optional<std::size_t>(1) : none;
+            EXPECT_EQ(contradiction({{"#1" + one + "#2", true}, {"#1" + other + "#2", true}}), expected)
+                << one << other;
+            EXPECT_EQ(contradiction({{"#1" + one + "5.5", true}, {"#1" + other + "5.5", true}}), expected)
+                << one << other;
+        }
+}
+
+TEST(Contradictions, OfEachComparisonWithASmallerAndEachWithALargerNumber) {
+    // Below 4.5, at it, between the two, at 5.5, above it.
+    const std::vector<std::pair<std::string, unsigned>> smaller{{"LT", 1}, {"EQ", 2},  {"GT", 28},
+                                                                {"LE", 3}, {"NE", 29}, {"GE", 30}};
+    const std::vector<std::pair<std::string, unsigned>> larger{{"LT", 7},  {"EQ", 8},  {"GT", 16},
+                                                               {"LE", 15}, {"NE", 23}, {"GE", 24}};
+    for (const auto& [one, where_one] : smaller)
+        for (const auto& [other, where_other] : larger) {
+            const auto expected = (where_one & where_other) == 0 ? std::optional<std::size_t>(1) : none;
+            EXPECT_EQ(contradiction({{"#1" + one + "4.5", true}, {"#1" + other + "5.5", true}}), expected)
+                << one << other;
+            EXPECT_EQ(contradiction({{"#1" + other + "5.5", true}, {"#1" + one + "4.5", true}}), expected)
+                << other << one;
+        }
+}
+
+TEST(Contradictions, AreFoundAtTheEndOfALongWay) {
+    Decisions decisions;
+    for (int i = 0; i < 300; ++i) decisions.push_back({"#" + std::to_string(500 + i) + "EQ1", true});
+    EXPECT_EQ(contradiction(decisions), none);
+    decisions.push_back({"#700EQ2", true});
+    EXPECT_EQ(contradiction(decisions), 300U);
+}
+
 TEST(Contradictions, OfVacancyTests) {
     EXPECT_EQ(contradiction({{"#1EQ#0", true}, {"#1NE#0", true}}), 1U);
     EXPECT_EQ(contradiction({{"#1EQ#0", true}, {"#1EQ#0", false}}), 1U);
     EXPECT_EQ(contradiction({{"#1EQ#0", true}, {"#2NE#0", true}}), none);
     EXPECT_EQ(contradiction({{"#1EQ#0", true}, {"#1EQ5", true}}), none);
+    EXPECT_EQ(contradiction({{"#1EQ5", true}, {"#1EQ#0", true}}), none);
+    EXPECT_EQ(contradiction({{"#1NE#0", true}, {"#1NE#0", true}}), none);
+    EXPECT_EQ(contradiction({{"#1NE#0", true}, {"#1NE#0", false}}), 1U);
 }
 
 TEST(Contradictions, OfLinkedConditionsWhatMustBeTrue) {
@@ -98,6 +144,11 @@ TEST(Contradictions, OfLinkedConditionsWhatMustBeTrue) {
     EXPECT_EQ(contradiction({{"[#1EQ1]AND[#2EQ2]", false}, {"#2NE2", true}}), none);
     EXPECT_EQ(contradiction({{"[#1EQ1]OR[#2EQ2]", false}, {"#2EQ2", true}}), 1U);
     EXPECT_EQ(contradiction({{"[#1EQ1]OR[#2EQ2]", true}, {"#2NE2", true}}), none);
+    EXPECT_EQ(contradiction({{"NOT[#1EQ1]", true}, {"#1EQ1", true}}), 1U);
+    EXPECT_EQ(contradiction({{"NOT[#1EQ1]", false}, {"#1EQ1", true}}), none);
+    EXPECT_EQ(contradiction({{"NOT[[#1EQ1]AND[#2EQ2]]", false}, {"#2NE2", true}}), 1U);
+    EXPECT_EQ(contradiction({{"[#1EQ1]AND[#1EQ2]", true}}), 0U);
+    EXPECT_EQ(contradiction({{"[#1EQ1]XOR[#2EQ2]", true}, {"#2NE2", true}, {"#1NE1", true}}), none);
 }
 
 TEST(Conditions, NameTheVariablesThatTheyRead) {
@@ -139,6 +190,37 @@ TEST(Conditions, AreTheSameWhenTheySayTheSame) {
     EXPECT_FALSE(same(8, 9));
 }
 
+TEST(Conditions, WithDifferentNamesDiffer) {
+    test::HandBuilt built("MAIN.MPF", "M30\n");
+    const ExpressionId here = built.name("HERE"), there = built.name("THERE"), zero = built.number(0);
+    built.block({Stop{}});
+    const auto workspace = Workspace::analyse({built.finish()}, {.complete = true, .jobs = 1});
+    const Program& program = workspace->programs().front().program();
+    EXPECT_TRUE(dataflow::same_expression(program, here, here));
+    EXPECT_FALSE(dataflow::same_expression(program, here, there));
+    EXPECT_FALSE(dataflow::same_expression(program, here, zero));
+    EXPECT_FALSE(dataflow::same_expression(program, zero, here));
+}
+
+TEST(Conditions, OfAVariableAloneNameIt) {
+    const auto workspace = test::analyse_fanuc(text_of({{"#1", true}, {"-#1", true}, {"5", true}}));
+    const Program& program = workspace->programs().front().program();
+    const auto conditions = conditions_of(program);
+    EXPECT_EQ(dataflow::plain_variable(program, conditions[0]), (Variable{0, 1}));
+    EXPECT_EQ(dataflow::plain_variable(program, conditions[1]), none);
+    EXPECT_EQ(dataflow::plain_variable(program, conditions[2]), none);
+}
+
+TEST(Conditions, ComeAcrossVacantVariablesWhereTheControlHasThem) {
+    const auto fanuc = test::analyse_fanuc("O0001\n#1=1\nM30\n");
+    const auto dinplus = test::analyse_text("dinplus", "MACHINING\n#l1=1\nM30\n");
+    const Program& mill = fanuc->programs().front().program();
+    const Program& lathe = dinplus->programs().front().program();
+    EXPECT_TRUE(dataflow::may_hold_vacant(mill, {0, 1}));
+    EXPECT_TRUE(dataflow::may_hold_vacant(mill, {2, 500}));
+    EXPECT_FALSE(dataflow::may_hold_vacant(lathe, {0, 1})); // what a local holds at first is not defined
+}
+
 TEST(Conditions, TellWhetherTheyTestVacancy) {
     const auto workspace =
         test::analyse_fanuc(text_of({{"#1EQ#0", true}, {"[#2EQ1]AND[#1NE#0]", true}, {"#1EQ0", true}}));
@@ -152,6 +234,15 @@ TEST(Conditions, TellWhetherTheyTestVacancy) {
     EXPECT_TRUE(dataflow::asks_for_vacancy(program, analysis.facts(), 0, last, {0, 1}));
     EXPECT_FALSE(dataflow::asks_for_vacancy(program, analysis.facts(), 0, last, {0, 2}));
     EXPECT_FALSE(dataflow::asks_for_vacancy(program, analysis.facts(), last, last, {0, 1}));
+    const flow::NodeId first_test = analysis.facts().comparisons[0].node;
+    const flow::NodeId second_test = analysis.facts().comparisons[2].node;
+    const auto asks = [&](flow::NodeId from, flow::NodeId to) {
+        return dataflow::asks_for_vacancy(program, analysis.facts(), from, to, {0, 1});
+    };
+    EXPECT_TRUE(asks(first_test, first_test));
+    EXPECT_TRUE(asks(second_test, second_test));
+    EXPECT_FALSE(asks(first_test + 1, second_test - 1));
+    EXPECT_FALSE(asks(second_test + 1, last));
 }
 
 } // namespace

@@ -4,11 +4,17 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace maclint {
 namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
 
 /// Whether a path is found to the last read of the variable on which nothing sets it.
 bool reaches_uninitialised(const std::string& text, std::int32_t variable) {
@@ -33,7 +39,7 @@ TEST(FeasiblePaths, ACountedLoopInFrontIsPassed) {
         "#1=#100\nIF[#1GE3]GOTO99\nWHILE[#1LT3]DO1\n#1=#1+1\nEND1\n" + sets_5_or_not + "N99", 5));
 }
 
-TEST(FeasiblePaths, WhatTheRoundsStoreIsNotKnownBehindThem) {
+TEST(FeasiblePaths, WhatTheRoundsStoreIsNotKnownAfterThem) {
     const std::string loop = "#1=0\n#2=0\n#3=0\nWHILE[#1LT3]DO1\n#1=#1+1\n#2=#502\nEND1\n";
     EXPECT_TRUE(reaches_uninitialised(loop + "IF[#2EQ7]GOTO10\n#5=1\nN10 G0Z#5\n", 5));
     EXPECT_TRUE(reaches_uninitialised(loop + "#4=#2+1\nIF[#4EQ7]GOTO10\n#5=1\nN10 G0Z#5\n", 5));
@@ -41,6 +47,14 @@ TEST(FeasiblePaths, WhatTheRoundsStoreIsNotKnownBehindThem) {
     EXPECT_FALSE(reaches_uninitialised(loop +
                                            "#4=#501\n#2=#4\nIF[#501EQ1]GOTO7\n#4=8\nGOTO8\nN7 #4=9\n"
                                            "N8 IF[#4EQ9]GOTO9\n#5=1\nN9 IF[#501NE1]GOTO10\n#5=2\nN10 G0Z#5\n",
+                                       5));
+}
+
+TEST(FeasiblePaths, WhatIsStoredAfterTheRoundsIsKnownAgain) {
+    // #2 is 9 exactly where #501 is 1, so either N9 or the block above it sets #5.
+    const std::string loop = "#1=0\nWHILE[#1LT3]DO1\n#1=#1+1\n#2=#502\nEND1\n";
+    EXPECT_FALSE(reaches_uninitialised(loop + "IF[#501EQ1]GOTO7\n#2=8\nGOTO8\nN7 #2=9\nN8 IF[#2EQ9]GOTO9\n"
+                                              "#5=1\nN9 IF[#501NE1]GOTO10\n#5=2\nN10 G0Z#5\n",
                                        5));
 }
 
@@ -64,11 +78,35 @@ TEST(FeasiblePaths, ADecisionHoldsUntilItsVariableIsStored) {
     EXPECT_FALSE(reaches_uninitialised(text("#502=#5003"), 6));
 }
 
-TEST(FeasiblePaths, AMoveBehindACountedLoopFollows) {
+TEST(FeasiblePaths, AMoveAfterACountedLoopFollows) {
     const auto workspace = test::analyse_fanuc("O1\n#1=0\nN2 G4P1\nN5 #1=#1+1\nIF[#1LT3]GOTO5\nG0X1.\nM30\n");
     const ProgramAnalysis& program = workspace->programs().front();
     const auto last = static_cast<flow::NodeId>(program.graph().nodes.size() - 1);
     EXPECT_TRUE(dataflow::can_follow(program.program(), program.graph(), program.data(), 1, last));
+}
+
+/// 1-based lines of the stores in #1 that can be the last one before the only loop.
+std::vector<std::uint32_t> lines_of_stores_before_loop(const std::string& text) {
+    const auto workspace = test::analyse_fanuc("O1\n" + text + "WHILE[#1LT9]DO1\n#1=#1+1\nEND1\nM30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    const Variable variable = program.loops().at(0).counter.value().variable;
+    std::vector<std::uint32_t> lines;
+    for (const dataflow::Store* store :
+         dataflow::last_stores_before(program.graph(), program.data(), variable, program.loops().at(0)))
+        lines.push_back(test::line_of_effect(program, store->effect));
+    return lines;
+}
+
+TEST(LastStores, AreThoseOfEveryPathIntoTheLoop) {
+    EXPECT_THAT(lines_of_stores_before_loop("#1=1\n#1=2\nG0X1.\n"), ElementsAre(3));
+    EXPECT_THAT(lines_of_stores_before_loop("#1=1\nIF[#500EQ1]GOTO5\n#1=2\nN5\n"),
+                UnorderedElementsAre(2, 4));
+    EXPECT_THAT(lines_of_stores_before_loop("IF[#500EQ1]GOTO5\nN5\n"), IsEmpty());
+}
+
+TEST(LastStores, AreFoundInABlockWithSeveral) {
+    EXPECT_THAT(lines_of_stores_before_loop("#1=5\n#2=1 #1=0\n"), ElementsAre(3));
+    EXPECT_THAT(lines_of_stores_before_loop("#1=5\n#1=0 #2=1\n"), ElementsAre(3));
 }
 
 } // namespace

@@ -126,7 +126,7 @@ TEST(Solver, AModalCallThatACalledProgramLeavesInForceRunsAnything) {
     EXPECT_EQ(after(""), 1);
 }
 
-TEST(Solver, AJumpToABlockThatMayBeSkippedGoesOnBehindIt) {
+TEST(Solver, AJumpToABlockThatMayBeSkippedGoesOnAfterIt) {
     const Value value = last_read("#1=1\nGOTO5\n/N5#1=2\nX#1\nM30\n");
     EXPECT_EQ(value.low, 1);
     EXPECT_EQ(value.high, 2);

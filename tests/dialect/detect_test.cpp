@@ -97,7 +97,7 @@ TEST(Detection, LinuxCncIsToldByOWordsNamesAndItsExtension) {
     EXPECT_EQ(reported_of("a.ngc", "G1 X5 F100\nM2\n"), "LinuxCNC");
 }
 
-TEST(Detection, GcodeWithRemarksBehindSemicolonsIsNotOurs) {
+TEST(Detection, GcodeWithRemarksAfterSemicolonsIsNotOurs) {
     EXPECT_EQ(reported_of("G28 ; home all axes\nM104 S200 ; hot end\nG92 E0\nG1 X5 Y5 E2.5 F1500\n"),
               "a 3D printer");
     EXPECT_EQ(reported_of("; pocket for the hinge\nG21 ; metric\nG0 X5\nM5 ; stop\n"),

@@ -63,7 +63,7 @@ TEST(DinSections, EnglishAndGermanWordsBeginTheSame) {
     EXPECT_THAT(german.syntax_errors, IsEmpty());
 }
 
-TEST(DinSections, TwiceAndBehindTheEndAreThereToBeSeen) {
+TEST(DinSections, TwiceAndAfterTheEndAreThereToBeSeen) {
     const auto file = read_din("MACHINING\nN1 M30\nMACHINING\nN2 M30\nEND\nN3 M30\nBLANK\n");
     EXPECT_THAT(sections_of(file.programs.at(0)),
                 ElementsAre("MACHINING 1", "MACHINING 1", "END 1 never", "BLANK 0 at load"));
@@ -95,7 +95,7 @@ TEST(DinSections, ANumberBeforeTheWordDoesNotHideIt) {
     EXPECT_THAT(file.syntax_errors, IsEmpty());
 }
 
-TEST(DinSections, CommandsBehindTheWordAreReported) {
+TEST(DinSections, CommandsAfterTheWordAreReported) {
     for (const char* text : {"MACHINING G0 X10 THN\n", "MACHINING N5 X10\n", "N4 MACHINING M3\n",
                              "BLANK\nN1 G20 X5\nMACHINING ENDIF\n", "N5 G0 X10 MACHINING\n"}) {
         const auto file = read_din(text);

@@ -117,7 +117,7 @@ TEST(FanucReader, CodeInNoOrderTakesUnderASecondAMegabyte) {
     }
 }
 
-TEST(FanucReader, GoodBlocksBehindNoiseAreReadAsEver) {
+TEST(FanucReader, GoodBlocksAfterNoiseAreReadAsEver) {
     std::string text;
     for (int i = 0; i < 200; ++i) text += "X=*]" + std::to_string(i) + "\n";
     text += "Z0/M08\nXSIN[30]\nIF[#1EQ#0]GOTON10\nN10 DPRNT[X#1[53]*OUT*OF*RANGE]\n#1=#2/[3]\n";

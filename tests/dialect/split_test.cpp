@@ -49,7 +49,7 @@ TEST(FanucSplitter, CommentsAreToldWithTheirBlock) {
     EXPECT_THAT(block.comments, ElementsAre(Span{0, 3}, Span{5, 7}));
 }
 
-TEST(FanucTape, LeaderBeforeTheFirstMarkAndTextBehindTheLastAreNotRead) {
+TEST(FanucTape, LeaderBeforeTheFirstMarkAndTextAfterTheLastAreNotRead) {
     EXPECT_EQ(programs_of("JOB 17 OF MONDAY\n%\nO1\n#1=1\n%\n#2=2\n"), "O1:\n\n#1 := 1\n");
     EXPECT_EQ(programs_of("%TITLE OF THE TAPE\nO1\n#1=1\n%"), "O1:\n\n#1 := 1\n");
     EXPECT_EQ(programs_of("#1=1\n#2=2\n"), "O1:\n#1 := 1\n#2 := 2\n");
@@ -69,12 +69,12 @@ TEST(FanucSplitter, OtherBlocksKeepTheirProgramNumber) {
                 ElementsAre("M98O2", "M199O2", "M99 O2", "X30O2", "M30(O2)", "M99OX"));
 }
 
-TEST(FanucTape, ProgramsBehindAMarkAreReadWhenAnotherMarkFollows) {
+TEST(FanucTape, ProgramsAfterAMarkAreReadWhenAnotherMarkFollows) {
     EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\nO2\n#2=2\n%\n"), "O1:\n\n#1 := 1\nO2:\n\n#2 := 2\n");
     EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\nTEXT\n%\nO2\n#2=2\n%\n"), "O1:\n\n#1 := 1\nO2:\n\n#2 := 2\n");
 }
 
-TEST(FanucTape, AProgramBehindNoiseIsReadWhateverMarksTheNoiseHolds) {
+TEST(FanucTape, AProgramAfterNoiseIsReadWhateverMarksTheNoiseHolds) {
     const std::string good = "O1:\n\n#1 := 1\nO2:\n\n#2 := 2\n";
     EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\n$?}X\n%\n%\n{Z~\nO2 (TWO)\n#2=2\n%\n"), good);
     EXPECT_EQ(programs_of("%\nO1\n#1=1\n%\n$?}X\nO2\n#2=2\n"), good);

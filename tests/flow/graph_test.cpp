@@ -61,7 +61,7 @@ TEST(Graph, TheFirstBlockOfATextMayBeSkippedToo) {
     EXPECT_THAT(unreached_in("/M30\nG0X#5\nM30\n"), IsEmpty());
 }
 
-TEST(Graph, BlocksThatMayBeSkippedOneBehindAnotherKeepTheGraphSmall) {
+TEST(Graph, BlocksThatMayBeSkippedOneAfterAnotherKeepTheGraphSmall) {
     std::string text = "O1\n";
     constexpr int blocks = 500;
     for (int i = 0; i < blocks; ++i) text += "/X1.\n";
@@ -89,7 +89,7 @@ TEST(Graph, TheNodeOfAnEffectIsKnown) {
     EXPECT_FALSE(graph.node_of(1000));
 }
 
-TEST(Graph, TestsBehindADefaultComeBeforeIt) {
+TEST(Graph, TestsAfterADefaultComeBeforeIt) {
     const auto unreached = [](const std::string& first, const std::string& second) {
         const auto workspace = test::analyse_text("dinplus", "MACHINING\nINPUT(\"Size\",#l1)\nSWITCH #l1\n" +
                                                                  first + second + "ENDSWITCH\nM30\nEND\n");
@@ -132,7 +132,7 @@ TEST(Graph, ACalledProgramMayReturnToAnotherBlock) {
         EXPECT_TRUE(main.data().reached(node));
 }
 
-TEST(Graph, BehindACallThatDoesNotReturnThereNothingIsReached) {
+TEST(Graph, AfterACallThatDoesNotReturnThereNothingIsReached) {
     const std::string alarm = "O2\n#3000=1(STOP)\n";
     EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\n" + alarm), ElementsAre(3, 4));
     EXPECT_THAT(unreached_in("O1\nIF[#100EQ1]THEN M98P2\n#1=5\nM30\n" + alarm), IsEmpty());
@@ -144,7 +144,7 @@ TEST(Graph, BehindACallThatDoesNotReturnThereNothingIsReached) {
     EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\nO2\nIF[#1EQ1 M99\nM30\n"), IsEmpty());
 }
 
-TEST(Graph, AProgramThatReturnsToABlockDoesNotReturnBehindTheCall) {
+TEST(Graph, AProgramThatReturnsToABlockDoesNotReturnAfterTheCall) {
     const std::string back = "O2\nM99P30\n";
     EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nN30 M30\n" + back), ElementsAre(3));
     EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\n" + back), IsEmpty()); // an alarm of its own

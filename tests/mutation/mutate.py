@@ -78,7 +78,7 @@ class Base:
 
     def make(self):
         linker = next((name for name in ('mold', 'lld', 'gold') if shutil.which('ld.' + name)), None)
-        options = ['-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1', '-DMACLINT_BENCH=OFF',
+        options = ['-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -D_GLIBCXX_ASSERTIONS', '-DMACLINT_BENCH=OFF',
                    '-DMACLINT_SHARED=none', '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON',
                    f'-DCMAKE_EXE_LINKER_FLAGS={"-fuse-ld=" + linker if linker else ""}']
         for command in (['cmake', '-S', str(self.source), '-B', str(self.build), '-G', 'Ninja', *options],

@@ -106,7 +106,7 @@ TEST(Sections, AProgramWithAHeadIsWhole) {
     EXPECT_THAT(lines("DIN102", "PROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 M30\n"), ElementsAre(4));
 }
 
-TEST(Sections, BehindEndTheFirstThingIsTold) {
+TEST(Sections, AfterEndTheFirstThingIsTold) {
     EXPECT_THAT(lines("DIN103", "MACHINING\nM30\nEND\n[said]\nSUBPROGRAM \"A\"\nG14 Q0\nRETURN\n"),
                 ElementsAre(5));
     EXPECT_THAT(lines("DIN103", "MACHINING\nM30\nEND\n[said]\n\n"), IsEmpty());

@@ -77,7 +77,7 @@ TEST(SequenceNumber, ThatOnlyAComputedJumpCanFindIsReportedWhenItStandsTwice) {
     EXPECT_THAT(lines_raised("MAC462", "O1\nN10 G0 X1.\nN10 G0 X2.\nM30\n"), IsEmpty());
 }
 
-TEST(SequenceNumber, IsSearchedForBehindTheJumpFirstAndThenFromTheTop) {
+TEST(SequenceNumber, IsSearchedForAfterTheJumpFirstAndThenFromTheTop) {
     EXPECT_THAT(messages_raised("MAC462", "O1\nN10 G0 X1.\nIF[#1EQ1]GOTO10\nN10 G0 X2.\nM30\n"),
                 ElementsAre(HasSubstr("in line 4, the next after it")));
     EXPECT_THAT(messages_raised("MAC462", "O1\nN10 G0 X1.\nN10 G0 X2.\nIF[#1EQ1]GOTO10\nM30\n"),

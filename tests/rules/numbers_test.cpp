@@ -42,7 +42,7 @@ TEST(FloatEquality, OfASumOfUnknownStepsIsReportedUnlessItIsClamped) {
                 IsEmpty());
 }
 
-TEST(ConstantCondition, BehindATestThatTookTheCaseAwayNeverHolds) {
+TEST(ConstantCondition, AfterATestThatTookTheCaseAwayNeverHolds) {
     EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6GT5]GOTO1\nIF[#6GT10]GOTO2\nM99\nN1 M99\nN2 M99\n"),
                 ElementsAre(3));
 }
@@ -89,7 +89,7 @@ TEST(ConstantCondition, ConditionsJoinedByAndMayExcludeEachOther) {
     EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[[#1GT6]AND[#1LT8]]GOTO9\nG0 X1\nN9 M99\n"), IsEmpty());
 }
 
-TEST(ConstantCondition, BehindALoopThatCannotBeReadProvesNothing) {
+TEST(ConstantCondition, AfterALoopThatCannotBeReadProvesNothing) {
     EXPECT_THAT(lines_raised("MAC718", "O1\n#28=1\nWHILE[#28LT5]]DO1\nIF[#28LT5000]GOTO9\n#28=#28+1\nEND1\n"
                                        "N9 M30\n"),
                 IsEmpty());

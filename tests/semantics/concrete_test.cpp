@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -30,12 +31,29 @@ TEST(Concrete, AnglesAreInDegrees) {
     EXPECT_NEAR(*result(Operation::arc_tangent, {-1}), -45, 1e-12);
 }
 
+TEST(Concrete, EveryAngleTurnsRound) {
+    for (int angle = -720; angle <= 720; ++angle) {
+        const double radians = angle * std::numbers::pi / 180;
+        EXPECT_NEAR(*result(Operation::sine, {static_cast<double>(angle)}), std::sin(radians), 1e-12)
+            << angle;
+        EXPECT_NEAR(*result(Operation::cosine, {static_cast<double>(angle)}), std::cos(radians), 1e-12)
+            << angle;
+        if (angle % 90 == 0) continue;
+        EXPECT_NEAR(*result(Operation::tangent, {static_cast<double>(angle)}), std::tan(radians), 1e-9)
+            << angle;
+    }
+}
+
 TEST(Concrete, QuarterTurnsAreExact) {
     EXPECT_EQ(result(Operation::sine, {180}), 0);
     EXPECT_EQ(result(Operation::sine, {-90}), -1);
     EXPECT_EQ(result(Operation::sine, {450}), 1);
     EXPECT_EQ(result(Operation::cosine, {90}), 0);
     EXPECT_EQ(result(Operation::cosine, {180}), -1);
+    for (const double angle : {90.0, -270.0, 450.0}) EXPECT_EQ(result(Operation::sine, {angle}), 1);
+    for (const double angle : {-90.0, 270.0, -450.0}) EXPECT_EQ(result(Operation::sine, {angle}), -1);
+    for (const double angle : {0.0, -180.0, 360.0, 540.0}) EXPECT_EQ(result(Operation::sine, {angle}), 0);
+    EXPECT_EQ(result(Operation::tangent, {180}), 0);
     EXPECT_TRUE(alarms(Operation::tangent, {90}));
     EXPECT_TRUE(alarms(Operation::tangent, {-270}));
 }
@@ -45,6 +63,9 @@ TEST(Concrete, TheArcTangentOfTwoCoversTheWholeTurn) {
     EXPECT_NEAR(*result(Operation::arc_tangent_of_two, {1, -1}), 135, 1e-12);
     EXPECT_NEAR(*result(Operation::arc_tangent_of_two, {-1, -1}), 225, 1e-12);
     EXPECT_NEAR(*result(Operation::arc_tangent_of_two, {-1, 1}), 315, 1e-12);
+    EXPECT_EQ(result(Operation::arc_tangent_of_two, {0, 1}), 0);
+    EXPECT_NEAR(*result(Operation::arc_tangent_of_two, {0, -1}), 180, 1e-12);
+    EXPECT_NEAR(*result(Operation::arc_tangent_of_two, {-1, 0}), 270, 1e-12);
 }
 
 TEST(Concrete, ThereIsOneZero) {
@@ -78,7 +99,13 @@ TEST(Concrete, BitsAreThoseOfWholeNumbers) {
     EXPECT_EQ(result(Operation::bit_xor, {12, 10}), 6);
     EXPECT_EQ(result(Operation::bit_not, {0}), -1);
     EXPECT_EQ(result(Operation::bit_and, {-1, 255}), 255);
-    EXPECT_TRUE(alarms(Operation::bit_or, {1e12, 1}));
+    EXPECT_EQ(result(Operation::bit_and, {12.4, 9.6}), 8); // 12 and 10
+    EXPECT_EQ(result(Operation::bit_or, {2147483647, 0}), 2147483647);
+    EXPECT_EQ(result(Operation::bit_or, {-2147483648, 0}), -2147483648);
+    EXPECT_TRUE(alarms(Operation::bit_or, {2147483648, 1}));
+    EXPECT_TRUE(alarms(Operation::bit_or, {-2147483649, 1}));
+    EXPECT_TRUE(alarms(Operation::bit_and, {1, 1e12}));
+    EXPECT_TRUE(alarms(Operation::bit_not, {1e12}));
 }
 
 TEST(Concrete, BinAndBcdTurnDigitsOfFourBits) {
@@ -86,7 +113,15 @@ TEST(Concrete, BinAndBcdTurnDigitsOfFourBits) {
     EXPECT_EQ(result(Operation::to_binary, {0x25}), 25);
     EXPECT_EQ(result(Operation::to_decimal_code, {99999999}), 0x99999999U);
     EXPECT_EQ(result(Operation::to_binary, {0x99999999U}), 99999999);
+    EXPECT_EQ(result(Operation::to_decimal_code, {0}), 0);
+    EXPECT_EQ(result(Operation::to_binary, {0}), 0);
+    EXPECT_EQ(result(Operation::to_decimal_code, {12345670}), 0x12345670);
+    EXPECT_EQ(result(Operation::to_binary, {0x12345670}), 12345670);
+    EXPECT_EQ(result(Operation::to_binary, {24.6}), 19); // 25 is 0x19
+    EXPECT_EQ(result(Operation::to_decimal_code, {24.6}), 0x25);
     EXPECT_TRUE(alarms(Operation::to_binary, {0x1A}));
+    EXPECT_TRUE(alarms(Operation::to_binary, {-1}));
+    EXPECT_TRUE(alarms(Operation::to_binary, {4294967296}));
     EXPECT_TRUE(alarms(Operation::to_decimal_code, {-1}));
     EXPECT_TRUE(alarms(Operation::to_decimal_code, {100000000}));
 }
@@ -98,6 +133,15 @@ TEST(Concrete, OutsideOfItsDomainAFunctionAlarms) {
     EXPECT_TRUE(alarms(Operation::arc_cosine, {-1.5}));
     EXPECT_TRUE(alarms(Operation::logarithm, {0}));
     EXPECT_TRUE(alarms(Operation::power, {-2, 0.5}));
+    EXPECT_TRUE(alarms(Operation::arc_sine, {-1.5}));
+    EXPECT_TRUE(alarms(Operation::arc_cosine, {1.5}));
+    EXPECT_TRUE(alarms(Operation::logarithm, {-1}));
+    EXPECT_TRUE(alarms(Operation::power, {0, -1}));
+    EXPECT_EQ(result(Operation::power, {0, 0}), 1);
+    EXPECT_NEAR(*result(Operation::arc_sine, {1}), 90, 1e-12);
+    EXPECT_NEAR(*result(Operation::arc_sine, {-1}), -90, 1e-12);
+    EXPECT_NEAR(*result(Operation::arc_cosine, {-1}), 180, 1e-12);
+    EXPECT_EQ(result(Operation::arc_cosine, {1}), 0);
     EXPECT_EQ(result(Operation::square_root, {0}), 0);
     EXPECT_EQ(result(Operation::logarithm, {1}), 0);
 }
@@ -118,12 +162,18 @@ TEST(Concrete, ArithmeticTakesVacantForZero) {
     const std::array<Content, 2> operands{Content{}, Content{5}};
     EXPECT_EQ(std::get<double>(compute(Operation::add, std::span<const Content>(operands))), 5);
     EXPECT_EQ(std::get<double>(compute(Operation::negate, std::span<const Content>(operands).first(1))), 0);
+    constexpr std::array<Content, 3> three{Content{1}, Content{2}, Content{3}};
+    EXPECT_TRUE(
+        std::holds_alternative<NotModelled>(compute(Operation::add, std::span<const Content>(three))));
 }
 
 TEST(Concrete, WhatHasNoModelIsSaidToHaveNone) {
     constexpr std::array one{1.0};
-    for (const Operation operation : {Operation::add_point, Operation::unknown, Operation::less})
+    constexpr std::array two{1.0, 2.0};
+    for (const Operation operation : {Operation::add_point, Operation::unknown, Operation::less}) {
         EXPECT_TRUE(std::holds_alternative<NotModelled>(compute(operation, std::span<const double>(one))));
+        EXPECT_TRUE(std::holds_alternative<NotModelled>(compute(operation, std::span<const double>(two))));
+    }
 }
 
 TEST(Concrete, OnlyEqualAndNotEqualTellVacantFromZero) {
@@ -141,16 +191,23 @@ TEST(Concrete, OnlyEqualAndNotEqualTellVacantFromZero) {
     EXPECT_TRUE(test_vacancy(Operation::is_vacant, vacant));
     EXPECT_FALSE(test_vacancy(Operation::is_set, vacant));
     EXPECT_TRUE(test_vacancy(Operation::is_set, 0));
+    EXPECT_FALSE(test_vacancy(Operation::is_vacant, 0));
 }
 
 TEST(Concrete, AnIndexIsRounded) {
     EXPECT_EQ(variable_number(100.4), 100);
     EXPECT_EQ(variable_number(100.5), 101);
+    EXPECT_EQ(variable_number(99.5), 100);
+    EXPECT_EQ(variable_number(-0.4), 0);
     EXPECT_EQ(variable_number(1e12), std::nullopt);
+    EXPECT_EQ(variable_number(-1e12), std::nullopt);
+    EXPECT_EQ(variable_number(std::nan("")), std::nullopt);
 }
 
 TEST(Concrete, NumbersEndAtTenToTheFortySeven) {
+    EXPECT_TRUE(is_in_range(1e47));
     EXPECT_TRUE(is_in_range(-1e47));
+    EXPECT_FALSE(is_in_range(-1.1e47));
     EXPECT_FALSE(is_in_range(1.1e47));
     EXPECT_FALSE(is_in_range(std::nan("")));
 }

@@ -34,7 +34,7 @@ TEST(DetectEncoding, RefusesOverlongFormsSurrogatesAndCutSequences) {
     for (const std::string_view bytes : broken) EXPECT_EQ(detect_encoding(bytes), Encoding::windows_1252);
 }
 
-TEST(DetectEncoding, FindsABrokenByteBehindLongAscii) {
+TEST(DetectEncoding, FindsABrokenByteAfterLongAscii) {
     EXPECT_EQ(detect_encoding(std::string(1001, 'X') + '\xD8'), Encoding::windows_1252);
 }
 

@@ -83,7 +83,7 @@ TEST(Lines, LineNumbersOutsideTheFileMeanItsFirstAndLastLine) {
     EXPECT_EQ(source.line_text(99), "M30");
 }
 
-TEST(Columns, OffsetsBehindTheEndMeanTheEnd) {
+TEST(Columns, OffsetsAfterTheEndMeanTheEnd) {
     EXPECT_EQ(source_of("G0\nM30").position(4'000'000'000U), (Position{2, 4, 4}));
 }
 
@@ -124,7 +124,7 @@ TEST(Columns, TapeLeaderTakesOneAByte) {
     EXPECT_EQ(source_of(std::string(5, '\0') + "%\nO1").position(5), (Position{1, 6, 6}));
 }
 
-TEST(Columns, ColumnsBehindTheLineMeanItsEnd) {
+TEST(Columns, ColumnsAfterTheLineMeanItsEnd) {
     const Source source = source_of("G0\nM30");
     EXPECT_EQ(source.offset_at(1, 50), 2U);
     EXPECT_EQ(source.offset_at(2, 0), 3U);

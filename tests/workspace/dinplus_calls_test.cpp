@@ -94,6 +94,54 @@ TEST(DinCalls, WhatIsHandedDownMayBeChanged) {
               (EvaluateWords{std::nullopt, std::nullopt, std::nullopt}));
 }
 
+TEST(DinCalls, WhatCallersInTheFileLeaveOutMayBeMissing) {
+    // A local program can have no other callers, whoever else is on the control.
+    const auto workspace =
+        test::analyse_text("dinplus", "MACHINING\nL\"S\" LA1\nL\"S\" LA2 LB3\nM30\nSUBPROGRAM \"S\"\n"
+                                      "G0 X#__la Z#__lb Y#__lc\nRETURN\n");
+    const auto& reads = program(*workspace, "S").facts().reads;
+    ASSERT_EQ(reads.size(), 3U);
+    EXPECT_EQ(reads[0].value.vacancy, dataflow::Vacancy::unknown);
+    EXPECT_EQ(reads[1].value.vacancy, dataflow::Vacancy::maybe);
+    EXPECT_EQ(reads[2].value.vacancy, dataflow::Vacancy::maybe);
+}
+
+TEST(DinCalls, WhatIsHandedDownReachesAllThatIsCalledFromThere) {
+    const std::string main = "VAR\n#_n=#l90(5)\n#_m=#l91(5)\nMACHINING\nL\"S\" V1\nM30\n";
+    const auto vacancy_in = [&](std::string_view name) {
+        const auto workspace =
+            test::analyse_files({{"main.nc", main},
+                                 {"other.nc", "VAR\n#_k=#l92(5)\nMACHINING\nM30\n"},
+                                 {"S.ncs", "MACHINING\nG0 X#l90 Z#l92\nL\"T\" V1\nRETURN\n"},
+                                 {"T.ncs", "MACHINING\nG0 X#l91 Z#l92\nL\"S\" V1\nL\"U\" V1\nRETURN\n"},
+                                 {"U.ncs", "MACHINING\nG0 X#l90 Z#l92 Y#_n C#_k\nRETURN\n"}},
+                                closed_workspace);
+        std::vector<dataflow::Vacancy> vacancies;
+        for (const auto& read : program(*workspace, name).facts().reads)
+            vacancies.push_back(read.value.vacancy);
+        return vacancies;
+    };
+    using Vacancies = std::vector<dataflow::Vacancy>;
+    // S and T call each other; nothing that hands #l92 down calls them.
+    EXPECT_EQ(vacancy_in("S"), (Vacancies{dataflow::Vacancy::unknown, dataflow::Vacancy::vacant}));
+    EXPECT_EQ(vacancy_in("T"), (Vacancies{dataflow::Vacancy::unknown, dataflow::Vacancy::vacant}));
+    // Names are handed down, too.
+    EXPECT_EQ(vacancy_in("U"), (Vacancies{dataflow::Vacancy::unknown, dataflow::Vacancy::vacant,
+                                          dataflow::Vacancy::unknown, dataflow::Vacancy::vacant}));
+}
+
+TEST(DinCalls, OnlyWhatIsStartedByHandRunsOnItsOwn) {
+    const auto workspace =
+        test::analyse_files({{"main.nc", "MACHINING\nL\"CALLED\" V1\nM30\nSUBPROGRAM \"S\"\nM30\n"},
+                             {"CALLED.nc", "MACHINING\nRETURN\n"},
+                             {"alone.ncs", "MACHINING\nG0 X1\n"}},
+                            closed_workspace);
+    EXPECT_TRUE(program(*workspace, "main").is_main());
+    EXPECT_FALSE(program(*workspace, "S").is_main());
+    EXPECT_FALSE(program(*workspace, "CALLED").is_main());
+    EXPECT_FALSE(program(*workspace, "alone").is_main()); // a fragment: nothing says how it is started
+}
+
 TEST(DinFlow, BranchesJoinAndARestartLeaves) {
     const auto workspace = test::analyse_text(
         "dinplus",

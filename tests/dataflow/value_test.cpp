@@ -1,0 +1,64 @@
+//! Value numbers: what counts as one number, and what a symbol stands for.
+#include "analyzer/dataflow/value.hpp"
+
+#include <gtest/gtest.h>
+
+namespace maclint::dataflow {
+namespace {
+
+TEST(ValueTable, HasOneSymbolForANumberAndOneZero) {
+    ValueTable table;
+    EXPECT_EQ(table.constant(2.5), table.constant(2.5));
+    EXPECT_NE(table.constant(2.5), table.constant(-2.5));
+    EXPECT_EQ(table.constant(0), table.constant(-0.0));
+    EXPECT_EQ(table.number_of(table.constant(2.5)), 2.5);
+    EXPECT_EQ(table.number_of(table.constant(-0.0)), 0);
+}
+
+TEST(ValueTable, TellsWhatASymbolStandsFor) {
+    ValueTable table;
+    const SymbolId unknown = table.symbols({Symbol::Kind::opaque, 5, 6, 7});
+    const SymbolId group = table.symbols({Symbol::Kind::entry_group, 3, 0, 0});
+    const SymbolId if_set = table.symbols({Symbol::Kind::if_set, unknown, 1, 2});
+    EXPECT_EQ(table.number_of(unknown), std::nullopt);
+    EXPECT_EQ(table.number_of(group), std::nullopt);
+    EXPECT_EQ(table.entry_group_of(group), GroupId{3});
+    EXPECT_EQ(table.entry_group_of(unknown), std::nullopt);
+    EXPECT_EQ(table.asked_for(if_set), unknown);
+    EXPECT_EQ(table.asked_for(group), group);
+    EXPECT_NE(table.constant(0), 0U); // the symbol of which nobody knows anything
+    table.fit();
+    EXPECT_EQ(table.entry_group_of(group), GroupId{3});
+}
+
+TEST(Values, OfNumbersAreSetAndExact) {
+    ValueTable table;
+    for (const double number : {-3.0, 0.0, 2.5}) {
+        const Value value = number_value(table, number);
+        EXPECT_EQ(value.symbol, table.constant(number));
+        EXPECT_EQ(value.constant(), number);
+        EXPECT_EQ(value.vacancy, Vacancy::set);
+        EXPECT_EQ(value.exactness, Exactness::exact);
+        EXPECT_EQ(value.integer, number != 2.5);
+        EXPECT_TRUE(value.can_be(number));
+        EXPECT_FALSE(value.can_be(number + 1));
+    }
+}
+
+TEST(Values, OfVacantCountAsZeroAndAreNoNumber) {
+    ValueTable table;
+    const Value vacant = vacant_value(table, 9);
+    EXPECT_EQ(vacant.vacancy, Vacancy::vacant);
+    EXPECT_EQ(vacant.vacancy_origin, 9U);
+    EXPECT_EQ(vacant.low, 0);
+    EXPECT_EQ(vacant.high, 0);
+    EXPECT_EQ(vacant.constant(), std::nullopt);
+    EXPECT_TRUE(vacant.can_be(0));
+    EXPECT_TRUE(vacant.integer);
+    EXPECT_EQ(vacant.exactness, Exactness::exact);
+    EXPECT_EQ(vacant.symbol, vacant_value(table, 10).symbol); // vacant is equal to vacant
+    EXPECT_NE(vacant.symbol, table.constant(0));
+}
+
+} // namespace
+} // namespace maclint::dataflow
