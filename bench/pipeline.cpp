@@ -34,18 +34,14 @@ void check_values(const WordsOfBlock& block, Reporter& reporter) {
 
 const Rule every_value{.code = "BENCH",
                        .name = "every-value",
-                       .aliases = "",
                        .summary = "",
                        .why = "",
                        .severity = Severity::note,
                        .precision = Precision::high,
                        .on_by_default = false,
-                       .off_reason = "",
-                       .data_flow = false,
                        .messages = {},
                        .bad = {},
                        .good = {},
-                       .alarms = {},
                        .sources = {},
                        .check = WordCheck{"", WordCheck::Blocks::all, &check_values}};
 

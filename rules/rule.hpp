@@ -30,11 +30,18 @@ struct Alarm {
     std::string_view text;    ///< "MISSING END STATEMENT"
 };
 
-/// A program that shows the rule. `dialect` as --dialect takes it.
+/// A program that shows the rule.
 struct Example {
-    std::string_view dialect;
+    /// A line end at the very beginning of the text is left out, so that it can stand as it looks in a raw
+    /// string.
+    Example(std::string_view dialect_name, std::string_view program, bool in_complete_folder = false)
+        : dialect(dialect_name)
+        , text(program.starts_with('\n') ? program.substr(1) : program)
+        , complete(in_complete_folder) {}
+
+    std::string_view dialect; ///< as --dialect takes it
     std::string_view text;
-    bool complete = false; ///< shown in a folder that the configuration declares complete
+    bool complete; ///< shown in a folder that the configuration declares complete
 };
 
 /// The severity in programs of a language, where it is not the rule's own.
@@ -48,8 +55,8 @@ struct RaisedByCommand {};
 using FileCheck = void (*)(const ProgramFile&, Reporter&);
 using ProgramCheck = void (*)(const ProgramAnalysis&, Reporter&);
 
-/// Looks at the words of one block after another. All such checks share one pass over the words of a program,
-/// which passes over plain blocks that none of them can want; others are shown to each.
+/// Looks at the words of one block after another. All such checks share one pass over the words of a program;
+/// none is shown a plain block that it cannot want.
 struct WordCheck {
     std::string_view addresses; ///< of words that it looks at, separated by blanks; "": any
     enum class Blocks : std::uint8_t {
@@ -60,22 +67,23 @@ struct WordCheck {
     void (*check)(const WordsOfBlock&, Reporter&);
 };
 
+/// A record says what is the rule's own; the rest is as here.
 struct Rule {
-    std::string_view code;    ///< "MAC303"
-    std::string_view name;    ///< "jump-into-loop"
-    std::string_view aliases; ///< further codes, separated by blanks; "" for none
-    std::string_view summary; ///< one line
-    std::string_view why;     ///< why it matters at the machine
+    std::string_view code;         ///< "MAC303"
+    std::string_view name;         ///< "jump-into-loop"
+    std::string_view aliases = {}; ///< further codes, separated by blanks
+    std::string_view summary;      ///< one line
+    std::string_view why;          ///< why it matters at the machine
     Severity severity;
     std::vector<OtherSeverity> severity_elsewhere = {};
     Precision precision;
-    bool on_by_default; ///< very_high and high are on; `off_reason` says why another choice was made
-    std::string_view off_reason;
-    bool data_flow; ///< findings carry a path (SARIF codeFlows); a test demands it of the bad example
+    bool on_by_default = true; ///< very_high and high are on, the others off, or `off_reason` says why not
+    std::string_view off_reason = {};
+    bool data_flow = false; ///< findings carry a path (SARIF codeFlows); a test demands it of the bad example
     std::vector<Message> messages;
     std::vector<Example> bad;  ///< raises exactly this rule
     std::vector<Example> good; ///< raises nothing
-    std::vector<Alarm> alarms;
+    std::vector<Alarm> alarms = {};
     std::vector<std::string_view> sources;
     /// `SyntaxErrorKind`: whatever the text has of that kind, see rules/syntax_errors.hpp.
     std::variant<RaisedByCommand, SyntaxErrorKind, FileCheck, ProgramCheck, WordCheck> check;

@@ -6,23 +6,23 @@ namespace maclint::rules {
 extern const Rule call_without_program_number{
     .code = "MAC401",
     .name = "call-without-program-number",
-    .aliases = "",
     .summary = "A macro or subprogram call without P",
     .why = "The control does not know which program to run and stops with an alarm.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain",
                   "'{0}' does not say which program to call, and the control stops here. Add its number"
                   " with {1}."}},
-    .bad = {{"fanuc", "O9401(MAIN)\n"
-                      "G65X10.Y5.\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9401(MAIN)\n"
-                       "G65P8000X10.Y5.\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9401(MAIN)
+G65X10.Y5.
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9401(MAIN)
+G65P8000X10.Y5.
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "076", "ADDRESS P NOT DEFINED"}},
     .sources = {"SEED-001:423"},
     .check = SyntaxErrorKind::call_without_program,

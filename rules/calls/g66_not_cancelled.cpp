@@ -16,31 +16,31 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule g66_not_cancelled{
     .code = "MAC413",
     .name = "g66-not-cancelled",
-    .aliases = "",
     .summary = "A modal macro call is still active at the end of the program or at a tool change",
     .why = "Every later move calls the macro: the next positioning block drills, probes or mills"
            " where nobody expects it.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"end", "'{0}' is still active when the program is left: every later move calls the macro. "
                          "Cancel it with G67."},
                  {"tool", "'{0}' is still active at the tool change in line {1}: its moves call the macro. "
                           "Cancel it with G67 before."}},
-    .bad = {{"fanuc", "O9413(ROW)\n"
-                      "G66P9010Z-20.R5.\n"
-                      "G0 X10.\n"
-                      "X20.\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9413(ROW)\n"
-                       "G66P9010Z-20.R5.\n"
-                       "G0 X10.\n"
-                       "X20.\n"
-                       "G67\n"
-                       "M30\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9413(ROW)
+G66P9010Z-20.R5.
+G0 X10.
+X20.
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9413(ROW)
+G66P9010Z-20.R5.
+G0 X10.
+X20.
+G67
+M30
+)nc"}},
     .sources = {"SEED-001:466", "CNCWIKI-CALL"},
     .check = &check,
 };

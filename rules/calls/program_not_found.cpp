@@ -22,29 +22,34 @@ extern const Rule program_not_found{
            "declares the folder complete, or where the call means a program of the same file.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "'{0}' calls a program that is not among the programs of this control. Add it, or "
                            "correct the call."}},
     .bad = {{"fanuc",
-             "O9402(MAIN)\n"
-             "G65P9101\n"
-             "M30\n",
+             R"nc(
+O9402(MAIN)
+G65P9101
+M30
+)nc",
              true},
-            {"dinplus", "MACHINING\n"
-                        "N10 L\"CHAMFER\" LA50\n"
-                        "N20 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9402(MAIN)\n"
-                       "M30\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 L\"CHAMFER\" LA50\n"
-                         "N20 M30\n"
-                         "SUBPROGRAM \"CHAMFER\"\n"
-                         "N30 G0 X#__la\n"
-                         "RETURN\n"
-                         "END\n"}},
+            {"dinplus", R"nc(
+MACHINING
+N10 L"CHAMFER" LA50
+N20 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9402(MAIN)
+M30
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 L"CHAMFER" LA50
+N20 M30
+SUBPROGRAM "CHAMFER"
+N30 G0 X#__la
+RETURN
+END
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "078", "NUMBER NOT FOUND"},
                {"FANUC 30i/0i-D", "076", "PROGRAM NOT FOUND"}},
     .sources = {"GH-ALM"},

@@ -22,8 +22,6 @@ extern const Rule recursive_call{
     .severity = Severity::error,
     .severity_elsewhere = {{"dinplus", Severity::warning}},
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"plain",
                   "'{0}' calls {1} again, from which it was called: {2}. The control runs out of call "
@@ -31,40 +29,48 @@ extern const Rule recursive_call{
                  {"self",
                   "'{0}' calls {1}, the very program it stands in. The control runs out of call levels; "
                   "use a loop, or give this program another number when another one is meant."}},
-    .bad = {{"fanuc", "O0001(MAIN)\n"
-                      "G65P9412\n"
-                      "M30\n"
-                      "O9412(STEP)\n"
-                      "G65P9413\n"
-                      "M99\n"
-                      "O9413(BACK)\n"
-                      "G65P9412\n"
-                      "M99\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 L\"HALF\" LA10\n"
-                        "N20 M30\n"
-                        "SUBPROGRAM \"HALF\"\n"
-                        "N30 #l1=#__la/2\n"
-                        "N40 G1 Z#l1\n"
-                        "N50 L\"HALF\" LA#l1\n"
-                        "RETURN\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O0001(MAIN)\n"
-                       "G65P9412\n"
-                       "M30\n"
-                       "O9412(STEP)\n"
-                       "G65P9413\n"
-                       "M99\n"
-                       "O9413(BACK)\n"
-                       "M99\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 #l1=10\n"
-                         "N20 WHILE #l1>0.4\n"
-                         "N30 #l1=#l1/2\n"
-                         "N40 G1 Z#l1\n"
-                         "N50 ENDWHILE\n"
-                         "N60 M30\n"
-                         "END\n"}},
+    .bad = {{"fanuc", R"nc(
+O0001(MAIN)
+G65P9412
+M30
+O9412(STEP)
+G65P9413
+M99
+O9413(BACK)
+G65P9412
+M99
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 L"HALF" LA10
+N20 M30
+SUBPROGRAM "HALF"
+N30 #l1=#__la/2
+N40 G1 Z#l1
+N50 L"HALF" LA#l1
+RETURN
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O0001(MAIN)
+G65P9412
+M30
+O9412(STEP)
+G65P9413
+M99
+O9413(BACK)
+M99
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 #l1=10
+N20 WHILE #l1>0.4
+N30 #l1=#l1/2
+N40 G1 Z#l1
+N50 ENDWHILE
+N60 M30
+END
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "077", "SUB PROGRAM NESTING ERROR"},
                {"FANUC 16i/18i/21i", "122", "FOUR FOLD MACRO MODAL-CALL"}},
     .sources = {"T: follows from the nesting limits"},

@@ -17,92 +17,98 @@ extern const Rule subprogram_calls_nested_too_deep{
     .why = "The call beyond the control's limit raises an alarm in the middle of the job.",
     .severity = Severity::error,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"named",
                   "'{0}' is subprogram level {1}, and {2} has {3}: {4}. Call it from a higher level."},
                  {"assumed",
                   "'{0}' is subprogram level {1}, and a 16i has {3} (no control is named, so this limit"
                   " is assumed): {4}. Call it from a higher level, or name the control."}},
-    .bad = {{"fanuc", "O0001(MAIN)\n"
-                      "M98P9001\n"
-                      "M30\n"
-                      "O9001\n"
-                      "M98P9002\n"
-                      "M99\n"
-                      "O9002\n"
-                      "M98P9003\n"
-                      "M99\n"
-                      "O9003\n"
-                      "M98P9004\n"
-                      "M99\n"
-                      "O9004\n"
-                      "M98P9005\n"
-                      "M99\n"
-                      "O9005\n"
-                      "M99\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 L\"S1\"\n"
-                        "N20 M30\n"
-                        "SUBPROGRAM \"S1\"\n"
-                        "N30 L\"S2\"\n"
-                        "RETURN\n"
-                        "SUBPROGRAM \"S2\"\n"
-                        "N40 L\"S3\"\n"
-                        "RETURN\n"
-                        "SUBPROGRAM \"S3\"\n"
-                        "N50 L\"S4\"\n"
-                        "RETURN\n"
-                        "SUBPROGRAM \"S4\"\n"
-                        "N60 L\"S5\"\n"
-                        "RETURN\n"
-                        "SUBPROGRAM \"S5\"\n"
-                        "N70 L\"S6\"\n"
-                        "RETURN\n"
-                        "SUBPROGRAM \"S6\"\n"
-                        "N80 L\"S7\"\n"
-                        "RETURN\n"
-                        "SUBPROGRAM \"S7\"\n"
-                        "N90 G14 Q0\n"
-                        "RETURN\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O0001(MAIN)\n"
-                       "M98P9001\n"
-                       "M30\n"
-                       "O9001\n"
-                       "M98P9002\n"
-                       "M99\n"
-                       "O9002\n"
-                       "M98P9003\n"
-                       "M99\n"
-                       "O9003\n"
-                       "M98P9004\n"
-                       "M99\n"
-                       "O9004\n"
-                       "M99\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 L\"S1\"\n"
-                         "N20 M30\n"
-                         "SUBPROGRAM \"S1\"\n"
-                         "N30 L\"S2\"\n"
-                         "RETURN\n"
-                         "SUBPROGRAM \"S2\"\n"
-                         "N40 L\"S3\"\n"
-                         "RETURN\n"
-                         "SUBPROGRAM \"S3\"\n"
-                         "N50 L\"S4\"\n"
-                         "RETURN\n"
-                         "SUBPROGRAM \"S4\"\n"
-                         "N60 L\"S5\"\n"
-                         "RETURN\n"
-                         "SUBPROGRAM \"S5\"\n"
-                         "N70 L\"S6\"\n"
-                         "RETURN\n"
-                         "SUBPROGRAM \"S6\"\n"
-                         "N80 G14 Q0\n"
-                         "RETURN\n"
-                         "END\n"}},
+    .bad = {{"fanuc", R"nc(
+O0001(MAIN)
+M98P9001
+M30
+O9001
+M98P9002
+M99
+O9002
+M98P9003
+M99
+O9003
+M98P9004
+M99
+O9004
+M98P9005
+M99
+O9005
+M99
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 L"S1"
+N20 M30
+SUBPROGRAM "S1"
+N30 L"S2"
+RETURN
+SUBPROGRAM "S2"
+N40 L"S3"
+RETURN
+SUBPROGRAM "S3"
+N50 L"S4"
+RETURN
+SUBPROGRAM "S4"
+N60 L"S5"
+RETURN
+SUBPROGRAM "S5"
+N70 L"S6"
+RETURN
+SUBPROGRAM "S6"
+N80 L"S7"
+RETURN
+SUBPROGRAM "S7"
+N90 G14 Q0
+RETURN
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O0001(MAIN)
+M98P9001
+M30
+O9001
+M98P9002
+M99
+O9002
+M98P9003
+M99
+O9003
+M98P9004
+M99
+O9004
+M99
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 L"S1"
+N20 M30
+SUBPROGRAM "S1"
+N30 L"S2"
+RETURN
+SUBPROGRAM "S2"
+N40 L"S3"
+RETURN
+SUBPROGRAM "S3"
+N50 L"S4"
+RETURN
+SUBPROGRAM "S4"
+N60 L"S5"
+RETURN
+SUBPROGRAM "S5"
+N70 L"S6"
+RETURN
+SUBPROGRAM "S6"
+N80 G14 Q0
+RETURN
+END
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "077", "SUB PROGRAM NESTING ERROR"},
                {"FANUC 30i/0i-D", "077", "TOO MANY SUB,MACRO NESTING"}},
     .sources = {"CNCWIKI-SUB", "RW-9", "SEED-003:10397", "SEED-003:19934"},

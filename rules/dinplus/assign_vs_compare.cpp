@@ -12,43 +12,46 @@ void check(const ProgramFile& file, Reporter& reporter);
 extern const Rule assign_vs_compare{
     .code = "DIN326",
     .name = "assign-vs-compare",
-    .aliases = "",
     .summary = "= in a condition, or == where a value is to be stored",
     .why = "= stores and == compares: the condition does not ask what it seems to ask, and the assignment "
            "stores nothing.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"condition", "'{0}' stores a value where one is to be compared. Write '{1}'."},
                  {"assignment",
                   "'{0}' compares where a value is to be stored, and stores nothing. Write '{1}'."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Size\",#l1)\n"
-                        "N11 IF #l1=1\n"
-                        "N12 THEN\n"
-                        "N13 G0 X60 Z2\n"
-                        "N14 ENDIF\n"
-                        "N15 M30\n"
-                        "END\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 #l1==40\n"
-                        "N11 M30\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Size\",#l1)\n"
-                         "N11 IF #l1==1\n"
-                         "N12 THEN\n"
-                         "N13 G0 X60 Z2\n"
-                         "N14 ENDIF\n"
-                         "N15 M30\n"
-                         "END\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 #l1=40\n"
-                         "N11 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 INPUT("Size",#l1)
+N11 IF #l1=1
+N12 THEN
+N13 G0 X60 Z2
+N14 ENDIF
+N15 M30
+END
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 #l1==40
+N11 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 INPUT("Size",#l1)
+N11 IF #l1==1
+N12 THEN
+N13 G0 X60 Z2
+N14 ENDIF
+N15 M30
+END
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 #l1=40
+N11 M30
+END
+)nc"}},
     .sources = {"SEED-003:19673-19678"},
     .check = &check,
 };

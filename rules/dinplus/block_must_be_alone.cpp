@@ -11,33 +11,32 @@ void check(const ProgramFile& file, Reporter& reporter);
 extern const Rule block_must_be_alone{
     .code = "DIN008",
     .name = "block-must-be-alone",
-    .aliases = "",
     .summary = "IF, THEN, ELSE, ENDIF or a section word shares its block with other commands",
     .why = "A block with one of these words may hold nothing else: the control rejects the program, or "
            "leaves out the rest of the block.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain",
                   "'{0}' must stand alone in its block. Move what stands beside it to a block of its own."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Diameter\",#l1)\n"
-                        "N11 IF #l1>60\n"
-                        "N12 THEN G0 X100 Z2\n"
-                        "N13 ENDIF\n"
-                        "N14 M30\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Diameter\",#l1)\n"
-                         "N11 IF #l1>60\n"
-                         "N12 THEN\n"
-                         "N13 G0 X100 Z2\n"
-                         "N14 ENDIF\n"
-                         "N15 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 INPUT("Diameter",#l1)
+N11 IF #l1>60
+N12 THEN G0 X100 Z2
+N13 ENDIF
+N14 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 INPUT("Diameter",#l1)
+N11 IF #l1>60
+N12 THEN
+N13 G0 X100 Z2
+N14 ENDIF
+N15 M30
+END
+)nc"}},
     .sources = {"SEED-003:19668", "SEED-003:2656-2686 (parameters of sections)"},
     .check = &check,
 };

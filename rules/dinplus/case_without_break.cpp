@@ -16,40 +16,39 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule case_without_break{
     .code = "DIN410",
     .name = "case-without-break",
-    .aliases = "",
     .summary = "A branch of SWITCH that may run into the next one",
     .why = "BREAK ends a branch. What the control does without it the manual does not say: the blocks of the "
            "next branch may run, too.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "The branch of '{0}' runs into '{1}' in line {2}: no BREAK ends it. Add BREAK "
                            "after its last block."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Size\",#l1)\n"
-                        "N11 SWITCH #l1\n"
-                        "N12 CASE 1\n"
-                        "N13 G0 X20\n"
-                        "N14 CASE 2\n"
-                        "N15 G0 X30\n"
-                        "N16 BREAK\n"
-                        "N17 ENDSWITCH\n"
-                        "N18 M30\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Size\",#l1)\n"
-                         "N11 SWITCH #l1\n"
-                         "N12 CASE 1\n"
-                         "N13 G0 X20\n"
-                         "N14 BREAK\n"
-                         "N15 CASE 2\n"
-                         "N16 G0 X30\n"
-                         "N17 ENDSWITCH\n"
-                         "N18 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 INPUT("Size",#l1)
+N11 SWITCH #l1
+N12 CASE 1
+N13 G0 X20
+N14 CASE 2
+N15 G0 X30
+N16 BREAK
+N17 ENDSWITCH
+N18 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 INPUT("Size",#l1)
+N11 SWITCH #l1
+N12 CASE 1
+N13 G0 X20
+N14 BREAK
+N15 CASE 2
+N16 G0 X30
+N17 ENDSWITCH
+N18 M30
+END
+)nc"}},
     .sources = {"SEED-003:19853"},
     .check = &check,
 };

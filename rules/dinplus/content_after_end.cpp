@@ -14,27 +14,26 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule content_after_end{
     .code = "DIN103",
     .name = "content-after-end",
-    .aliases = "",
     .summary = "Blocks or sections after the word that closes the program",
     .why = "The control reads a program up to END: what stands after it never runs.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain",
                   "'{0}' stands after {1} in line {2} and never runs. Move it before, or remove it."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 G14 Q0\n"
-                        "N20 M30\n"
-                        "END\n"
-                        "N30 G0 X0\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 G14 Q0\n"
-                         "N20 G0 X0\n"
-                         "N30 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 G14 Q0
+N20 M30
+END
+N30 G0 X0
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 G14 Q0
+N20 G0 X0
+N30 M30
+END
+)nc"}},
     .sources = {"SEED-003:2941"},
     .check = &check,
 };

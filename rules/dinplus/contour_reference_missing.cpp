@@ -17,55 +17,56 @@ void check(const ProgramFile& file, Reporter& reporter);
 extern const Rule contour_reference_missing{
     .code = "DIN704",
     .name = "contour-reference-missing",
-    .aliases = "",
     .summary = "NS or NE names a block that does not exist or stands in no contour section",
     .why = "The cycle does not find its contour, and the control stops with an error when it gets there.",
     .severity = Severity::error,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages =
         {{"missing", "'{0}' names N{1}, which does not exist. Correct the number."},
          {"elsewhere",
           "'{0}' names N{1}, which stands in {2} and is no part of a contour. Name a block of the contour."}},
-    .bad = {{"dinplus", "BLANK\n"
-                        "N1 G20 X60 Z80 K1\n"
-                        "FINISHED\n"
-                        "N2 G0 X0 Z0\n"
-                        "N3 G1 X50\n"
-                        "N4 G1 Z-40\n"
-                        "MACHINING\n"
-                        "N10 T1\n"
-                        "N11 G0 X62 Z2\n"
-                        "N12 G810 NS3 NE99 P2\n"
-                        "N13 M30\n"
-                        "END\n"},
-            {"dinplus", "BLANK\n"
-                        "N1 G20 X60 Z80 K1\n"
-                        "FINISHED\n"
-                        "N2 G0 X0 Z0\n"
-                        "N3 G1 X50\n"
-                        "N4 G1 Z-40\n"
-                        "MACHINING\n"
-                        "N10 T1\n"
-                        "N11 G0 X62 Z2\n"
-                        "N12 G810 NS3 NE11 P2\n"
-                        "N13 M30\n"
-                        "END\n"}},
-    .good = {{"dinplus", "BLANK\n"
-                         "N1 G20 X60 Z80 K1\n"
-                         "FINISHED\n"
-                         "N2 G0 X0 Z0\n"
-                         "N3 G1 X50\n"
-                         "N4 G1 Z-40\n"
-                         "MACHINING\n"
-                         "N10 T1\n"
-                         "N11 G0 X62 Z2\n"
-                         "N12 G810 NS3 NE4 P2\n"
-                         "N13 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+BLANK
+N1 G20 X60 Z80 K1
+FINISHED
+N2 G0 X0 Z0
+N3 G1 X50
+N4 G1 Z-40
+MACHINING
+N10 T1
+N11 G0 X62 Z2
+N12 G810 NS3 NE99 P2
+N13 M30
+END
+)nc"},
+            {"dinplus", R"nc(
+BLANK
+N1 G20 X60 Z80 K1
+FINISHED
+N2 G0 X0 Z0
+N3 G1 X50
+N4 G1 Z-40
+MACHINING
+N10 T1
+N11 G0 X62 Z2
+N12 G810 NS3 NE11 P2
+N13 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+BLANK
+N1 G20 X60 Z80 K1
+FINISHED
+N2 G0 X0 Z0
+N3 G1 X50
+N4 G1 Z-40
+MACHINING
+N10 T1
+N11 G0 X62 Z2
+N12 G810 NS3 NE4 P2
+N13 M30
+END
+)nc"}},
     .sources = {"SEED-003:10203", "SEED-003:13166-13167"},
     .check = &check,
 };

@@ -11,33 +11,32 @@ void check(const ProgramFile& file, Reporter& reporter);
 extern const Rule def_with_hash{
     .code = "DIN323",
     .name = "def-with-hash",
-    .aliases = "",
     .summary = "DEF, NDEF and DVDEF take a name without #",
     .why = "The manual asks for the bare name. With the # the control may ask for the variable whose number "
            "the value is, and the test answers another question. A variable without a name keeps its #: "
            "NDEF(#l1).",
     .severity = Severity::warning,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"cure", "'{0}' takes the name without #. Write '{1}'."},
                  {"plain", "'{0}' takes the name without #. Remove it."}},
-    .bad = {{"dinplus", "%FACE.ncs\n"
-                        "MACHINING\n"
-                        "N1 IF DEF(#__la)\n"
-                        "N2 THEN\n"
-                        "N3 G0 X#__la\n"
-                        "N4 ENDIF\n"
-                        "RETURN\n"}},
-    .good = {{"dinplus", "%FACE.ncs\n"
-                         "MACHINING\n"
-                         "N1 IF DEF(__la)\n"
-                         "N2 THEN\n"
-                         "N3 G0 X#__la\n"
-                         "N4 ENDIF\n"
-                         "RETURN\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+%FACE.ncs
+MACHINING
+N1 IF DEF(#__la)
+N2 THEN
+N3 G0 X#__la
+N4 ENDIF
+RETURN
+)nc"}},
+    .good = {{"dinplus", R"nc(
+%FACE.ncs
+MACHINING
+N1 IF DEF(__la)
+N2 THEN
+N3 G0 X#__la
+N4 ENDIF
+RETURN
+)nc"}},
     .sources = {"SEED-003:19732", "SEED-003:22299 (NDEF(#l1))"},
     .check = &check,
 };

@@ -7,37 +7,37 @@ namespace maclint::rules {
 extern const Rule g16_not_reset{
     .code = "DIN632",
     .name = "g16-not-reset",
-    .aliases = "",
     .summary = "The program ends with the working plane tilted by G16",
     .why = "Positions are still turned and shifted: with M99 the next part begins in the tilted plane, and "
            "zero shifts are not allowed in it.",
     .severity = Severity::error,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"every-path", "'{0}' is still active when the program ends. Cancel it with {1} first."},
                  {"some-paths",
                   "'{0}' is still active on some of the paths on which the program ends. Cancel "
                   "it with {1} on those, too."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 T9\n"
-                        "N11 G16 B45 I38 K-10 Q1\n"
-                        "N12 G0 X10 Z2\n"
-                        "N13 G1 Z-24\n"
-                        "N14 G0 Z20\n"
-                        "N15 M30\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 T9\n"
-                         "N11 G16 B45 I38 K-10 Q1\n"
-                         "N12 G0 X10 Z2\n"
-                         "N13 G1 Z-24\n"
-                         "N14 G0 Z20\n"
-                         "N15 G16 Q0\n"
-                         "N16 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 T9
+N11 G16 B45 I38 K-10 Q1
+N12 G0 X10 Z2
+N13 G1 Z-24
+N14 G0 Z20
+N15 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 T9
+N11 G16 B45 I38 K-10 Q1
+N12 G0 X10 Z2
+N13 G1 Z-24
+N14 G0 Z20
+N15 G16 Q0
+N16 M30
+END
+)nc"}},
     .sources = {"SEED-003:23206", "SEED-003:23218"},
     .check = &check_left_at_end<ModalRole::tilted_plane>,
 };

@@ -15,39 +15,40 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule if_unbalanced{
     .code = "DIN401",
     .name = "if-unbalanced",
-    .aliases = "",
     .summary = "IF without ENDIF, or ELSE or ENDIF without IF",
     .why = "The control does not find the end of the branch: it reports an error, or leaves out blocks that "
            "were to run in any case.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"never-closed", "'{0}' has no ENDIF. Add it after the last block of the branch."},
                  {"never-opened", "'{0}' belongs to no IF. Remove it, or add the IF."},
                  {"crossed", "'{0}' ends the branch while '{1}' of line {2} is still open. End that first."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Diameter\",#l1)\n"
-                        "N11 IF #l1>60\n"
-                        "N12 THEN\n"
-                        "N13 G0 X100 Z2\n"
-                        "N14 M30\n"
-                        "END\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 G0 X100 Z2\n"
-                        "N11 ENDIF\n"
-                        "N12 M30\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Diameter\",#l1)\n"
-                         "N11 IF #l1>60\n"
-                         "N12 THEN\n"
-                         "N13 G0 X100 Z2\n"
-                         "N14 ENDIF\n"
-                         "N15 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 INPUT("Diameter",#l1)
+N11 IF #l1>60
+N12 THEN
+N13 G0 X100 Z2
+N14 M30
+END
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 G0 X100 Z2
+N11 ENDIF
+N12 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 INPUT("Diameter",#l1)
+N11 IF #l1>60
+N12 THEN
+N13 G0 X100 Z2
+N14 ENDIF
+N15 M30
+END
+)nc"}},
     .sources = {"SEED-003:19643-19646"},
     .check = &check,
 };

@@ -15,14 +15,11 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule loop_variable_uninitialised{
     .code = "DIN407",
     .name = "loop-variable-uninitialised",
-    .aliases = "",
     .summary = "A loop counts in a channel variable that the program has not set before",
     .why = "The variable keeps what the part before has left in it: the loop runs in the first part and not "
            "in the second. An undefined variable may read as 0, or be an error.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages =
         {{"plain",
@@ -30,24 +27,27 @@ extern const Rule loop_variable_uninitialised{
          {"some-paths",
           "The loop counts in {0}, which the program has not set on every path to the loop. Set "
           "it in front of the loop."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 WHILE #c4<10\n"
-                        "N11 G0 X10 Z2\n"
-                        "N12 G1 Z-14\n"
-                        "N13 #c4=#c4+1\n"
-                        "N14 ENDWHILE\n"
-                        "N15 M30\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 #c4=0\n"
-                         "N11 WHILE #c4<10\n"
-                         "N12 G0 X10 Z2\n"
-                         "N13 G1 Z-14\n"
-                         "N14 #c4=#c4+1\n"
-                         "N15 ENDWHILE\n"
-                         "N16 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 WHILE #c4<10
+N11 G0 X10 Z2
+N12 G1 Z-14
+N13 #c4=#c4+1
+N14 ENDWHILE
+N15 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 #c4=0
+N11 WHILE #c4<10
+N12 G0 X10 Z2
+N13 G1 Z-14
+N14 #c4=#c4+1
+N15 ENDWHILE
+N16 M30
+END
+)nc"}},
     .sources = {"SEED-003:19721", "SEED-003:18956"},
     .check = &check,
 };

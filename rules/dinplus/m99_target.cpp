@@ -15,31 +15,30 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule m99_target{
     .code = "DIN415",
     .name = "m99-target",
-    .aliases = "",
     .summary = "M99 NS restarts at a block that the machining part does not have",
     .why = "At the end of the part the control looks for the block, does not find it and stops with an "
            "error: the bar feeds no further part.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"missing", "'{0}' restarts at N{1}, which does not exist. Correct the number."},
                  {"elsewhere",
                   "'{0}' restarts at N{1}, which stands in {2}. Name a block of the machining part."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 G14 Q0\n"
-                        "N20 T1\n"
-                        "N30 G0 X0 Z2\n"
-                        "N40 M99 NS15\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 G14 Q0\n"
-                         "N20 T1\n"
-                         "N30 G0 X0 Z2\n"
-                         "N40 M99 NS20\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 G14 Q0
+N20 T1
+N30 G0 X0 Z2
+N40 M99 NS15
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 G14 Q0
+N20 T1
+N30 G0 X0 Z2
+N40 M99 NS20
+END
+)nc"}},
     .sources = {"SEED-003:20021"},
     .check = &check,
 };

@@ -16,27 +16,26 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule missing_end{
     .code = "DIN102",
     .name = "missing-end",
-    .aliases = "",
     .summary = "A main program without the word that closes it",
     .why = "END (in German ENDE) is one of the two words that every program must have. A file without it may "
            "have been cut off on its way.",
     .severity = Severity::error,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "The program is not closed: {0} is missing after this block. Add it, or look for "
                            "the rest of the file."}},
-    .bad = {{"dinplus", "%PIN.nc\n"
-                        "MACHINING\n"
-                        "N10 G14 Q0\n"
-                        "N20 M30\n"}},
-    .good = {{"dinplus", "%PIN.nc\n"
-                         "MACHINING\n"
-                         "N10 G14 Q0\n"
-                         "N20 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+%PIN.nc
+MACHINING
+N10 G14 Q0
+N20 M30
+)nc"}},
+    .good = {{"dinplus", R"nc(
+%PIN.nc
+MACHINING
+N10 G14 Q0
+N20 M30
+END
+)nc"}},
     .sources = {"SEED-003:2223", "SEED-003:2941"},
     .check = &check,
 };

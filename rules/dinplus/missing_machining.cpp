@@ -14,26 +14,25 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule missing_machining{
     .code = "DIN101",
     .name = "missing-machining",
-    .aliases = "",
     .summary = "A main program without the section that is run",
     .why = "MACHINING (in German BEARBEITUNG) is one of the two sections that every program must have: "
            "without it the control has nothing to run.",
     .severity = Severity::error,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "The program has no section {0}, so nothing of it is run. Add the word before the "
                            "first block of the machining."}},
-    .bad = {{"dinplus", "BLANK\n"
-                        "N1 G20 X50 Z80\n"
-                        "END\n"}},
-    .good = {{"dinplus", "BLANK\n"
-                         "N1 G20 X50 Z80\n"
-                         "MACHINING\n"
-                         "N2 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+BLANK
+N1 G20 X50 Z80
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+BLANK
+N1 G20 X50 Z80
+MACHINING
+N2 M30
+END
+)nc"}},
     .sources = {"SEED-003:2223", "SEED-003:2622", "SEED-003:2937"},
     .check = &check,
 };

@@ -19,48 +19,50 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule radius_comp_not_cancelled{
     .code = "DIN619",
     .name = "radius-comp-not-cancelled",
-    .aliases = "",
     .summary = "G41 or G42 is still active at T, G14, a change of the plane or the end of the program",
     .why = "The next tool is moved beside its path by the radius of its own tip, and G14 is not allowed "
            "while the compensation is being switched off.",
     .severity = Severity::error,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"tool", "'{0}' is still active at '{2}' in line {3}. Cancel it with {1} before."},
                  {"every-path", "'{0}' is still active when the program ends. Cancel it with {1} first."},
                  {"some-paths",
                   "'{0}' is still active on some of the paths on which the program ends. Cancel "
                   "it with {1} on those, too."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 T2\n"
-                        "N11 G0 X18 Z3\n"
-                        "N12 G42\n"
-                        "N13 G1 Z-30\n"
-                        "N14 G0 X36 Z5\n"
-                        "N15 G14 Q0\n"
-                        "N16 M30\n"
-                        "END\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 T2\n"
-                        "N11 G0 X18 Z3\n"
-                        "N12 G42\n"
-                        "N13 G1 Z-30\n"
-                        "N14 G0 X36 Z5\n"
-                        "N15 M30\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 T2\n"
-                         "N11 G0 X18 Z3\n"
-                         "N12 G42\n"
-                         "N13 G1 Z-30\n"
-                         "N14 G40\n"
-                         "N15 G0 X36 Z5\n"
-                         "N16 G14 Q0\n"
-                         "N17 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 T2
+N11 G0 X18 Z3
+N12 G42
+N13 G1 Z-30
+N14 G0 X36 Z5
+N15 G14 Q0
+N16 M30
+END
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 T2
+N11 G0 X18 Z3
+N12 G42
+N13 G1 Z-30
+N14 G0 X36 Z5
+N15 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 T2
+N11 G0 X18 Z3
+N12 G42
+N13 G1 Z-30
+N14 G40
+N15 G0 X36 Z5
+N16 G14 Q0
+N17 M30
+END
+)nc"}},
     .sources = {"SEED-003:12675-12680"},
     .check = &check,
 };

@@ -12,36 +12,36 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule state_leak_from_sub{
     .code = "DIN519",
     .name = "state-leak-from-sub",
-    .aliases = "",
     .summary = "A subprogram returns with radius compensation, a tilted plane, mirroring or switched-off "
                "zero shifts that it switched on itself",
     .why = "The caller goes on with it, and nothing in the caller shows it: later moves go beside the "
            "contour, in another plane or to another place.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"every-path", "'{0}' is still active when the subprogram returns, and the caller goes on "
                                 "with it. Cancel it with {1} before RETURN."},
                  {"some-paths", "'{0}' is still active on some of the paths on which the subprogram returns. "
                                 "Cancel it with {1} on those, too."}},
-    .bad = {{"dinplus", "%SEAT.ncs\n"
-                        "MACHINING\n"
-                        "N1 G0 X40 Z2\n"
-                        "N2 G42\n"
-                        "N3 G1 Z-18\n"
-                        "N4 G0 X60\n"
-                        "RETURN\n"}},
-    .good = {{"dinplus", "%SEAT.ncs\n"
-                         "MACHINING\n"
-                         "N1 G0 X40 Z2\n"
-                         "N2 G42\n"
-                         "N3 G1 Z-18\n"
-                         "N4 G40\n"
-                         "N5 G0 X60\n"
-                         "RETURN\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+%SEAT.ncs
+MACHINING
+N1 G0 X40 Z2
+N2 G42
+N3 G1 Z-18
+N4 G0 X60
+RETURN
+)nc"}},
+    .good = {{"dinplus", R"nc(
+%SEAT.ncs
+MACHINING
+N1 G0 X40 Z2
+N2 G42
+N3 G1 Z-18
+N4 G40
+N5 G0 X60
+RETURN
+)nc"}},
     .sources = {"SEED-003:10357-10362", "SEED-003:12675",
                 "SEED-003:20799 (a zero shift with G56 is left on deliberately)"},
     .check = &check,

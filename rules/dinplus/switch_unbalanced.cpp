@@ -13,45 +13,46 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule switch_unbalanced{
     .code = "DIN409",
     .name = "switch-unbalanced",
-    .aliases = "",
     .summary = "SWITCH without ENDSWITCH, or CASE, DEFAULT, BREAK or ENDSWITCH without SWITCH",
     .why = "The control cannot tell which branch a block belongs to. BREAK ends a branch of SWITCH and "
            "nothing else: it does not leave a loop.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"never-closed", "'{0}' has no ENDSWITCH. Add it after the last branch."},
                  {"never-opened", "'{0}' belongs to no SWITCH. Remove it, or add the SWITCH."},
                  {"crossed",
                   "'{0}' ends the branches while '{1}' of line {2} is still open. End that first."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Size\",#l1)\n"
-                        "N11 SWITCH #l1\n"
-                        "N12 CASE 1\n"
-                        "N13 G0 X20\n"
-                        "N14 BREAK\n"
-                        "N15 M30\n"
-                        "END\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Size\",#l1)\n"
-                        "N11 CASE 1\n"
-                        "N12 G0 X20\n"
-                        "N13 BREAK\n"
-                        "N14 ENDSWITCH\n"
-                        "N15 M30\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Size\",#l1)\n"
-                         "N11 SWITCH #l1\n"
-                         "N12 CASE 1\n"
-                         "N13 G0 X20\n"
-                         "N14 BREAK\n"
-                         "N15 ENDSWITCH\n"
-                         "N16 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 INPUT("Size",#l1)
+N11 SWITCH #l1
+N12 CASE 1
+N13 G0 X20
+N14 BREAK
+N15 M30
+END
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Size",#l1)
+N11 CASE 1
+N12 G0 X20
+N13 BREAK
+N14 ENDSWITCH
+N15 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 INPUT("Size",#l1)
+N11 SWITCH #l1
+N12 CASE 1
+N13 G0 X20
+N14 BREAK
+N15 ENDSWITCH
+N16 M30
+END
+)nc"}},
     .sources = {"SEED-003:19850-19853"},
     .check = &check,
 };

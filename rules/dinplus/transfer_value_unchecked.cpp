@@ -17,51 +17,53 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule transfer_value_unchecked{
     .code = "DIN330",
     .name = "transfer-value-unchecked",
-    .aliases = "",
     .summary = "A transfer value that some caller leaves out is used without DEF or NDEF, or tested against "
                "0 instead",
     .why = "A value left out is undefined: it may read as 0, and a caller may pass 0 on purpose. Only DEF "
            "and NDEF tell the two apart.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"unchecked",
                   "{0} is used here, but the call in {1} leaves it out. Ask with DEF or NDEF first."},
                  {"zero-test", "'{2}' does not tell a value left out, as by the call in {1}, from a "
                                "0 that is passed. Ask with NDEF."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N10 L\"CHAMFER\" LA50\n"
-                        "N12 M30\n"
-                        "SUBPROGRAM \"CHAMFER\"\n"
-                        "N20 G0 X#__la Z2\n"
-                        "N21 G1 Zi-#__lc\n"
-                        "RETURN\n"
-                        "END\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 L\"CHAMFER\" LA50\n"
-                        "N12 M30\n"
-                        "SUBPROGRAM \"CHAMFER\"\n"
-                        "N20 G0 X#__la Z2\n"
-                        "N21 IF #__lc==0\n"
-                        "N22 THEN\n"
-                        "N23 G1 Zi-1\n"
-                        "N24 ENDIF\n"
-                        "RETURN\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N10 L\"CHAMFER\" LA50\n"
-                         "N12 M30\n"
-                         "SUBPROGRAM \"CHAMFER\"\n"
-                         "N20 G0 X#__la Z2\n"
-                         "N21 IF DEF(__lc)\n"
-                         "N22 THEN\n"
-                         "N23 G1 Zi-#__lc\n"
-                         "N24 ENDIF\n"
-                         "RETURN\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N10 L"CHAMFER" LA50
+N12 M30
+SUBPROGRAM "CHAMFER"
+N20 G0 X#__la Z2
+N21 G1 Zi-#__lc
+RETURN
+END
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 L"CHAMFER" LA50
+N12 M30
+SUBPROGRAM "CHAMFER"
+N20 G0 X#__la Z2
+N21 IF #__lc==0
+N22 THEN
+N23 G1 Zi-1
+N24 ENDIF
+RETURN
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N10 L"CHAMFER" LA50
+N12 M30
+SUBPROGRAM "CHAMFER"
+N20 G0 X#__la Z2
+N21 IF DEF(__lc)
+N22 THEN
+N23 G1 Zi-#__lc
+N24 ENDIF
+RETURN
+END
+)nc"}},
     .sources = {"SEED-003:19721", "SEED-003:19732", "SEED-003:19742"},
     .check = &check,
 };

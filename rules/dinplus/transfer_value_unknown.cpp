@@ -6,26 +6,25 @@ namespace maclint::rules {
 extern const Rule transfer_value_unknown{
     .code = "DIN331",
     .name = "transfer-value-unknown",
-    .aliases = "",
     .summary = "No word of a call passes a value to this #__ variable",
     .why = "The variable never has a value: what is made of it is made of nothing, or of 0.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"cure", "No word of a call passes a value to '{0}'. Write '{1}'."},
                  {"plain", "No word of a call passes a value to '{0}'. Use one of the transfer letters, for "
                            "instance '#__lh'."}},
-    .bad = {{"dinplus", "%DWELL.ncs\n"
-                        "MACHINING\n"
-                        "N1 G4 F#__lg\n"
-                        "RETURN\n"}},
-    .good = {{"dinplus", "%DWELL.ncs\n"
-                         "MACHINING\n"
-                         "N1 G4 F#__lh\n"
-                         "RETURN\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+%DWELL.ncs
+MACHINING
+N1 G4 F#__lg
+RETURN
+)nc"}},
+    .good = {{"dinplus", R"nc(
+%DWELL.ncs
+MACHINING
+N1 G4 F#__lh
+RETURN
+)nc"}},
     .sources = {"SEED-003:19937", "SEED-003:8527-8554"},
     .check = SyntaxErrorKind::unknown_transfer_value,
 };

@@ -13,48 +13,51 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule unit_unbalanced{
     .code = "DIN015",
     .name = "unit-unbalanced",
-    .aliases = "",
     .summary = "UNIT without END_OF_UNIT, a unit inside a unit, or END_OF_UNIT without UNIT",
     .why = "A unit reaches up to its END_OF_UNIT: without it, what follows counts as a part of the unit.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"never-closed", "'{0}' has no END_OF_UNIT. Add it after the last block of the unit."},
                  {"never-opened", "'{0}' ends no unit. Remove it, or add the UNIT that it belongs to."},
                  {"nested",
                   "'{0}' stands inside the unit of line {1}, and units do not nest. End that one first."},
                  {"crossed", "'{0}' ends the unit while '{1}' of line {2} is still open. End that first."}},
-    .bad = {{"dinplus", "MACHINING\n"
-                        "N1 UNIT ID\"START\"\n"
-                        "N3 G26 S3000\n"
-                        "N4 UNIT ID\"END\"\n"
-                        "N6 M30\n"
-                        "N7 END_OF_UNIT\n"
-                        "END\n"},
-            {"dinplus", "MACHINING\n"
-                        "N1 G26 S3000\n"
-                        "N2 END_OF_UNIT\n"
-                        "N3 M30\n"
-                        "END\n"},
-            {"dinplus", "MACHINING\n"
-                        "N1 UNIT ID\"START\"\n"
-                        "N3 UNIT ID\"G26\"\n"
-                        "N4 G26 S3000\n"
-                        "N5 END_OF_UNIT\n"
-                        "N6 END_OF_UNIT\n"
-                        "N7 M30\n"
-                        "END\n"}},
-    .good = {{"dinplus", "MACHINING\n"
-                         "N1 UNIT ID\"START\"\n"
-                         "N3 G26 S3000\n"
-                         "N4 END_OF_UNIT\n"
-                         "N5 UNIT ID\"END\"\n"
-                         "N7 M30\n"
-                         "N8 END_OF_UNIT\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"dinplus", R"nc(
+MACHINING
+N1 UNIT ID"START"
+N3 G26 S3000
+N4 UNIT ID"END"
+N6 M30
+N7 END_OF_UNIT
+END
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N1 G26 S3000
+N2 END_OF_UNIT
+N3 M30
+END
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N1 UNIT ID"START"
+N3 UNIT ID"G26"
+N4 G26 S3000
+N5 END_OF_UNIT
+N6 END_OF_UNIT
+N7 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+MACHINING
+N1 UNIT ID"START"
+N3 G26 S3000
+N4 END_OF_UNIT
+N5 UNIT ID"END"
+N7 M30
+N8 END_OF_UNIT
+END
+)nc"}},
     .sources = {"SEED-003:2233"},
     .check = &check,
 };

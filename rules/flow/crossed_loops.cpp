@@ -15,38 +15,38 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule crossed_loops{
     .code = "MAC316",
     .name = "crossed-loops",
-    .aliases = "",
     .summary = "Two loops cross: the outer one ends inside the inner one",
     .why = "The control pairs END with the loop that is open: it stops with an alarm, or repeats"
            " other blocks than the author meant.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain",
                   "'{0}' ends its loop while the loop of '{1}' inside it is still open. Exchange the "
                   "two ENDs."}},
-    .bad = {{"fanuc", "O9316(GRID)\n"
-                      "#100=0\n"
-                      "#101=0\n"
-                      "WHILE[#100LT5]DO1\n"
-                      "#100=#100+1\n"
-                      "WHILE[#101LT5]DO2\n"
-                      "#101=#101+1\n"
-                      "END1\n"
-                      "END2\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9316(GRID)\n"
-                       "#100=0\n"
-                       "#101=0\n"
-                       "WHILE[#100LT5]DO1\n"
-                       "#100=#100+1\n"
-                       "WHILE[#101LT5]DO2\n"
-                       "#101=#101+1\n"
-                       "END2\n"
-                       "END1\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9316(GRID)
+#100=0
+#101=0
+WHILE[#100LT5]DO1
+#100=#100+1
+WHILE[#101LT5]DO2
+#101=#101+1
+END1
+END2
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9316(GRID)
+#100=0
+#101=0
+WHILE[#100LT5]DO1
+#100=#100+1
+WHILE[#101LT5]DO2
+#101=#101+1
+END2
+END1
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"}},
     .sources = {"SEED-001:407"},
     .check = &check,

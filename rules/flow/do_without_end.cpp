@@ -13,30 +13,30 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule do_without_end{
     .code = "MAC312",
     .name = "do-without-end",
-    .aliases = "",
     .summary = "DO without its END",
     .why = "The control searches the END to the end of the program, finds none and stops with an"
            " alarm.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "'{0}' has no END, and the control stops here. Add the END after the loop's last "
                            "block."},
                  {"other-number", "'{0}' has no END, and '{1}' in line {2} closes no loop. Give both the "
                                   "same number."}},
-    .bad = {{"fanuc", "O9312(ROW)\n"
-                      "#100=0\n"
-                      "WHILE[#100LT5]DO1\n"
-                      "#100=#100+1\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9312(ROW)\n"
-                       "#100=0\n"
-                       "WHILE[#100LT5]DO1\n"
-                       "#100=#100+1\n"
-                       "END1\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9312(ROW)
+#100=0
+WHILE[#100LT5]DO1
+#100=#100+1
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9312(ROW)
+#100=0
+WHILE[#100LT5]DO1
+#100=#100+1
+END1
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"}},
     .sources = {"SEED-001:395", "GH-ALM"},
     .check = &check,

@@ -13,32 +13,32 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule do_without_while{
     .code = "MAC318",
     .name = "do-without-while",
-    .aliases = "",
     .summary = "DO without WHILE from which no GOTO, M99 or alarm leads out",
     .why = "The control repeats the blocks until somebody presses reset.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"plain", "The loop of '{0}' has no condition and no exit, so it never ends. Give it a "
                            "WHILE, or leave it with IF and GOTO."}},
-    .bad = {{"fanuc", "O9318(WARM UP)\n"
-                      "DO1\n"
-                      "G0 X0\n"
-                      "G0 X100.\n"
-                      "END1\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9318(WARM UP)\n"
-                       "#100=0\n"
-                       "DO1\n"
-                       "G0 X0\n"
-                       "G0 X100.\n"
-                       "#100=#100+1\n"
-                       "IF[#100GE20]GOTO9\n"
-                       "END1\n"
-                       "N9 M30\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9318(WARM UP)
+DO1
+G0 X0
+G0 X100.
+END1
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9318(WARM UP)
+#100=0
+DO1
+G0 X0
+G0 X100.
+#100=#100+1
+IF[#100GE20]GOTO9
+END1
+N9 M30
+)nc"}},
     .sources = {"SEED-001:411"},
     .check = &check,
 };

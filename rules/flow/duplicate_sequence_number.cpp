@@ -27,9 +27,6 @@ extern const Rule duplicate_sequence_number{
            " goes to different places from different blocks.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"after",
                   "N{0} stands {2}, and '{1}' takes the one in line {3}, the next after it. Give each block "
                   "a number of its own."},
@@ -39,33 +36,40 @@ extern const Rule duplicate_sequence_number{
                  {"plain",
                   "N{0} stands {2}, and '{1}' leads to it: which block is taken depends on where the search "
                   "starts. Give each block a number of its own."}},
-    .bad = {{"fanuc", "O9462(TWO)\n"
-                      "IF[#100EQ1]GOTO20\n"
-                      "N20 G0 X1.\n"
-                      "N20 G0 X2.\n"
-                      "M30\n"},
-            {"dinplus", "FINISHED\n"
-                        "N1 G0 X0 Z0\n"
-                        "N2 G1 X30\n"
-                        "N2 G1 Z-20\n"
-                        "MACHINING\n"
-                        "N10 G810 NS2 NE2 P2\n"
-                        "N20 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9462(TWO)\n"
-                       "IF[#100EQ1]GOTO20\n"
-                       "N20 G0 X1.\n"
-                       "N30 G0 X2.\n"
-                       "M30\n"},
-             {"dinplus", "FINISHED\n"
-                         "N1 G0 X0 Z0\n"
-                         "N2 G1 X30\n"
-                         "N3 G1 Z-20\n"
-                         "MACHINING\n"
-                         "N10 G810 NS2 NE3 P2\n"
-                         "N20 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9462(TWO)
+IF[#100EQ1]GOTO20
+N20 G0 X1.
+N20 G0 X2.
+M30
+)nc"},
+            {"dinplus", R"nc(
+FINISHED
+N1 G0 X0 Z0
+N2 G1 X30
+N2 G1 Z-20
+MACHINING
+N10 G810 NS2 NE2 P2
+N20 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9462(TWO)
+IF[#100EQ1]GOTO20
+N20 G0 X1.
+N30 G0 X2.
+M30
+)nc"},
+             {"dinplus", R"nc(
+FINISHED
+N1 G0 X0 Z0
+N2 G1 X30
+N3 G1 Z-20
+MACHINING
+N10 G810 NS2 NE3 P2
+N20 M30
+END
+)nc"}},
     .sources = {"ISORP", "T: search order"},
     .check = &check,
 };

@@ -15,31 +15,31 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule endless_jump_loop{
     .code = "MAC336",
     .name = "endless-jump-loop",
-    .aliases = "",
     .summary = "A jump closes a cycle of blocks from which no path leads out and in which nothing can"
                " stop",
     .why = "The control repeats the blocks until somebody presses reset.",
     .severity = Severity::error,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"plain",
                   "'{0}' repeats the blocks from line {1} on for ever: no path leads out of them. Count "
                   "the passes, or leave them with IF and GOTO."}},
-    .bad = {{"fanuc", "O9336(WAIT)\n"
-                      "N10 G0 X0\n"
-                      "G0 X100.\n"
-                      "GOTO10\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9336(WAIT)\n"
-                       "#100=0\n"
-                       "N10 G0 X0\n"
-                       "G0 X100.\n"
-                       "#100=#100+1\n"
-                       "IF[#100LT5]GOTO10\n"
-                       "M30\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9336(WAIT)
+N10 G0 X0
+G0 X100.
+GOTO10
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9336(WAIT)
+#100=0
+N10 G0 X0
+G0 X100.
+#100=#100+1
+IF[#100LT5]GOTO10
+M30
+)nc"}},
     .sources = {"SEED-001:371"},
     .check = &check,
 };

@@ -23,8 +23,6 @@ extern const Rule infinite_loop_step{
            "until somebody presses reset.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"vacant",
                   "'{0}' changes nothing when {1} is left out or 0, and the loop never ends. Reject "
@@ -33,41 +31,48 @@ extern const Rule infinite_loop_step{
                  {"wrong-sign",
                   "'{0}' leads away from the end of the loop, which therefore never comes. Turn the sign "
                   "of the step or the comparison around."}},
-    .bad = {{"fanuc", "O9320(DEPTH PASSES, Z DEPTH K STEP)\n"
-                      "#33=0\n"
-                      "WHILE[#33GT#26]DO1\n"
-                      "#33=#33-#6\n"
-                      "G90 G1 Z#33\n"
-                      "END1\n"
-                      "M99\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 #l3=2\n"
-                        "N20 WHILE #l3<10\n"
-                        "N30 G0 X200 Z-#l3\n"
-                        "N40 G1 Zi-15\n"
-                        "N50 #l3=#l3-2\n"
-                        "N60 ENDWHILE\n"
-                        "N70 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9320(DEPTH PASSES, Z DEPTH K STEP)\n"
-                       "IF[#6LE0]GOTO9\n"
-                       "#33=0\n"
-                       "WHILE[#33GT#26]DO1\n"
-                       "#33=#33-#6\n"
-                       "G90 G1 Z#33\n"
-                       "END1\n"
-                       "M99\n"
-                       "N9 #3000=1(K MUST BE POSITIVE)\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 #l3=2\n"
-                         "N20 WHILE #l3<10\n"
-                         "N30 G0 X200 Z-#l3\n"
-                         "N40 G1 Zi-15\n"
-                         "N50 #l3=#l3+2\n"
-                         "N60 ENDWHILE\n"
-                         "N70 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9320(DEPTH PASSES, Z DEPTH K STEP)
+#33=0
+WHILE[#33GT#26]DO1
+#33=#33-#6
+G90 G1 Z#33
+END1
+M99
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 #l3=2
+N20 WHILE #l3<10
+N30 G0 X200 Z-#l3
+N40 G1 Zi-15
+N50 #l3=#l3-2
+N60 ENDWHILE
+N70 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9320(DEPTH PASSES, Z DEPTH K STEP)
+IF[#6LE0]GOTO9
+#33=0
+WHILE[#33GT#26]DO1
+#33=#33-#6
+G90 G1 Z#33
+END1
+M99
+N9 #3000=1(K MUST BE POSITIVE)
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 #l3=2
+N20 WHILE #l3<10
+N30 G0 X200 Z-#l3
+N40 G1 Zi-15
+N50 #l3=#l3+2
+N60 ENDWHILE
+N70 M30
+END
+)nc"}},
     .sources = {"SEED-001:1028-1068"},
     .check = &check,
 };

@@ -25,8 +25,6 @@ extern const Rule infinite_loop_unchanged{
     .severity = Severity::error,
     .severity_elsewhere = {{"dinplus", Severity::warning}},
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"unchanged",
                   "The loop of '{0}' never ends once it runs: nothing in it changes {1}. Change the "
@@ -34,42 +32,49 @@ extern const Rule infinite_loop_unchanged{
                  {"no-exit",
                   "The loop of '{0}' never ends: nothing leads out of it. Count in a variable that "
                   "its condition asks, or leave it."}},
-    .bad = {{"fanuc", "O9319(ROWS)\n"
-                      "#33=0\n"
-                      "WHILE[#33LT5]DO1\n"
-                      "G91 G1 X10.\n"
-                      "G90\n"
-                      "END1\n"
-                      "M99\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Light cuts\",#l1)\n"
-                        "N20 #l2=0\n"
-                        "N30 WHILE #l1>0\n"
-                        "N40 G0 X200-#l2\n"
-                        "N50 G1 Z-180\n"
-                        "N60 #l2=#l2+1\n"
-                        "N70 ENDWHILE\n"
-                        "N80 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9319(ROWS)\n"
-                       "#33=0\n"
-                       "WHILE[#33LT5]DO1\n"
-                       "G91 G1 X10.\n"
-                       "G90\n"
-                       "#33=#33+1\n"
-                       "END1\n"
-                       "M99\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Light cuts\",#l1)\n"
-                         "N20 #l2=0\n"
-                         "N30 WHILE #l1>#l2\n"
-                         "N40 G0 X200-#l2\n"
-                         "N50 G1 Z-180\n"
-                         "N60 #l2=#l2+1\n"
-                         "N70 ENDWHILE\n"
-                         "N80 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9319(ROWS)
+#33=0
+WHILE[#33LT5]DO1
+G91 G1 X10.
+G90
+END1
+M99
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Light cuts",#l1)
+N20 #l2=0
+N30 WHILE #l1>0
+N40 G0 X200-#l2
+N50 G1 Z-180
+N60 #l2=#l2+1
+N70 ENDWHILE
+N80 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9319(ROWS)
+#33=0
+WHILE[#33LT5]DO1
+G91 G1 X10.
+G90
+#33=#33+1
+END1
+M99
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Light cuts",#l1)
+N20 #l2=0
+N30 WHILE #l1>#l2
+N40 G0 X200-#l2
+N50 G1 Z-180
+N60 #l2=#l2+1
+N70 ENDWHILE
+N80 M30
+END
+)nc"}},
     .sources = {"CNCWIKI-LOGIC"},
     .check = &check,
 };

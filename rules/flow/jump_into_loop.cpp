@@ -15,38 +15,38 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule jump_into_loop{
     .code = "MAC303",
     .name = "jump-into-loop",
-    .aliases = "",
     .summary = "A jump leads from outside into a loop, or to the block of its END",
     .why = "The control never passed the DO: at the END it raises an alarm or repeats from a "
            "place that it does not know.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"plain",
                   "'{0}' enters the loop of '{1}' (line {2}) from outside, which the control forbids. "
                   "Jump to the block of the loop's beginning instead."}},
-    .bad = {{"fanuc", "O9303(ROW)\n"
-                      "#100=0\n"
-                      "IF[#101EQ1]GOTO20\n"
-                      "WHILE[#100LT5]DO1\n"
-                      "N20 G91 G0 X10.\n"
-                      "G90\n"
-                      "#100=#100+1\n"
-                      "END1\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9303(ROW)\n"
-                       "#100=0\n"
-                       "IF[#101EQ1]GOTO20\n"
-                       "G0 X0\n"
-                       "N20 WHILE[#100LT5]DO1\n"
-                       "G91 G0 X10.\n"
-                       "G90\n"
-                       "#100=#100+1\n"
-                       "END1\n"
-                       "M30\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9303(ROW)
+#100=0
+IF[#101EQ1]GOTO20
+WHILE[#100LT5]DO1
+N20 G91 G0 X10.
+G90
+#100=#100+1
+END1
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9303(ROW)
+#100=0
+IF[#101EQ1]GOTO20
+G0 X0
+N20 WHILE[#100LT5]DO1
+G91 G0 X10.
+G90
+#100=#100+1
+END1
+M30
+)nc"}},
     .sources = {"SEED-001:403", "SEED-001:704-707"},
     .check = &check,
 };

@@ -16,14 +16,11 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule jump_target_missing{
     .code = "MAC301",
     .name = "jump-target-missing",
-    .aliases = "",
     .summary = "A jump names a sequence number that the program does not have",
     .why = "The control searches the program to its end and stops with an alarm, with the tool "
            "where it happens to be.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages =
         {{"constant", "'{0}' jumps to N{1}, which this program does not have. Add the sequence number, or "
@@ -35,14 +32,18 @@ extern const Rule jump_target_missing{
                       "the jump."},
          {"impossible",
           "'{0}' jumps to N{1}, but sequence numbers go from 1 to 99999999. Correct the jump."}},
-    .bad = {{"fanuc", "O9301(CHECK)\n"
-                      "IF[#100EQ1]GOTO70\n"
-                      "#100=1\n"
-                      "N7 M30\n"}},
-    .good = {{"fanuc", "O9301(CHECK)\n"
-                       "IF[#100EQ1]GOTO70\n"
-                       "#100=1\n"
-                       "N70 M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9301(CHECK)
+IF[#100EQ1]GOTO70
+#100=1
+N7 M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9301(CHECK)
+IF[#100EQ1]GOTO70
+#100=1
+N70 M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "128", "ILLEGAL MACRO SEQUENCE NUMBER"},
                {"FANUC 30i/0i-D", "078", "SEQUENCE NUMBER NOT FOUND"},
                {"FANUC 30i/0i-D", "1128", "SEQUENCE NUMBER OUT OF RANGE"},

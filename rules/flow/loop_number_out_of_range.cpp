@@ -15,27 +15,27 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule loop_number_out_of_range{
     .code = "MAC314",
     .name = "loop-number-out-of-range",
-    .aliases = "",
     .summary = "The number of a loop is not one that the control has",
     .why = "The control stops with an alarm at the DO.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "'{0}' uses a loop number that the control does not have. Use {1} to {2}."}},
-    .bad = {{"fanuc", "O9314(ROW)\n"
-                      "#100=0\n"
-                      "WHILE[#100LT5]DO4\n"
-                      "#100=#100+1\n"
-                      "END4\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9314(ROW)\n"
-                       "#100=0\n"
-                       "WHILE[#100LT5]DO3\n"
-                       "#100=#100+1\n"
-                       "END3\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9314(ROW)
+#100=0
+WHILE[#100LT5]DO4
+#100=#100+1
+END4
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9314(ROW)
+#100=0
+WHILE[#100LT5]DO3
+#100=#100+1
+END3
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "126", "ILLEGAL LOOP NUMBER"}},
     .sources = {"SEED-001:395", "ISORP"},
     .check = &check,

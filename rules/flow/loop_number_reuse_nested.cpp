@@ -13,37 +13,37 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule loop_number_reuse_nested{
     .code = "MAC317",
     .name = "loop-number-reuse-nested",
-    .aliases = "",
     .summary = "An inner loop uses the number of a loop that is still open",
     .why = "The control cannot tell the two loops apart: it stops with an alarm, or the first "
            "END closes both.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "'{0}' uses the number of a loop that is still open. Give the inner loop another "
                            "number."}},
-    .bad = {{"fanuc", "O9317(GRID)\n"
-                      "#100=0\n"
-                      "#101=0\n"
-                      "WHILE[#100LT5]DO1\n"
-                      "#100=#100+1\n"
-                      "WHILE[#101LT5]DO1\n"
-                      "#101=#101+1\n"
-                      "END1\n"
-                      "END1\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9317(GRID)\n"
-                       "#100=0\n"
-                       "#101=0\n"
-                       "WHILE[#100LT5]DO1\n"
-                       "#100=#100+1\n"
-                       "WHILE[#101LT5]DO2\n"
-                       "#101=#101+1\n"
-                       "END2\n"
-                       "END1\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9317(GRID)
+#100=0
+#101=0
+WHILE[#100LT5]DO1
+#100=#100+1
+WHILE[#101LT5]DO1
+#101=#101+1
+END1
+END1
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9317(GRID)
+#100=0
+#101=0
+WHILE[#100LT5]DO1
+#100=#100+1
+WHILE[#101LT5]DO2
+#101=#101+1
+END2
+END1
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"}},
     .sources = {"SEED-001:407", "ISORP"},
     .check = &check,

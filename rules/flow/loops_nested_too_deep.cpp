@@ -15,50 +15,50 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule loops_nested_too_deep{
     .code = "MAC315",
     .name = "loops-nested-too-deep",
-    .aliases = "",
     .summary = "Loops are nested deeper than the control allows",
     .why = "The control has only so many loop levels, whatever their numbers: it stops with an "
            "alarm, or the inner END closes the outer loop.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "'{0}' opens loop level {1}, and the control has {2}. Move the inner loop into a "
                            "macro of its own."}},
-    .bad = {{"fanuc", "O9315(BLOCK)\n"
-                      "#100=0\n"
-                      "#101=0\n"
-                      "#102=0\n"
-                      "#103=0\n"
-                      "WHILE[#100LT5]DO1\n"
-                      "#100=#100+1\n"
-                      "WHILE[#101LT5]DO2\n"
-                      "#101=#101+1\n"
-                      "WHILE[#102LT5]DO3\n"
-                      "#102=#102+1\n"
-                      "WHILE[#103LT5]DO1\n"
-                      "#103=#103+1\n"
-                      "END1\n"
-                      "END3\n"
-                      "END2\n"
-                      "END1\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9315(BLOCK)\n"
-                       "#100=0\n"
-                       "#101=0\n"
-                       "#102=0\n"
-                       "#103=0\n"
-                       "WHILE[#100LT5]DO1\n"
-                       "#100=#100+1\n"
-                       "WHILE[#101LT5]DO2\n"
-                       "#101=#101+1\n"
-                       "WHILE[#102LT5]DO3\n"
-                       "#102=#102+1\n"
-                       "END3\n"
-                       "END2\n"
-                       "END1\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9315(BLOCK)
+#100=0
+#101=0
+#102=0
+#103=0
+WHILE[#100LT5]DO1
+#100=#100+1
+WHILE[#101LT5]DO2
+#101=#101+1
+WHILE[#102LT5]DO3
+#102=#102+1
+WHILE[#103LT5]DO1
+#103=#103+1
+END1
+END3
+END2
+END1
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9315(BLOCK)
+#100=0
+#101=0
+#102=0
+#103=0
+WHILE[#100LT5]DO1
+#100=#100+1
+WHILE[#101LT5]DO2
+#101=#101+1
+WHILE[#102LT5]DO3
+#102=#102+1
+END3
+END2
+END1
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"},
                {"FANUC 16i/18i/21i", "126", "ILLEGAL LOOP NUMBER"}},
     .sources = {"SEED-001:395", "SEED-001:407"},

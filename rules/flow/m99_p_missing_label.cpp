@@ -13,14 +13,11 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule m99_p_missing_label{
     .code = "MAC333",
     .name = "m99-p-missing-label",
-    .aliases = "",
     .summary = "A program returns to a sequence number that its caller does not have",
     .why = "The control returns to the caller, searches the sequence number there and stops with"
            " an alarm.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"plain",
                   "'{0}' returns to N{1}, which the caller {2} does not have. Add the sequence number "
@@ -28,20 +25,24 @@ extern const Rule m99_p_missing_label{
                  {"uncalled",
                   "Nobody calls this program, so that '{0}' goes on at its own N{1}, which it does "
                   "not have. Add the sequence number, or correct it."}},
-    .bad = {{"fanuc", "O0001(MAIN)\n"
-                      "M98P9333\n"
-                      "N50 M30\n"
-                      "O9333(CHECK)\n"
-                      "IF[#100EQ1]GOTO1\n"
-                      "M99P500\n"
-                      "N1 M99\n"}},
-    .good = {{"fanuc", "O0001(MAIN)\n"
-                       "M98P9333\n"
-                       "N50 M30\n"
-                       "O9333(CHECK)\n"
-                       "IF[#100EQ1]GOTO1\n"
-                       "M99P50\n"
-                       "N1 M99\n"}},
+    .bad = {{"fanuc", R"nc(
+O0001(MAIN)
+M98P9333
+N50 M30
+O9333(CHECK)
+IF[#100EQ1]GOTO1
+M99P500
+N1 M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O0001(MAIN)
+M98P9333
+N50 M30
+O9333(CHECK)
+IF[#100EQ1]GOTO1
+M99P50
+N1 M99
+)nc"}},
     .alarms = {{"FANUC 30i/0i-D", "078", "SEQUENCE NUMBER NOT FOUND"},
                {"FANUC 16i/18i/21i", "078", "NUMBER NOT FOUND"}},
     .sources = {"INTELITEK-M99", "GH-ALM"},

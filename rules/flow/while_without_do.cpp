@@ -6,27 +6,27 @@ namespace maclint::rules {
 extern const Rule while_without_do{
     .code = "MAC311",
     .name = "while-without-do",
-    .aliases = "",
     .summary = "WHILE has a condition but no DO",
     .why = "The control stops with a format alarm; the END further down belongs to nothing.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "'{0}' lacks its DO, and the control stops here. Add DO1 at its end."}},
-    .bad = {{"fanuc", "O9311(ROW)\n"
-                      "#100=0\n"
-                      "WHILE[#100LT5]\n"
-                      "#100=#100+1\n"
-                      "END1\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9311(ROW)\n"
-                       "#100=0\n"
-                       "WHILE[#100LT5]DO1\n"
-                       "#100=#100+1\n"
-                       "END1\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9311(ROW)
+#100=0
+WHILE[#100LT5]
+#100=#100+1
+END1
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9311(ROW)
+#100=0
+WHILE[#100LT5]DO1
+#100=#100+1
+END1
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "125", "FORMAT ERROR IN MACRO"},
                {"FANUC 30i/0i-D", "1138", "WHILE STATEMENT FORMAT ERROR"}},
     .sources = {"SEED-001:395"},

@@ -20,24 +20,21 @@ const std::string& long_block() {
 extern const Rule oversized_block{
     .code = "MAC004",
     .name = "oversized-block",
-    .aliases = "",
     .summary = "A block is longer than maclint reads (4 KiB); it is skipped",
     .why = "No control takes a block of this length: what stands there is usually line noise from a serial "
            "transfer or a file whose line ends were lost. What the block does is unknown to all other rules.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"oversized",
                   "This block is longer than 4 KiB, so maclint skips it. Check the file for lost "
                   "line ends, or divide the block."}},
     .bad = {{"fanuc", long_block()}},
-    .good = {{"fanuc", "O0004(SHORT BLOCKS)\n"
-                       "G0 X1.5\n"
-                       "G0 X3.\n"
-                       "M30\n"}},
-    .alarms = {},
+    .good = {{"fanuc", R"nc(
+O0004(SHORT BLOCKS)
+G0 X1.5
+G0 X3.
+M30
+)nc"}},
     .sources = {"maclint's own limit: parsing line noise costs the square of its length"},
     .check = &check,
 };

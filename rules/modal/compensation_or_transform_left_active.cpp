@@ -15,7 +15,6 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule compensation_or_transform_left_active{
     .code = "MAC502",
     .name = "compensation-or-transform-left-active",
-    .aliases = "",
     .summary = "A program ends with cutter compensation, a canned cycle, rotation, polar "
                "coordinates, scaling, mirror image or a local offset active that it switched on "
                "itself",
@@ -23,8 +22,6 @@ extern const Rule compensation_or_transform_left_active{
            "program when reset does not cancel it, cuts somewhere else than it was told to.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"every-path",
                   "'{0}' is still active when the program is left: every later move is subject to "
@@ -32,15 +29,19 @@ extern const Rule compensation_or_transform_left_active{
                  {"some-paths",
                   "'{0}' is still active on some of the paths on which the program is left: every "
                   "later move is subject to it. Cancel it with {1} on those, too."}},
-    .bad = {{"fanuc", "O9502(SLOT AT AN ANGLE)\n"
-                      "G68 X0 Y0 R30.\n"
-                      "G1 X20. F200.\n"
-                      "M99\n"}},
-    .good = {{"fanuc", "O9502(SLOT AT AN ANGLE)\n"
-                       "G68 X0 Y0 R30.\n"
-                       "G1 X20. F200.\n"
-                       "G69\n"
-                       "M99\n"}},
+    .bad = {{"fanuc", R"nc(
+O9502(SLOT AT AN ANGLE)
+G68 X0 Y0 R30.
+G1 X20. F200.
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9502(SLOT AT AN ANGLE)
+G68 X0 Y0 R30.
+G1 X20. F200.
+G69
+M99
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "044", "G27-G30 NOT ALLOWED IN FIXED CYC"}},
     .sources = {"SEED-001:206,714", "SEED-002:396-528"},
     .check = &check,

@@ -20,16 +20,12 @@ void check(const WordsOfBlock& block, Reporter& reporter);
 extern const Rule duplicate_address{
     .code = "MAC559",
     .name = "duplicate-address",
-    .aliases = "",
     .summary = "An address stands twice in a block",
     .why =
         "A block has one place for each address. Many controls take the last word without a message and"
         " move somewhere else than the first one says, others stop with an alarm. Often a line end was lost.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages =
         {{"twice",
           "Address {0} stands twice in one block: the control takes '{2}' and passes '{1}' over, or stops "
@@ -40,15 +36,19 @@ extern const Rule duplicate_address{
          {"several",
           "Addresses {0} stand twice in one block: the control takes the last word of each, or stops with "
           "alarm 5074. Write two blocks if a line end was lost."}},
-    .bad = {{"fanuc", "O9559(EDGE)\n"
-                      "G90 G1 X10. Y20. F200.\n"
-                      "X50. Y20. X60.\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9559(EDGE)\n"
-                       "G90 G1 X10. Y20. F200.\n"
-                       "X50. Y20.\n"
-                       "X60.\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9559(EDGE)
+G90 G1 X10. Y20. F200.
+X50. Y20. X60.
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9559(EDGE)
+G90 G1 X10. Y20. F200.
+X50. Y20.
+X60.
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "5074", "ADDRESS DUPLICATION ERROR"}},
     .sources = {"T: alarm 5074"},
     .check = WordCheck{.addresses = "", .blocks = WordCheck::Blocks::repeated, .check = &check},

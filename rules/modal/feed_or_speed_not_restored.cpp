@@ -15,14 +15,11 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule feed_or_speed_not_restored{
     .code = "MAC503",
     .name = "feed-or-speed-not-restored",
-    .aliases = "",
     .summary = "A macro changes F or S and does not put the caller's value back",
     .why = "The caller's next block without F or S moves or turns at the macro's value: a plunge "
            "feed for a finishing cut, or a rapid one into the material.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"every-path",
                   "'{0}' is still in force when the macro returns: the caller's {1} is lost. Save "
@@ -30,15 +27,18 @@ extern const Rule feed_or_speed_not_restored{
                  {"some-paths",
                   "'{0}' is still in force on some of the paths on which the macro returns: the "
                   "caller's {1} is lost there. Put it back on those, too."}},
-    .bad = {{"fanuc", "O9503(PLUNGE, Z DEPTH F FEED)\n"
-                      "G1 Z#26 F#9\n"
-                      "M99\n"}},
-    .good = {{"fanuc", "O9503(PLUNGE, Z DEPTH F FEED)\n"
-                       "#33=#4109\n"
-                       "G1 Z#26 F#9\n"
-                       "F#33\n"
-                       "M99\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9503(PLUNGE, Z DEPTH F FEED)
+G1 Z#26 F#9
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9503(PLUNGE, Z DEPTH F FEED)
+#33=#4109
+G1 Z#26 F#9
+F#33
+M99
+)nc"}},
     .sources = {"SEED-001:206"},
     .check = &check,
 };

@@ -18,35 +18,37 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule modal_code_as_number{
     .code = "MAC574",
     .name = "modal-code-as-number",
-    .aliases = "",
     .summary = "A G code read from a system variable is multiplied, divided or given to a function",
     .why =
         "The code of a modal group, 90 or 91 for instance, is a name and no amount. A position or size that "
         "is computed from it is as wrong as the mode happens to be; mostly another variable was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"copy", "'{0}' calculates with '{1}', which holds '{2}', a G code ({3}). Use the variable "
                           "that is meant."},
                  {"direct", "'{0}' calculates with '{1}', a G code ({2}). Use the variable that is meant."}},
-    .bad = {{"fanuc", "O9574(ELLIPSE POINT, A ANGLE D HEIGHT)\n"
-                      "#3=#4003\n"
-                      "#5=#7/2\n"
-                      "G90 G0 Y[#3*SIN[#1]]\n"
-                      "G#3\n"
-                      "M99\n"}},
-    .good = {{"fanuc", "O9574(ELLIPSE POINT, A ANGLE D HEIGHT)\n"
-                       "#3=#4003\n"
-                       "#5=#7/2\n"
-                       "G90 G0 Y[#5*SIN[#1]]\n"
-                       "G#3\n"
-                       "M99\n"},
-             {"fanuc", "O9574(FIRST VARIABLE OF THE WORK OFFSET)\n"
-                       "#100=5201+[#4014-53]*20\n"
-                       "M99\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9574(ELLIPSE POINT, A ANGLE D HEIGHT)
+#3=#4003
+#5=#7/2
+G90 G0 Y[#3*SIN[#1]]
+G#3
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9574(ELLIPSE POINT, A ANGLE D HEIGHT)
+#3=#4003
+#5=#7/2
+G90 G0 Y[#5*SIN[#1]]
+G#3
+M99
+)nc"},
+             {"fanuc", R"nc(
+O9574(FIRST VARIABLE OF THE WORK OFFSET)
+#100=5201+[#4014-53]*20
+M99
+)nc"}},
     .sources = {"SEED-001:1340-1357"},
     .check = &check,
 };

@@ -18,7 +18,6 @@ void check(const WordsOfBlock& block, Reporter& reporter);
 extern const Rule modal_group_conflict{
     .code = "MAC514",
     .name = "modal-group-conflict",
-    .aliases = "",
     .summary = "Two codes of one modal group stand in a block: only the last is effective",
     .why =
         "A modal group has one code in force. The whole block runs under the last one of the group, also "
@@ -26,21 +25,22 @@ extern const Rule modal_group_conflict{
         " that stand before it: G91 G28 Z0 G90 goes to Z0 at full height. Some controls stop with an alarm.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages =
         {{"plain",
           "Codes '{0}' and '{1}' are of one modal group ({2}): the whole block runs under '{1}', or stops "
           "with alarm 5074. Remove the one that is not meant, or write two blocks."}},
-    .bad = {{"fanuc", "O9514(FACE)\n"
-                      "G90 G0 X10. Y20.\n"
-                      "G0 G1 Z-2. F200.\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9514(FACE)\n"
-                       "G90 G0 X10. Y20.\n"
-                       "G1 Z-2. F200.\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9514(FACE)
+G90 G0 X10. Y20.
+G0 G1 Z-2. F200.
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9514(FACE)
+G90 G0 X10. Y20.
+G1 Z-2. F200.
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "5074", "ADDRESS DUPLICATION ERROR"}},
     .sources = {"T: parameter 3403#6", "SEED-001:1340-1355"},
     .check = WordCheck{.addresses = "G", .blocks = WordCheck::Blocks::conflicting, .check = &check},

@@ -15,7 +15,6 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule modal_state_forced{
     .code = "MAC518",
     .name = "modal-state-forced",
-    .aliases = "",
     .summary = "A called program ends with a group set to its customary code (G90, G17, G94 ...) "
                "without having saved what the caller had",
     .why = "A caller in another mode comes back to the customary one, and its next words mean "
@@ -27,15 +26,18 @@ extern const Rule modal_state_forced{
     .data_flow = true,
     .messages = {{"forced", "'{0}' is in force when the program returns, whatever the caller's {1} was. "
                             "Save it at the start and put it back before M99."}},
-    .bad = {{"fanuc", "O9518(UP)\n"
-                      "G90 G0 Z10.\n"
-                      "M99\n"}},
-    .good = {{"fanuc", "O9518(UP)\n"
-                       "#33=#4003\n"
-                       "G90 G0 Z10.\n"
-                       "G#33\n"
-                       "M99\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9518(UP)
+G90 G0 Z10.
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9518(UP)
+#33=#4003
+G90 G0 Z10.
+G#33
+M99
+)nc"}},
     .sources = {"SEED-001:206,582"},
     .check = &check,
 };

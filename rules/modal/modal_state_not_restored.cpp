@@ -15,7 +15,6 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule modal_state_not_restored{
     .code = "MAC501",
     .name = "modal-state-not-restored",
-    .aliases = "",
     .summary = "A called program leaves a modal group at a code that is not the customary one, on "
                "every exit or on some",
     .why = "The caller goes on in another mode than the one it was written in: with G91 its next "
@@ -23,23 +22,24 @@ extern const Rule modal_state_not_restored{
            "plane.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"every-path", "'{0}' is still in force when the program returns: the caller's {1} is lost. "
                                 "Save it at the start and put it back before every M99."},
                  {"some-paths",
                   "'{0}' is still in force on some of the paths on which the program returns: the "
                   "caller's {1} is lost there. Put it back on those, too."}},
-    .bad = {{"fanuc", "O9501(ONE STEP UP)\n"
-                      "G91 G0 Z10.\n"
-                      "M99\n"}},
-    .good = {{"fanuc", "O9501(ONE STEP UP)\n"
-                       "#33=#4003\n"
-                       "G91 G0 Z10.\n"
-                       "G#33\n"
-                       "M99\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9501(ONE STEP UP)
+G91 G0 Z10.
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9501(ONE STEP UP)
+#33=#4003
+G91 G0 Z10.
+G#33
+M99
+)nc"}},
     .sources = {"SEED-001:206,582", "CNCWIKI-SUB", "SEED-001:1344-1354"},
     .check = &check,
 };

@@ -15,7 +15,6 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule motion_mode_not_restored{
     .code = "MAC504",
     .name = "motion-mode-not-restored",
-    .aliases = "",
     .summary = "A called program leaves the motion mode (G00 to G03, G33) other than it found it",
     .why = "A caller that relies on its own G00 or G01 moves in the macro's mode instead.",
     .severity = Severity::note,
@@ -29,15 +28,18 @@ extern const Rule motion_mode_not_restored{
                  {"some-paths",
                   "'{0}' is still in force on some of the paths on which the program returns: the "
                   "caller's motion mode is lost there. Put it back on those, too."}},
-    .bad = {{"fanuc", "O9504(UP)\n"
-                      "G0 Z10.\n"
-                      "M99\n"}},
-    .good = {{"fanuc", "O9504(UP)\n"
-                       "#33=#4001\n"
-                       "G0 Z10.\n"
-                       "G#33\n"
-                       "M99\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9504(UP)
+G0 Z10.
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9504(UP)
+#33=#4001
+G0 Z10.
+G#33
+M99
+)nc"}},
     .sources = {"SEED-001:206"},
     .check = &check,
 };

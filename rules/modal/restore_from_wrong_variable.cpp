@@ -16,29 +16,30 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule restore_from_wrong_variable{
     .code = "MAC505",
     .name = "restore-from-wrong-variable",
-    .aliases = "",
     .summary = "A word is given a copy of a system variable of another meaning: F from #4019, G "
                "from #4109",
     .why = "The caller's feed, speed or mode is replaced by an unrelated number: F19. instead of "
            "F800., or a G code that the control does not know.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"value", "'{0}' puts back '{1}', which is not the {2}. Save {3} instead."},
                  {"code", "'{0}' puts back '{1}', which is no G code. Save the variable of the group that "
                           "is meant instead."}},
-    .bad = {{"fanuc", "O9505(PLUNGE, Z DEPTH F FEED)\n"
-                      "#33=#4019\n"
-                      "G1 Z#26 F#9\n"
-                      "F#33\n"
-                      "M99\n"}},
-    .good = {{"fanuc", "O9505(PLUNGE, Z DEPTH F FEED)\n"
-                       "#33=#4109\n"
-                       "G1 Z#26 F#9\n"
-                       "F#33\n"
-                       "M99\n"}},
+    .bad = {{"fanuc", R"nc(
+O9505(PLUNGE, Z DEPTH F FEED)
+#33=#4019
+G1 Z#26 F#9
+F#33
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9505(PLUNGE, Z DEPTH F FEED)
+#33=#4109
+G1 Z#26 F#9
+F#33
+M99
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "115", "ILLEGAL VARIABLE NUMBER"}},
     .sources = {"SEED-001:633,770,1360"},
     .check = &check,

@@ -18,31 +18,31 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule saved_after_change{
     .code = "MAC517",
     .name = "saved-after-change",
-    .aliases = "",
     .summary = "A modal value is saved after the program has already changed that group: what is "
                "put back is the program's own value",
     .why = "The caller comes back to the mode of the macro, although the macro looks as if it "
            "restored it.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"own", "'{0}' saves the {1} after '{2}' has changed it: '{3}' puts back this program's "
                          "value, not the caller's. Save it first."}},
-    .bad = {{"fanuc", "O9517(UP)\n"
-                      "G91\n"
-                      "#33=#4003\n"
-                      "G0 Z10.\n"
-                      "G#33\n"
-                      "M99\n"}},
-    .good = {{"fanuc", "O9517(UP)\n"
-                       "#33=#4003\n"
-                       "G91\n"
-                       "G0 Z10.\n"
-                       "G#33\n"
-                       "M99\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9517(UP)
+G91
+#33=#4003
+G0 Z10.
+G#33
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9517(UP)
+#33=#4003
+G91
+G0 Z10.
+G#33
+M99
+)nc"}},
     .sources = {"SEED-001:206,582"},
     .check = &check,
 };

@@ -17,31 +17,31 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule saved_value_lost{
     .code = "MAC506",
     .name = "saved-value-lost",
-    .aliases = "",
     .summary = "The variable that holds a saved modal value is overwritten before the value is "
                "put back",
     .why = "The word that should restore the caller's mode gives the control some other number: "
            "another G code, or one that it does not know.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"overwritten", "'{0}' overwrites the {1} that {2} keeps for '{3}'. Use another variable."}},
-    .bad = {{"fanuc", "O9506(UP, K STEP)\n"
-                      "#33=#4003\n"
-                      "G91 G0 Z#6\n"
-                      "#33=#5003+#6\n"
-                      "G#33\n"
-                      "M99\n"}},
-    .good = {{"fanuc", "O9506(UP, K STEP)\n"
-                       "#33=#4003\n"
-                       "G91 G0 Z#6\n"
-                       "#32=#5003+#6\n"
-                       "#100=#32\n"
-                       "G#33\n"
-                       "M99\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9506(UP, K STEP)
+#33=#4003
+G91 G0 Z#6
+#33=#5003+#6
+G#33
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9506(UP, K STEP)
+#33=#4003
+G91 G0 Z#6
+#32=#5003+#6
+#100=#32
+G#33
+M99
+)nc"}},
     .sources = {"T"},
     .check = &check,
 };

@@ -15,31 +15,31 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule single_block_suppression_not_restored{
     .code = "MAC515",
     .name = "single-block-suppression-not-restored",
-    .aliases = "",
     .summary = "#3003 or #3004 is set and not put back to 0 on every exit: single block, feed "
                "hold and override stay disabled",
     .why = "The operator presses feed hold or switches to single block, and the machine goes on "
            "moving.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"every-path", "'{0}' is still in force when the program is left: the {1} stays on. Set it "
                                 "back to 0 before every exit."},
                  {"some-paths",
                   "'{0}' is still in force on some of the paths on which the program is left: the "
                   "{1} stays on. Set it back to 0 on those, too."}},
-    .bad = {{"fanuc", "O9515(UP WITHOUT A STOP)\n"
-                      "#3003=1\n"
-                      "G0 Z10.\n"
-                      "M99\n"}},
-    .good = {{"fanuc", "O9515(UP WITHOUT A STOP)\n"
-                       "#3003=1\n"
-                       "G0 Z10.\n"
-                       "#3003=0\n"
-                       "M99\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9515(UP WITHOUT A STOP)
+#3003=1
+G0 Z10.
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9515(UP WITHOUT A STOP)
+#3003=1
+G0 Z10.
+#3003=0
+M99
+)nc"}},
     .sources = {"SEED-001:210-240"},
     .check = &check,
 };

@@ -14,32 +14,37 @@ extern const Rule bracket_depth{
     .severity = Severity::error,
     .severity_elsewhere = {{"dinplus", Severity::note}},
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages =
         {{"plain",
           "'{0}' opens one bracket level more than the manual of the control allows. Compute a part of "
           "the expression in a block before."}},
-    .bad = {{"fanuc", "O9701(DEEP)\n"
-                      "#100=SIN[[[[[[#101]]]]]]\n"
-                      "M30\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Radius\",#l2)\n"
-                        "N20 #l4=(((((((#l2*2)+1)*3)+2)*2)-1)*4)\n"
-                        "N30 PRINT(\"Feed\",#l4)\n"
-                        "N40 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9701(DEEP)\n"
-                       "#100=SIN[[[[#101]]]]\n"
-                       "M30\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Radius\",#l2)\n"
-                         "N20 #l4=(((#l2*2)+1)*3)+2\n"
-                         "N30 #l4=((#l4*2)-1)*4\n"
-                         "N40 PRINT(\"Feed\",#l4)\n"
-                         "N50 M30\n"
-                         "END\n"}},
+    .bad = {{"fanuc", R"nc(
+O9701(DEEP)
+#100=SIN[[[[[[#101]]]]]]
+M30
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Radius",#l2)
+N20 #l4=(((((((#l2*2)+1)*3)+2)*2)-1)*4)
+N30 PRINT("Feed",#l4)
+N40 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9701(DEEP)
+#100=SIN[[[[#101]]]]
+M30
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Radius",#l2)
+N20 #l4=(((#l2*2)+1)*3)+2
+N30 #l4=((#l4*2)-1)*4
+N40 PRINT("Feed",#l4)
+N50 M30
+END
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "118", "PARENTHESIS NESTING ERROR"},
                {"FANUC 30i/0i-D", "118", "TOO MANY BRACKET NESTING"}},
     .sources = {"MAN-16C287", "NCT-188", "SEED-003:18887"},

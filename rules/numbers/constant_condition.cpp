@@ -24,67 +24,74 @@ extern const Rule constant_condition{
            "meant, or an earlier test already went away with the case.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"never", "'{0}' is never true here. Correct the condition, or remove what it guards."},
                  {"always", "'{0}' is always true here. Correct the condition, or remove it."}},
-    .bad = {{"fanuc", "O9718(LEVELS, K LEVEL)\n"
-                      "IF[#6GT5]GOTO1\n"
-                      "IF[#6GT10]GOTO2\n"
-                      "G90 G0 Z0\n"
-                      "M99\n"
-                      "N1 G90 G0 Z10.\n"
-                      "M99\n"
-                      "N2 G90 G0 Z20.\n"
-                      "M99\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Diameter\",#l1)\n"
-                        "N20 IF #l1>50\n"
-                        "N30 THEN\n"
-                        "N40 #l3=0.4\n"
-                        "N50 ELSE\n"
-                        "N60 #l3=0.25\n"
-                        "N70 IF #l1>80\n"
-                        "N80 THEN\n"
-                        "N90 #l3=0.5\n"
-                        "N100 ENDIF\n"
-                        "N110 ENDIF\n"
-                        "N120 G95 F#l3\n"
-                        "N130 M30\n"
-                        "END\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 WHILE 1==1\n"
-                        "N20 G0 X10\n"
-                        "N30 G0 X20\n"
-                        "N40 ENDWHILE\n"
-                        "N50 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9718(LEVELS, K LEVEL)\n"
-                       "IF[#6GT10]GOTO2\n"
-                       "IF[#6GT5]GOTO1\n"
-                       "G90 G0 Z0\n"
-                       "M99\n"
-                       "N1 G90 G0 Z10.\n"
-                       "M99\n"
-                       "N2 G90 G0 Z20.\n"
-                       "M99\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Diameter\",#l1)\n"
-                         "N20 IF #l1>50\n"
-                         "N30 THEN\n"
-                         "N40 #l3=0.4\n"
-                         "N50 ELSE\n"
-                         "N60 #l3=0.25\n"
-                         "N70 IF #l1>30\n"
-                         "N80 THEN\n"
-                         "N90 #l3=0.3\n"
-                         "N100 ENDIF\n"
-                         "N110 ENDIF\n"
-                         "N120 G95 F#l3\n"
-                         "N130 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9718(LEVELS, K LEVEL)
+IF[#6GT5]GOTO1
+IF[#6GT10]GOTO2
+G90 G0 Z0
+M99
+N1 G90 G0 Z10.
+M99
+N2 G90 G0 Z20.
+M99
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Diameter",#l1)
+N20 IF #l1>50
+N30 THEN
+N40 #l3=0.4
+N50 ELSE
+N60 #l3=0.25
+N70 IF #l1>80
+N80 THEN
+N90 #l3=0.5
+N100 ENDIF
+N110 ENDIF
+N120 G95 F#l3
+N130 M30
+END
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 WHILE 1==1
+N20 G0 X10
+N30 G0 X20
+N40 ENDWHILE
+N50 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9718(LEVELS, K LEVEL)
+IF[#6GT10]GOTO2
+IF[#6GT5]GOTO1
+G90 G0 Z0
+M99
+N1 G90 G0 Z10.
+M99
+N2 G90 G0 Z20.
+M99
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Diameter",#l1)
+N20 IF #l1>50
+N30 THEN
+N40 #l3=0.4
+N50 ELSE
+N60 #l3=0.25
+N70 IF #l1>30
+N80 THEN
+N90 #l3=0.3
+N100 ENDIF
+N110 ENDIF
+N120 G95 F#l3
+N130 M30
+END
+)nc"}},
     .sources = {"T"},
     .check = &check,
 };

@@ -25,8 +25,6 @@ extern const Rule float_equality{
     .severity = Severity::warning,
     .severity_elsewhere = {{"dinplus", Severity::note}},
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"equal",
                   "'{0}' may be false for numbers that are equal on paper: '{1}' is rounded. Compare "
@@ -40,35 +38,42 @@ extern const Rule float_equality{
                  {"sum-not-equal",
                   "'{0}' may stay true for ever when the steps added to {1} have decimals: ten steps of "
                   "0.1 are not 1. Compare the distance instead: whether its ABS is 0.001 or more."}},
-    .bad = {{"fanuc", "O9710(HALF A TURN, A ANGLE)\n"
-                      "#33=#1/3\n"
-                      "IF[#33EQ60]GOTO9\n"
-                      "G90 G0 X#33\n"
-                      "N9 M99\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Taper\",#l1)\n"
-                        "N20 #l3=#l1/7\n"
-                        "N30 IF #l3==1.2\n"
-                        "N40 THEN\n"
-                        "N50 PRINT(\"Steep taper\")\n"
-                        "N60 ENDIF\n"
-                        "N70 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9710(HALF A TURN, A ANGLE)\n"
-                       "#33=#1/3\n"
-                       "IF[ABS[#33-60]LT0.001]GOTO9\n"
-                       "G90 G0 X#33\n"
-                       "N9 M99\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Taper\",#l1)\n"
-                         "N20 #l3=#l1/7\n"
-                         "N30 IF ABS(#l3-1.2)<0.001\n"
-                         "N40 THEN\n"
-                         "N50 PRINT(\"Steep taper\")\n"
-                         "N60 ENDIF\n"
-                         "N70 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9710(HALF A TURN, A ANGLE)
+#33=#1/3
+IF[#33EQ60]GOTO9
+G90 G0 X#33
+N9 M99
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Taper",#l1)
+N20 #l3=#l1/7
+N30 IF #l3==1.2
+N40 THEN
+N50 PRINT("Steep taper")
+N60 ENDIF
+N70 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9710(HALF A TURN, A ANGLE)
+#33=#1/3
+IF[ABS[#33-60]LT0.001]GOTO9
+G90 G0 X#33
+N9 M99
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Taper",#l1)
+N20 #l3=#l1/7
+N30 IF ABS(#l3-1.2)<0.001
+N40 THEN
+N50 PRINT("Steep taper")
+N60 ENDIF
+N70 M30
+END
+)nc"}},
     .sources = {"SEED-001:306-314", "HAAS-LA", "MITSU-326"},
     .check = &check,
 };

@@ -14,15 +14,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule float_loop_counter{
     .code = "MAC711",
     .name = "float-loop-counter",
-    .aliases = "",
     .summary = "A loop advances by a step that binary arithmetic cannot hold: the last pass is "
                "missing or comes twice",
     .why = "Ten steps of 0.1 are not 1. Whether the last pass runs depends on the control, and on "
            "the numbers of the day.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"step", "'{0}' adds a rounding error in every pass, and '{1}' decides on the last one: "
                           "that pass may be missing or come once too often. Count whole passes, or add "
@@ -30,37 +27,44 @@ extern const Rule float_loop_counter{
                  {"never-met", "'{0}' adds a rounding error in every pass, so that the counter may never be "
                                "exactly the bound of '{1}'. Ask whether the bound is passed, not whether it "
                                "is met."}},
-    .bad = {{"fanuc", "O9711(ROWS)\n"
-                      "#33=0\n"
-                      "WHILE[#33LE1]DO1\n"
-                      "G90 G0 X#33\n"
-                      "#33=#33+0.1\n"
-                      "END1\n"
-                      "M99\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 #l4=0\n"
-                        "N20 WHILE #l4<=3\n"
-                        "N30 G1 X50 Z-#l4\n"
-                        "N40 #l4=#l4+0.1\n"
-                        "N50 ENDWHILE\n"
-                        "N60 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9711(ROWS)\n"
-                       "#33=0\n"
-                       "WHILE[#33LE10]DO1\n"
-                       "G90 G0 X[#33/10]\n"
-                       "#33=#33+1\n"
-                       "END1\n"
-                       "M99\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 #l4=0\n"
-                         "N20 WHILE #l4<=30\n"
-                         "N30 G1 X50 Z-#l4/10\n"
-                         "N40 #l4=#l4+1\n"
-                         "N50 ENDWHILE\n"
-                         "N60 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9711(ROWS)
+#33=0
+WHILE[#33LE1]DO1
+G90 G0 X#33
+#33=#33+0.1
+END1
+M99
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 #l4=0
+N20 WHILE #l4<=3
+N30 G1 X50 Z-#l4
+N40 #l4=#l4+0.1
+N50 ENDWHILE
+N60 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9711(ROWS)
+#33=0
+WHILE[#33LE10]DO1
+G90 G0 X[#33/10]
+#33=#33+1
+END1
+M99
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 #l4=0
+N20 WHILE #l4<=30
+N30 G1 X50 Z-#l4/10
+N40 #l4=#l4+1
+N50 ENDWHILE
+N60 M30
+END
+)nc"}},
     .sources = {"SEED-001:306-314"},
     .check = &check,
 };

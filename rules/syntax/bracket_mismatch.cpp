@@ -12,26 +12,31 @@ extern const Rule bracket_mismatch{
            " the result is another number.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "The brackets of this block do not pair at '{0}': {1}. The control stops here."}},
-    .bad = {{"fanuc", "O9117(DEPTH)\n"
-                      "#100=[#101+2*[#102-1]\n"
-                      "M30\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 #l1=5\n"
-                        "N20 G0 X(#l1+2*(3-1) Z2\n"
-                        "N30 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9117(DEPTH)\n"
-                       "#100=[#101+2]*[#102-1]\n"
-                       "M30\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 #l1=5\n"
-                         "N20 G0 X(#l1+2)*(3-1) Z2\n"
-                         "N30 M30\n"
-                         "END\n"}},
+    .bad = {{"fanuc", R"nc(
+O9117(DEPTH)
+#100=[#101+2*[#102-1]
+M30
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 #l1=5
+N20 G0 X(#l1+2*(3-1) Z2
+N30 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9117(DEPTH)
+#100=[#101+2]*[#102-1]
+M30
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 #l1=5
+N20 G0 X(#l1+2)*(3-1) Z2
+N30 M30
+END
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 30i/0i-D", "1131", "MISSING OPEN BRACKET"},
                {"FANUC 30i/0i-D", "1132", "MISSING CLOSE BRACKET"},

@@ -6,25 +6,25 @@ namespace maclint::rules {
 extern const Rule parenthesis_as_bracket{
     .code = "MAC116",
     .name = "parenthesis-as-bracket",
-    .aliases = "",
     .summary = "Round brackets make a comment: SIN(30) leaves SIN without its argument",
     .why = "The control skips what stands in ( ) and then finds a function, an operator or an "
            "address without a value: it stops with an alarm in this block. The key for '[' types"
            " '(' when a parameter says so.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain",
                   "'{0}' is followed by a comment instead of its value, because ( ) is no expression. "
                   "Write '{1}'."}},
-    .bad = {{"fanuc", "O9116(ANGLE)\n"
-                      "#100=SIN(30)\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9116(ANGLE)\n"
-                       "#100=SIN[30]\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9116(ANGLE)
+#100=SIN(30)
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9116(ANGLE)
+#100=SIN[30]
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 16i/18i/21i", "005", "NO DATA AFTER ADDRESS"}},
     .sources = {"SEED-001:284", "MAN-16C287", "SINHA-EXP"},

@@ -17,38 +17,43 @@ extern const Rule unknown_keyword{
            "the job.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"cure", "'{0}' is no word of the control, which stops here. Write '{1}'."},
                  {"plain",
                   "'{0}' is no word of the control, which stops here. Use the words of the language's "
                   "manual."},
                  {"construct", "'{0}' is no word of the control, which stops here. {1}."}},
-    .bad = {{"fanuc", "O9118(DEPTH)\n"
-                      "IF[#100LTE5]GOTO10\n"
-                      "#100=5\n"
-                      "N10 M30\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Diameter\",#l1)\n"
-                        "N11 IF #l1>60\n"
-                        "N12 THN\n"
-                        "N13 G0 X100 Z2\n"
-                        "N14 ENDIF\n"
-                        "N15 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9118(DEPTH)\n"
-                       "IF[#100LE5]GOTO10\n"
-                       "#100=5\n"
-                       "N10 M30\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Diameter\",#l1)\n"
-                         "N11 IF #l1>60\n"
-                         "N12 THEN\n"
-                         "N13 G0 X100 Z2\n"
-                         "N14 ENDIF\n"
-                         "N15 M30\n"
-                         "END\n"}},
+    .bad = {{"fanuc", R"nc(
+O9118(DEPTH)
+IF[#100LTE5]GOTO10
+#100=5
+N10 M30
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Diameter",#l1)
+N11 IF #l1>60
+N12 THN
+N13 G0 X100 Z2
+N14 ENDIF
+N15 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9118(DEPTH)
+IF[#100LE5]GOTO10
+#100=5
+N10 M30
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Diameter",#l1)
+N11 IF #l1>60
+N12 THEN
+N13 G0 X100 Z2
+N14 ENDIF
+N15 M30
+END
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 16i/18i/21i", "199", "MACRO WORD UNDEFINED"}},
     .sources = {"IMD-114", "ISORP"},

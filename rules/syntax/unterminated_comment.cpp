@@ -13,29 +13,33 @@ extern const Rule unterminated_comment{
            "following blocks, too.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain",
                   "'{0}' opens a comment that is never closed, so all that it takes in does nothing. "
                   "Close it with '{1}'."}},
-    .bad = {{"fanuc", "O9102(PART)\n"
-                      "#100=5.(DIAMETER\n"
-                      "M30\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 G0 X100 Z2 [free of the jaws\n"
-                        "N20 G14 Q0\n"
-                        "N30 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O9102(PART)\n"
-                       "#100=5.(DIAMETER)\n"
-                       "M30\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 G0 X100 Z2 [free of the jaws]\n"
-                         "N20 G14 Q0\n"
-                         "N30 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9102(PART)
+#100=5.(DIAMETER
+M30
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 G0 X100 Z2 [free of the jaws
+N20 G14 Q0
+N30 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9102(PART)
+#100=5.(DIAMETER)
+M30
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 G0 X100 Z2 [free of the jaws]
+N20 G14 Q0
+N30 M30
+END
+)nc"}},
     .sources = {"T: the reaction of the control is not documented"},
     .check = SyntaxErrorKind::unterminated_comment,
 };

@@ -6,22 +6,22 @@ namespace maclint::rules {
 extern const Rule assignment_to_null_variable{
     .code = "MAC201",
     .name = "assignment-to-null-variable",
-    .aliases = "",
     .summary = "#0 is always vacant and cannot be assigned",
     .why = "The control stops with a write-protection alarm: #0 exists to be compared with and "
            "copied from.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
-    .data_flow = false,
     .messages = {{"plain", "'{0}' is always vacant and cannot be assigned. Use another variable."}},
-    .bad = {{"fanuc", "O9201(CLEAR)\n"
-                      "#0=5\n"
-                      "M30\n"}},
-    .good = {{"fanuc", "O9201(CLEAR)\n"
-                       "#100=#0\n"
-                       "M30\n"}},
+    .bad = {{"fanuc", R"nc(
+O9201(CLEAR)
+#0=5
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9201(CLEAR)
+#100=#0
+M30
+)nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "116", "WRITE PROTECTED VARIABLE"}},
     .sources = {"SEED-001:160", "SEED-001:198"},
     .check = SyntaxErrorKind::assignment_to_null,

@@ -25,8 +25,6 @@ extern const Rule uninitialised_local{
         "no vacant value, it is undefined and may read as 0.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages =
         {{"main", "'{0}' is vacant here: this program has not set it, and a program that nobody calls gets "
@@ -43,32 +41,39 @@ extern const Rule uninitialised_local{
          {"undefined-some-paths",
           "'{0}' has no value here when the path that sets it is not taken. Set it on "
           "every path."}},
-    .bad = {{"fanuc", "O0209(FACE)\n"
-                      "#100=10.\n"
-                      "G90 G54 G0 X0 Y0\n"
-                      "G43 Z#100 H1\n"
-                      "G1 Z#10 F200.\n"
-                      "G0 Z#100\n"
-                      "M30\n"},
-            {"dinplus", "MACHINING\n"
-                        "N10 INPUT(\"Stock on the face\",#l3)\n"
-                        "N20 G0 X46 Z#l4\n"
-                        "N30 M30\n"
-                        "END\n"}},
-    .good = {{"fanuc", "O0209(FACE)\n"
-                       "#100=10.\n"
-                       "#10=-2.\n"
-                       "G90 G54 G0 X0 Y0\n"
-                       "G43 Z#100 H1\n"
-                       "G1 Z#10 F200.\n"
-                       "G0 Z#100\n"
-                       "M30\n"},
-             {"dinplus", "MACHINING\n"
-                         "N10 INPUT(\"Stock on the face\",#l3)\n"
-                         "N20 G0 X46 Z#l3\n"
-                         "N30 M30\n"
-                         "END\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O0209(FACE)
+#100=10.
+G90 G54 G0 X0 Y0
+G43 Z#100 H1
+G1 Z#10 F200.
+G0 Z#100
+M30
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Stock on the face",#l3)
+N20 G0 X46 Z#l4
+N30 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O0209(FACE)
+#100=10.
+#10=-2.
+G90 G54 G0 X0 Y0
+G43 Z#100 H1
+G1 Z#10 F200.
+G0 Z#100
+M30
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Stock on the face",#l3)
+N20 G0 X46 Z#l3
+N30 M30
+END
+)nc"}},
     .sources = {"SEED-001:187", "ZAPP-ARG"},
     .check = &check,
 };

@@ -13,15 +13,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule vacancy_lost_in_arithmetic{
     .code = "MAC222",
     .name = "vacancy-lost-in-arithmetic",
-    .aliases = "",
     .summary = "The result of arithmetic is compared with #0: it is a number, never vacant",
     .why =
         "Arithmetic takes a vacant variable for 0. The test for a missing argument therefore never finds it "
         "missing, and the macro runs with 0.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"never-vacant",
                   "'{0}' is never true: '{1}' is the result of arithmetic, which takes vacant for 0. "
@@ -29,17 +26,20 @@ extern const Rule vacancy_lost_in_arithmetic{
                  {"always-set",
                   "'{0}' is always true: '{1}' is the result of arithmetic, which takes vacant for 0. "
                   "Test the variable itself with NE #0."}},
-    .bad = {{"fanuc", "O9222(FACE, K DEPTH)\n"
-                      "IF[[#6*1]EQ#0]GOTO9\n"
-                      "G90 G1 Z-#6\n"
-                      "M99\n"
-                      "N9 #3000=1(K MISSING)\n"}},
-    .good = {{"fanuc", "O9222(FACE, K DEPTH)\n"
-                       "IF[#6EQ#0]GOTO9\n"
-                       "G90 G1 Z-#6\n"
-                       "M99\n"
-                       "N9 #3000=1(K MISSING)\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9222(FACE, K DEPTH)
+IF[[#6*1]EQ#0]GOTO9
+G90 G1 Z-#6
+M99
+N9 #3000=1(K MISSING)
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9222(FACE, K DEPTH)
+IF[#6EQ#0]GOTO9
+G90 G1 Z-#6
+M99
+N9 #3000=1(K MISSING)
+)nc"}},
     .sources = {"MITSU-326", "NCT-173"},
     .check = &check,
 };

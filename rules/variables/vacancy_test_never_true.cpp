@@ -15,14 +15,11 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule vacancy_test_never_true{
     .code = "MAC228",
     .name = "vacancy-test-never-true",
-    .aliases = "",
     .summary = "A variable that is set on every path to the test is compared with #0: it is never vacant",
     .why = "A test for 0 was probably meant. As it stands, the blocks that the test guards never run, or "
            "always.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages =
         {{"never-vacant",
@@ -31,19 +28,22 @@ extern const Rule vacancy_test_never_true{
          {"always-set",
           "'{0}' is always true: {1} has been set on every path that leads here. Test what it was made "
           "of, or write 'NE 0' if the value 0 is meant."}},
-    .bad = {{"fanuc", "O9228(CLEARANCE FROM R AND Z)\n"
-                      "#33=#18-#26\n"
-                      "IF[#33EQ#0]GOTO9\n"
-                      "G90 G1 Z#33\n"
-                      "M99\n"
-                      "N9 #3000=1(R IS Z)\n"}},
-    .good = {{"fanuc", "O9228(CLEARANCE FROM R AND Z)\n"
-                       "#33=#18-#26\n"
-                       "IF[#33EQ0]GOTO9\n"
-                       "G90 G1 Z#33\n"
-                       "M99\n"
-                       "N9 #3000=1(R IS Z)\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9228(CLEARANCE FROM R AND Z)
+#33=#18-#26
+IF[#33EQ#0]GOTO9
+G90 G1 Z#33
+M99
+N9 #3000=1(R IS Z)
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9228(CLEARANCE FROM R AND Z)
+#33=#18-#26
+IF[#33EQ0]GOTO9
+G90 G1 Z#33
+M99
+N9 #3000=1(R IS Z)
+)nc"}},
     .sources = {"SEED-001:415", "MITSU-326"},
     .check = &check,
 };

@@ -16,7 +16,6 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule vacant_in_relational_comparison{
     .code = "MAC221",
     .name = "vacant-in-relational-comparison",
-    .aliases = "",
     .summary = "GT, GE, LT and LE take a vacant variable for 0: a missing argument passes the check",
     .why = "A range check that 0 passes is passed by a missing argument, too. What follows then works with "
            "0, or "
@@ -28,18 +27,21 @@ extern const Rule vacant_in_relational_comparison{
     .data_flow = true,
     .messages = {{"passes",
                   "'{0}' takes a missing {1} for 0, and {1} is used afterwards. Test it with EQ #0 first."}},
-    .bad = {{"fanuc", "O9221(PECK, K CLEARANCE)\n"
-                      "IF[#6LT0]GOTO9\n"
-                      "G90 G1 Z[10.-#6]\n"
-                      "M99\n"
-                      "N9 #3000=1(K NEGATIVE)\n"}},
-    .good = {{"fanuc", "O9221(PECK, K CLEARANCE)\n"
-                       "IF[#6EQ#0]GOTO9\n"
-                       "IF[#6LT0]GOTO9\n"
-                       "G90 G1 Z[10.-#6]\n"
-                       "M99\n"
-                       "N9 #3000=1(K MISSING OR NEGATIVE)\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9221(PECK, K CLEARANCE)
+IF[#6LT0]GOTO9
+G90 G1 Z[10.-#6]
+M99
+N9 #3000=1(K NEGATIVE)
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9221(PECK, K CLEARANCE)
+IF[#6EQ#0]GOTO9
+IF[#6LT0]GOTO9
+G90 G1 Z[10.-#6]
+M99
+N9 #3000=1(K MISSING OR NEGATIVE)
+)nc"}},
     .sources = {"SEED-001:415"},
     .check = &check,
 };

@@ -16,33 +16,33 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule zero_test_misses_vacant{
     .code = "MAC220",
     .name = "zero-test-misses-vacant",
-    .aliases = "",
     .summary = "EQ 0 or NE 0 on a value that can be vacant: vacant is not equal to 0 there",
     .why =
         "When the argument is missing, the test takes it for a number other than 0: the check is passed, and "
         "arithmetic after it works with 0 all the same.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .on_by_default = true,
-    .off_reason = "",
     .data_flow = true,
     .messages = {{"equal", "'{0}' is not true when {1} is vacant. Test for both: add a test with EQ #0."},
                  {"not-equal",
                   "'{0}' is also true when {1} is vacant. Test for both: add a test with NE #0."}},
-    .bad = {{"fanuc", "O9220(PECK, K DEPTH OF ONE PECK)\n"
-                      "IF[#6EQ0]GOTO9\n"
-                      "#33=#5003-#6\n"
-                      "G90 G1 Z#33\n"
-                      "M99\n"
-                      "N9 #3000=1(K MISSING)\n"}},
-    .good = {{"fanuc", "O9220(PECK, K DEPTH OF ONE PECK)\n"
-                       "IF[#6EQ#0]GOTO9\n"
-                       "IF[#6EQ0]GOTO9\n"
-                       "#33=#5003-#6\n"
-                       "G90 G1 Z#33\n"
-                       "M99\n"
-                       "N9 #3000=1(K MISSING)\n"}},
-    .alarms = {},
+    .bad = {{"fanuc", R"nc(
+O9220(PECK, K DEPTH OF ONE PECK)
+IF[#6EQ0]GOTO9
+#33=#5003-#6
+G90 G1 Z#33
+M99
+N9 #3000=1(K MISSING)
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9220(PECK, K DEPTH OF ONE PECK)
+IF[#6EQ#0]GOTO9
+IF[#6EQ0]GOTO9
+#33=#5003-#6
+G90 G1 Z#33
+M99
+N9 #3000=1(K MISSING)
+)nc"}},
     .sources = {"SEED-001:415", "NCT-174", "CSDN-VAR", "MITSU-326"},
     .check = &check,
 };
