@@ -35,7 +35,7 @@ Value last_read(const std::string& text) {
     return workspace->programs().front().facts().reads.back().value;
 }
 
-TEST(Evaluate, VariablesAfterIndexesThatNobodyKnowsMayDiffer) {
+TEST(Evaluate, VariablesOfUnknownIndexesMayDiffer) {
     EXPECT_EQ(outcome("", "#[#500]EQ#[#501]"), either);
     EXPECT_EQ(outcome("", "#[#500]EQ#[#500]"), either);   // two reads, each of its own expression
     EXPECT_EQ(outcome("", "#[99990]EQ#[99991]"), either); // no variables of this control

@@ -122,6 +122,8 @@ TEST_P(RuleExamples, RecordIsComplete) {
     EXPECT_THAT(rule.bad, Not(IsEmpty()));
     EXPECT_THAT(rule.good, Not(IsEmpty()));
     EXPECT_THAT(rule.sources, Not(IsEmpty()));
+    for (const auto* examples : {&rule.bad, &rule.good})
+        for (const Example& example : *examples) EXPECT_FALSE(example.text.starts_with('\n')) << example.text;
     const bool precise = rule.precision >= Precision::high;
     if (precise != rule.on_by_default) {
         EXPECT_THAT(rule.off_reason, Not(IsEmpty()));
