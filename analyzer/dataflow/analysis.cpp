@@ -136,13 +136,13 @@ class Solver {
         add(0);
         while (const auto node = waiting.take()) {
             const std::uint32_t visit = visits_[*node]++;
-            if (!take_over(*node, visit)) continue;
-            if (before_[*node].reached) pass_on(*node, add);
+            if (!update_state(*node, visit)) continue;
+            if (before_[*node].reached) propagate(*node, add);
         }
     }
 
     /// Whether the state in front of the node has changed.
-    bool take_over(flow::NodeId node, std::uint32_t visit) {
+    bool update_state(flow::NodeId node, std::uint32_t visit) {
         State& old = before_[node];
         const auto in = graph_.in[node];
         if (in.size() == 1 && node != 0 && !head_[node]) {
@@ -168,7 +168,7 @@ class Solver {
     }
 
     template<class Add>
-    void pass_on(flow::NodeId node, const Add& add) {
+    void propagate(flow::NodeId node, const Add& add) {
         const State after = transfer_.run(node, before_[node]);
         for (const flow::EdgeId edge : graph_.out[node]) {
             State next = transfer_.along(graph_.edges[edge], after);
@@ -194,7 +194,7 @@ class Solver {
             const State state = incoming(node);
             if (states_.equal(state, before_[node])) continue;
             before_[node] = state;
-            pass_on(node, [&](flow::NodeId next) { may_change[next] = true; });
+            propagate(node, [&](flow::NodeId next) { may_change[next] = true; });
         }
     }
 

@@ -25,7 +25,7 @@ struct Comparison {
 /// A whole condition of IF or WHILE that can be reached.
 struct Condition {
     flow::NodeId node;
-    EffectId effect; ///< Guarded or Structure
+    EffectId effect; ///< Guarded or RegionMark
     ExpressionId expression;
     Truth truth;
 };

@@ -23,8 +23,9 @@ constexpr std::uint64_t side_by_side(std::uint32_t a, std::uint32_t b) {
 /// Stores equal things once and names them by number. Open addressing: most programs are small, and every one
 /// has several.
 ///
-/// near(thing) is a place near others that are asked for at the same time, which keeps long programs in the
-/// processor's caches; far(thing) is one far from them, for where too many things want the same place.
+/// hash_local(thing) is a slot near others that are asked for at the same time, which keeps long programs in
+/// the processor's caches; hash_mixed(thing) is one far from them, for where too many things want the same
+/// slot.
 template<class T>
 class Interner {
   public:

@@ -17,8 +17,8 @@
 
 namespace maclint::dataflow {
 
-/// `maybe` is known to be possible and has a reason (Value::doubt); `unknown` is ignorance and proves
-/// nothing.
+/// `maybe` is known to be possible and has a reason (Value::vacancy_origin); `unknown` is ignorance and
+/// proves nothing.
 enum class Vacancy : std::uint8_t { set, vacant, maybe, unknown };
 
 /// Whether rounding has touched a value. `rounded` comes with where (Value::rounding).

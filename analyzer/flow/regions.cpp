@@ -98,7 +98,7 @@ class Pairing {
         }
     }
 
-    /// A close for a structure that an outer close has already run over: now the crossing is certain.
+    /// A close for a region that an outer close has already run over: now the crossing is certain.
     bool close_crossed(EffectId id, const RegionMark& mark) {
         const auto found = crossed_.find(key_of(mark.region_kind, mark.number));
         if (found == crossed_.end() || found->second.empty()) return false;
@@ -111,7 +111,7 @@ class Pairing {
         return true;
     }
 
-    /// The innermost open structure that the close belongs to; a loop whose number the text lacks takes any.
+    /// The innermost open region that the close belongs to; a loop whose number the text lacks takes any.
     [[nodiscard]] std::optional<std::size_t> find_open(const RegionMark& close) const {
         for (const auto& number : {close.number, std::optional<std::int64_t>{}}) {
             const auto found = open_at_.find(key_of(close.region_kind, number));
@@ -244,9 +244,9 @@ class Pairing {
     Regions result_;
     std::vector<RegionId> open_;
     std::map<Key, std::vector<std::size_t>> open_at_; ///< positions in open_
-    /// Run over by the close of an outer structure, own close not met yet, and that close.
+    /// Run over by the close of an outer region, own close not met yet, and that close.
     std::map<Key, std::vector<std::pair<RegionId, EffectId>>> crossed_;
-    std::set<EffectId> crossing_closes_; ///< of outer structures whose crossing is certain
+    std::set<EffectId> crossing_closes_; ///< of outer regions whose crossing is certain
     std::vector<Stray> strays_;
     std::set<RegionId> reported_; ///< never closed, and reported with a stray close
 };
@@ -266,7 +266,7 @@ std::optional<RegionId> Regions::with(EffectId effect) const {
 }
 
 std::optional<RegionId> Regions::loop_around(const Program& program, Offset offset) const {
-    // Structures are sorted by where they open, so the last one opened before the place, or one around it,
+    // Regions are sorted by where they open, so the last one opened before the place, or one around it,
     // holds the place.
     const auto after = std::ranges::upper_bound(
         all, offset, {}, [&](const Region& p) { return program.effects[p.open].span.end; });

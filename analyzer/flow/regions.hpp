@@ -20,7 +20,7 @@ struct Region {
         parts; ///< what begins (THEN), divides (ELSE, CASE) and leaves it (BREAK), in text order
     std::optional<EffectId> close;         ///< absent: never closed
     bool crossed;                          ///< it overlaps another: it is unknown what the control repeats
-    std::optional<RegionId> parent;        ///< the structure that was open around it
+    std::optional<RegionId> parent;        ///< the region that was open around it
     std::optional<RegionId> closed_around; ///< the innermost loop open around it that is closed at all
     std::optional<std::int64_t> number;
     std::optional<ExpressionId> condition;
@@ -29,9 +29,9 @@ struct Region {
 enum class Imbalance : std::uint8_t {
     never_closed,    ///< DO without END
     never_opened,    ///< END without DO
-    crossed,         ///< the close of an outer structure stands inside an inner one that is closed later
+    crossed,         ///< the close of an outer region stands inside an inner one that is closed later
     nested_too_deep, ///< opens a level beyond the control's limit; a unit inside a unit
-    number_reused,   ///< opens with the number of a structure still open
+    number_reused,   ///< opens with the number of a region still open
     number_out_of_range,
 };
 
@@ -51,7 +51,7 @@ struct Regions {
     std::vector<std::pair<EffectId, RegionId>>
         by_effect; ///< every effect that opens, divides, leaves or closes one of them, sorted
 
-    /// The structure that the effect opens, divides, leaves or closes.
+    /// The region that the effect opens, divides, leaves or closes.
     [[nodiscard]] std::optional<RegionId> with(EffectId effect) const;
 
     /// The innermost loop whose body holds this byte: after its opening effect, up to and including its

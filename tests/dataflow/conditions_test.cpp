@@ -123,9 +123,9 @@ TEST(Contradictions, OfEachComparisonWithASmallerAndEachWithALargerNumber) {
 
 TEST(Contradictions, AreFoundAtTheEndOfALongWay) {
     Decisions decisions;
-    for (int i = 0; i < 300; ++i) decisions.push_back({"#" + std::to_string(500 + i) + "EQ1", true});
+    for (int i = 0; i < 300; ++i) decisions.emplace_back("#" + std::to_string(500 + i) + "EQ1", true);
     EXPECT_EQ(contradiction(decisions), none);
-    decisions.push_back({"#700EQ2", true});
+    decisions.emplace_back("#700EQ2", true);
     EXPECT_EQ(contradiction(decisions), 300U);
 }
 

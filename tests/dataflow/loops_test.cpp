@@ -162,8 +162,8 @@ TEST(InescapableCycles, MayBeASingleBlock) {
     EXPECT_THAT(inescapable("N1GOTO1\nM30\n"), ElementsAre(Lines(1, 1)));
 }
 
-TEST(InescapableCycles, NameTheWaysOutThatAreNeverTaken) {
-    const auto ways_out = [](const std::string& text) {
+TEST(InescapableCycles, NameTheExitsThatAreNeverTaken) {
+    const auto exit_lines = [](const std::string& text) {
         const auto workspace = test::analyse_fanuc(text);
         const ProgramAnalysis& analysis = workspace->programs().front();
         EXPECT_EQ(analysis.inescapable_cycles().size(), 1U);
@@ -174,8 +174,8 @@ TEST(InescapableCycles, NameTheWaysOutThatAreNeverTaken) {
         return lines;
     };
     // To the GOTO of line 3, which is a node of its own.
-    EXPECT_THAT(ways_out("O1\nN1#1=1\nIF[#1EQ5]GOTO2\nGOTO1\nN2M30\n"), ElementsAre(3));
-    EXPECT_THAT(ways_out("O1\nN1#1=1\nGOTO1\nM30\n"), IsEmpty());
+    EXPECT_THAT(exit_lines("O1\nN1#1=1\nIF[#1EQ5]GOTO2\nGOTO1\nN2M30\n"), ElementsAre(3));
+    EXPECT_THAT(exit_lines("O1\nN1#1=1\nGOTO1\nM30\n"), IsEmpty());
 }
 
 TEST(InescapableCycles, AreNotEndedByAStopBeforeThem) {

@@ -15,7 +15,6 @@ namespace maclint {
 namespace {
 
 using flow::Imbalance;
-using flow::Region;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Pair;

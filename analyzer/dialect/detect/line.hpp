@@ -1,4 +1,4 @@
-//! A line of a text of unknown language, cut into what the marks of languages look at.
+//! A line of a text of unknown language, cut into what the signatures of languages look at.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-//! The shapes of marks outside of DIN PLUS.
+//! The shapes of signatures outside of DIN PLUS.
 #include "analyzer/dialect/detect/shapes.hpp"
 
 #include <algorithm>

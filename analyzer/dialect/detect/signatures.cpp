@@ -1,4 +1,4 @@
-//! The table of marks, and the sums over it.
+//! The table of signatures, and the sums over it.
 #include "analyzer/dialect/detect/signatures.hpp"
 
 #include "analyzer/dialect/detect/shapes.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 using enum Language;
 
-/// Where a mark is looked for.
+/// Where a signature is looked for.
 enum class In : std::uint8_t {
     words,   ///< lines of plain words, by shape
     code,    ///< any other code, by shape
@@ -21,7 +21,7 @@ enum class In : std::uint8_t {
     remark,  ///< after `;`
 };
 
-struct Mark {
+struct Signature {
     Language language;
     int points;
     int most; ///< times that count
@@ -32,7 +32,7 @@ struct Mark {
 };
 
 // clang-format off
-constexpr Mark marks[] = {
+constexpr Signature signatures[] = {
     // FANUC Custom Macro B: what the languages below do not share with it [fanuc-custom-macro.md 1-5]
     {fanuc,          4, 1, In::words,   "",           program_number,        "a program number"},
     {fanuc,          4, 1, In::code,    "",           program_number,        "a program number"},
@@ -176,16 +176,17 @@ constexpr Mark marks[] = {
 // clang-format on
 
 constexpr std::size_t places = static_cast<std::size_t>(In::remark) + 1;
-using Rows = std::array<std::uint8_t, std::size(marks)>;
+using Rows = std::array<std::uint8_t, std::size(signatures)>;
 
-/// The rows of `marks` that look at one place, so that a plain line is asked for a dozen marks only.
+/// The rows of `signatures` that look at one place, so that a plain line is asked for a dozen signatures
+/// only.
 struct Index {
     std::array<Rows, places> rows{};
     std::array<std::size_t, places> counts{};
 
     constexpr Index() {
-        for (std::size_t i = 0; i < std::size(marks); ++i) {
-            const auto place = static_cast<std::size_t>(marks[i].in);
+        for (std::size_t i = 0; i < std::size(signatures); ++i) {
+            const auto place = static_cast<std::size_t>(signatures[i].in);
             rows[place][counts[place]++] = static_cast<std::uint8_t>(i);
         }
     }
@@ -218,21 +219,23 @@ constexpr std::array<std::string_view, language_count> names = {
     "G-code for LinuxCNC, GRBL, a 3D printer or the like"};
 // clang-format on
 
-bool holds(const Mark& mark, const Line& line) {
-    if (mark.shape != nullptr && mark.text.empty()) return mark.shape(line);
-    switch (mark.in) {
-    case In::head: return line.code().starts_with(mark.text);
-    case In::inside: return line.code().find(mark.text) != std::string_view::npos;
-    case In::line: return line.whole().starts_with(mark.text) && (mark.shape == nullptr || mark.shape(line));
-    case In::comment: return line.comment().starts_with(mark.text);
-    case In::remark: return line.remark().starts_with(mark.text);
+bool holds(const Signature& signature, const Line& line) {
+    if (signature.shape != nullptr && signature.text.empty()) return signature.shape(line);
+    switch (signature.in) {
+    case In::head: return line.code().starts_with(signature.text);
+    case In::inside: return line.code().find(signature.text) != std::string_view::npos;
+    case In::line:
+        return line.whole().starts_with(signature.text) &&
+               (signature.shape == nullptr || signature.shape(line));
+    case In::comment: return line.comment().starts_with(signature.text);
+    case In::remark: return line.remark().starts_with(signature.text);
     case In::words:
     case In::code: break;
     }
     return false;
 }
 
-/// Whether a line has what the mark looks at: most lines are plain words and are done with quickly.
+/// Whether a line has what the signature looks at: most lines are plain words and are done with quickly.
 bool concerns(In in, const Line& line) {
     switch (in) {
     case In::words: return line.is_plain() && !line.words().empty();
@@ -259,7 +262,7 @@ std::string_view name_of(Language language) { return names[static_cast<std::size
 
 Evidence::Evidence(std::string_view extension)
     : extension_(extension) {
-    static_assert(std::size(marks) <= most_marks);
+    static_assert(std::size(signatures) <= most_signatures);
 }
 
 void Evidence::add(const Line& line, std::size_t number) {
@@ -267,7 +270,7 @@ void Evidence::add(const Line& line, std::size_t number) {
         if (!concerns(static_cast<In>(place), line)) continue;
         for (const std::uint8_t row : std::span(by_place.rows[place]).first(by_place.counts[place])) {
             Sighting& sighting = sightings_[row];
-            if (sighting.times == marks[row].most || !holds(marks[row], line)) continue;
+            if (sighting.times == signatures[row].most || !holds(signatures[row], line)) continue;
             if (sighting.times++ == 0) sighting.line = static_cast<std::uint32_t>(number);
         }
     }
@@ -275,8 +278,8 @@ void Evidence::add(const Line& line, std::size_t number) {
 
 int Evidence::points(Language language) const {
     int sum = extension_points(extension_, language);
-    for (std::size_t i = 0; i < std::size(marks); ++i)
-        if (marks[i].language == language) sum += marks[i].points * sightings_[i].times;
+    for (std::size_t i = 0; i < std::size(signatures); ++i)
+        if (signatures[i].language == language) sum += signatures[i].points * sightings_[i].times;
     return sum;
 }
 
@@ -293,13 +296,13 @@ Language Evidence::verdict() const {
 }
 
 std::string Evidence::reason(Language language) const {
-    const Mark* best = nullptr;
+    const Signature* best = nullptr;
     std::uint32_t line = 0;
-    for (std::size_t i = 0; i < std::size(marks); ++i) {
-        const Mark& mark = marks[i];
-        if (mark.language != language || sightings_[i].times == 0) continue;
-        if (best != nullptr && best->points >= mark.points) continue;
-        best = &mark;
+    for (std::size_t i = 0; i < std::size(signatures); ++i) {
+        const Signature& signature = signatures[i];
+        if (signature.language != language || sightings_[i].times == 0) continue;
+        if (best != nullptr && best->points >= signature.points) continue;
+        best = &signature;
         line = sightings_[i].line;
     }
     if (best == nullptr || extension_points(extension_, language) > best->points)

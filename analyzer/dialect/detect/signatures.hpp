@@ -1,4 +1,4 @@
-//! What gives a language away: its marks, and how many of them a text holds.
+//! What gives a language away: its signatures, and how many of them a text holds.
 #pragma once
 
 #include "analyzer/dialect/detect/line.hpp"
@@ -30,8 +30,8 @@ constexpr std::size_t language_count = 11;
 /// "HEIDENHAIN Klartext"
 [[nodiscard]] std::string_view name_of(Language language);
 
-/// A language is told from four points on: one mark that nobody else writes, or several that others seldom
-/// do. What is written once may be a slip or a quotation.
+/// A language is told from four points on: one signature that nobody else writes, or several that others
+/// seldom do. What is written once may be a slip or a quotation.
 constexpr int enough = 4;
 
 /// The evidence of a text.
@@ -44,18 +44,18 @@ class Evidence {
     [[nodiscard]] int points(Language language) const;
     /// The language with most points, if they are enough and more than Fanuc has; else Fanuc.
     [[nodiscard]] Language verdict() const;
-    /// The weightiest mark of the language and where it stands: "an o-word in line 3", "extension .mpf".
+    /// The weightiest signature of the language and where it stands: "an o-word in line 3", "extension .mpf".
     [[nodiscard]] std::string reason(Language language) const;
 
   private:
-    static constexpr std::size_t most_marks = 128;
+    static constexpr std::size_t most_signatures = 128;
     struct Sighting {
         std::uint8_t times = 0;
         std::uint32_t line = 0; ///< of the first
     };
 
     std::string_view extension_;
-    std::array<Sighting, most_marks> sightings_{};
+    std::array<Sighting, most_signatures> sightings_{};
 };
 
 } // namespace maclint::detect
