@@ -19,9 +19,9 @@ Vacancy join_vacancy(Vacancy a, Vacancy b) {
 /// Keeps the parts sorted by symbol; two origins of one symbol both count.
 void add_part(ModalValue& value, const ModalPart& part) {
     const auto key = [](const ModalPart& p) { return std::pair(p.symbol, p.origin); };
-    const auto variable = std::ranges::lower_bound(value.parts, key(part), {}, key);
-    if (variable != value.parts.end() && *variable == part) return;
-    value.parts.insert(variable, part);
+    const auto position = std::ranges::lower_bound(value.parts, key(part), {}, key);
+    if (position != value.parts.end() && *position == part) return;
+    value.parts.insert(position, part);
 }
 
 } // namespace

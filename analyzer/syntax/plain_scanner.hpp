@@ -107,7 +107,7 @@ class PlainScanner {
     static constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
     static constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
     static constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-    [[nodiscard]] Offset offset(const char* variable) const { return static_cast<Offset>(variable - start_); }
+    [[nodiscard]] Offset offset(const char* at) const { return static_cast<Offset>(at - start_); }
 
     Lane finish(Offset next) {
         using namespace plain_traits;

@@ -1,5 +1,6 @@
 //! What operations do to ranges and value numbers: worked out by hand.
 #include "tests/dataflow/computing.hpp"
+#include "tests/dataflow/expect.hpp"
 
 #include <array>
 
@@ -7,13 +8,6 @@
 
 namespace maclint::dataflow {
 namespace {
-
-#define EXPECT_RANGE(value, from, to)                                                                        \
-    {                                                                                                        \
-        const Value found = value;                                                                           \
-        EXPECT_EQ(found.low, from);                                                                          \
-        EXPECT_EQ(found.high, to);                                                                           \
-    }
 
 TEST_F(Arithmetic, SumsAndDifferencesTakeTheEndsThatReachFurthest) {
     EXPECT_RANGE(apply(Operation::add, range(1, 2), range(10, 20)), 11, 22);

@@ -1,4 +1,5 @@
 //! The modal codes that a program finds in force when it is called: unknown until it asks.
+#include "tests/dataflow/expect.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <algorithm>
@@ -9,17 +10,13 @@
 namespace maclint {
 namespace {
 
+using dataflow::expect_truth;
 using dataflow::Truth;
 
 /// How the last comparison of a macro with unknown callers turns out.
 Truth last_comparison(const std::string& text) {
     const auto workspace = test::analyse_fanuc("O9001\n" + text + "N8M99\nN9M99\n");
     return workspace->programs().front().facts().comparisons.back().truth;
-}
-
-void expect_truth(Truth truth, bool can_hold, bool can_fail) {
-    EXPECT_EQ(truth.can_hold, can_hold);
-    EXPECT_EQ(truth.can_fail, can_fail);
 }
 
 TEST(CallersCode, IsKnownWhereTheProgramHasAskedForIt) {

@@ -1,5 +1,6 @@
 //! What ranges, vacancy and rounding tell of a comparison: worked out by hand.
 #include "tests/dataflow/computing.hpp"
+#include "tests/dataflow/expect.hpp"
 
 #include <array>
 
@@ -9,11 +10,6 @@ namespace maclint::dataflow {
 namespace {
 
 class Comparisons : public Arithmetic {};
-
-void expect_truth(Truth truth, bool can_hold, bool can_fail) {
-    EXPECT_EQ(truth.can_hold, can_hold);
-    EXPECT_EQ(truth.can_fail, can_fail);
-}
 
 TEST_F(Comparisons, RangesDecideComparisons) {
     const auto decide = [&](Operation operation, const Value& a, const Value& b) {

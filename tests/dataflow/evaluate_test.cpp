@@ -14,6 +14,7 @@ using dataflow::Exactness;
 using dataflow::Truth;
 using dataflow::Vacancy;
 using dataflow::Value;
+using test::last_read;
 
 enum Outcome : std::uint8_t { always, never, either, unasked };
 
@@ -28,11 +29,6 @@ Outcome outcome(const std::string& before, const std::string& condition) {
         test::analyse_fanuc("O0001\n" + before + "IF[" + condition + "]GOTO99\nN98M30\nN99M30\n");
     const auto& conditions = workspace->programs().front().facts().conditions;
     return conditions.empty() ? unasked : outcome_of(conditions.back().truth);
-}
-
-Value last_read(const std::string& text) {
-    const auto workspace = test::analyse_fanuc("O0001\n" + text);
-    return workspace->programs().front().facts().reads.back().value;
 }
 
 TEST(Evaluate, VariablesOfUnknownIndexesMayDiffer) {

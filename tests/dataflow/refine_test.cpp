@@ -1,4 +1,5 @@
 //! What a program knows after a condition: each bound worked out by hand.
+#include "tests/dataflow/expect.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <cmath>
@@ -13,13 +14,9 @@ namespace {
 using dataflow::Exactness;
 using dataflow::Vacancy;
 using dataflow::Value;
+using test::last_read;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Value last_read(const std::string& text) {
-    const auto workspace = test::analyse_fanuc("O0001\n" + text);
-    return workspace->programs().front().facts().reads.back().value;
-}
 
 /// What #500, of which nothing is known, is where the condition holds.
 Value where(const std::string& condition) {
@@ -29,13 +26,6 @@ Value where(const std::string& condition) {
 Value whole_where(const std::string& condition) {
     return last_read("#1=#1000*10\nIF[" + condition + "]GOTO1\nM30\nN1X#1\nM30\n");
 }
-
-#define EXPECT_RANGE(value, from, to)                                                                        \
-    {                                                                                                        \
-        const Value found = value;                                                                           \
-        EXPECT_EQ(found.low, from);                                                                          \
-        EXPECT_EQ(found.high, to);                                                                           \
-    }
 
 const double just_above_5 = std::nextafter(5.0, 6.0), just_below_5 = std::nextafter(5.0, 4.0);
 

@@ -14,14 +14,9 @@ namespace {
 
 using dataflow::Vacancy;
 using dataflow::Value;
+using test::last_read;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// The value of the last read of a variable.
-Value last_read(const ProgramAnalysis& analysis) { return analysis.facts().reads.back().value; }
-Value last_read(const std::string& text) {
-    return last_read(test::analyse_fanuc("O0001\n" + text)->programs().front());
-}
 
 /// What a modal group can be at the only exit that is reached.
 dataflow::ModalValue at_exit(const ProgramAnalysis& analysis, ModalRole role) {

@@ -40,12 +40,12 @@ TEST(Steps, AreNotOfOtherVariablesOrOperations) {
 }
 
 /// What the last word reads in the first program.
-Value last_read(const std::string& text) {
+Value last_read_of_first(const std::string& text) {
     const auto workspace = test::analyse_files({{"O0001.nc", text}}, {.complete = true, .jobs = 1});
     return workspace->programs().front().facts().reads.back().value;
 }
 Value after_call_of(const std::string& called) {
-    return last_read("O0001\n#100=9\nG65P2A3\nX#100\nM30\nO0002\n" + called + "\nM99\n");
+    return last_read_of_first("O0001\n#100=9\nG65P2A3\nX#100\nM30\nO0002\n" + called + "\nM99\n");
 }
 
 TEST(CallsOfKnownPrograms, LeaveWhatTheyStore) {
@@ -75,8 +75,8 @@ TEST(CallsOfKnownPrograms, RoundElsewhere) {
 
 TEST(CallsOfKnownPrograms, HaveTheirOwnLocalsUnlessTheyAreSubprograms) {
     const std::string sub = "X#1\nM30\nO0002\n#1=5\nM99\n";
-    EXPECT_EQ(last_read("O0001\n#1=9\nG65P2\n" + sub).constant(), 9);
-    EXPECT_EQ(last_read("O0001\n#1=9\nM98P2\n" + sub).constant(), 5);
+    EXPECT_EQ(last_read_of_first("O0001\n#1=9\nG65P2\n" + sub).constant(), 9);
+    EXPECT_EQ(last_read_of_first("O0001\n#1=9\nM98P2\n" + sub).constant(), 5);
 }
 
 TEST(CallsOfKnownPrograms, GiveTwoVariablesTwoValues) {
@@ -92,16 +92,17 @@ TEST(CallsOfKnownPrograms, GiveTwoVariablesTwoValues) {
 
 TEST(StoresThroughAnIndex, ReachTheVariablesThatTheIndexCanMeanAndNoOthers) {
     const auto after = [](const std::string& read) {
-        return last_read("O0001\n#5=5\n#7=7\n#9=9\n#150=3\n#1=6\nIF[#500EQ1]GOTO1\n#1=8\nN1#[#1]=2\nX" +
-                         read + "\nM30\n")
+        return last_read_of_first(
+                   "O0001\n#5=5\n#7=7\n#9=9\n#150=3\n#1=6\nIF[#500EQ1]GOTO1\n#1=8\nN1#[#1]=2\nX" + read +
+                   "\nM30\n")
             .constant();
     };
     EXPECT_EQ(after("#5"), 5);
     EXPECT_FALSE(after("#7"));
     EXPECT_EQ(after("#9"), 9);
     EXPECT_EQ(after("#150"), 3);
-    EXPECT_EQ(last_read("O0001\n#1=5\n#[#1]=2\nX#5\nM30\n").constant(), 2);
-    EXPECT_EQ(last_read("O0001\n#1=5\n#[#1+1]=2\n#6=#6+1\nX#6\nM30\n").constant(), 3);
+    EXPECT_EQ(last_read_of_first("O0001\n#1=5\n#[#1]=2\nX#5\nM30\n").constant(), 2);
+    EXPECT_EQ(last_read_of_first("O0001\n#1=5\n#[#1+1]=2\n#6=#6+1\nX#6\nM30\n").constant(), 3);
 }
 
 // ---- codes

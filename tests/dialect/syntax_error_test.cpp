@@ -90,6 +90,12 @@ TEST(SyntaxErrors, TheNumberOfALoopStandsWithoutBrackets) {
     EXPECT_EQ(testing::read("END(1)").syntax_errors.at(0).cure, "1");
 }
 
+TEST(SyntaxErrors, ABracketThatTheCommentCutsOffIsNotWrittenAsACure) {
+    // The comment is "(ABS(#2)": in brackets it would be as wrong as before.
+    EXPECT_EQ(testing::read("#1=ATAN(ABS(#2)/ABS(#3))").syntax_errors.at(0).cure, "[");
+    EXPECT_EQ(testing::read("#1=ATAN(#2)").syntax_errors.at(0).cure, "[#2]");
+}
+
 TEST(SyntaxErrors, TheCureIsUtf8LikeTheSubject) {
     EXPECT_EQ(testing::read("#1=SIN(\xE4)").syntax_errors.at(0).cure, "[\xC3\xA4]");
 }

@@ -3,6 +3,8 @@
 
 #include "analyzer/dialect/dialect.hpp"
 
+#include <stdexcept>
+
 namespace maclint::test {
 namespace {
 
@@ -30,6 +32,21 @@ std::unique_ptr<Workspace> analyse_files(const std::vector<NamedText>& files, Wo
 }
 
 std::unique_ptr<Workspace> analyse_fanuc(std::string text) { return analyse_text("fanuc", std::move(text)); }
+
+const ProgramAnalysis& program(const Workspace& workspace, std::string_view name) {
+    for (const ProgramAnalysis& analysis : workspace.programs())
+        if (analysis.program().name == name) return analysis;
+    throw std::runtime_error("no such program");
+}
+
+dataflow::Value last_read(const ProgramAnalysis& analysis) {
+    const auto& reads = analysis.facts().reads;
+    return reads.at(reads.size() - 1).value; // throws where nothing is read
+}
+
+dataflow::Value last_read(const std::string& text) {
+    return last_read(analyse_fanuc("O0001\n" + text)->programs().front());
+}
 
 std::uint32_t line_of(const ProgramAnalysis& analysis, Offset offset) {
     return analysis.file().source->position(offset).line;

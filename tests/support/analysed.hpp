@@ -24,6 +24,14 @@ using NamedText = std::pair<std::string, std::string>;
 /// The only program of a Fanuc text.
 [[nodiscard]] std::unique_ptr<Workspace> analyse_fanuc(std::string text);
 
+/// The first program of that name.
+[[nodiscard]] const ProgramAnalysis& program(const Workspace& workspace, std::string_view name);
+
+/// What the variable that a program reads last is known to be there.
+[[nodiscard]] dataflow::Value last_read(const ProgramAnalysis& analysis);
+/// The same of the program O0001 with this text.
+[[nodiscard]] dataflow::Value last_read(const std::string& text);
+
 /// 1-based line of a byte of the program's file.
 [[nodiscard]] std::uint32_t line_of(const ProgramAnalysis& analysis, Offset offset);
 /// 1-based line of an effect.

@@ -14,14 +14,9 @@
 namespace maclint {
 namespace {
 
+using test::program;
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-const ProgramAnalysis& program(const Workspace& workspace, std::string_view name) {
-    for (const ProgramAnalysis& analysis : workspace.programs())
-        if (analysis.program().name == name) return analysis;
-    throw std::runtime_error("no such program");
-}
 
 /// 1-based lines of calls.
 std::vector<std::uint32_t> lines_of(const Workspace& workspace, const std::vector<Caller>& calls) {

@@ -10,13 +10,9 @@
 namespace maclint {
 namespace {
 
-constexpr WorkspaceOptions closed_workspace{.complete = true, .jobs = 1};
+using test::program;
 
-const ProgramAnalysis& program(const Workspace& workspace, std::string_view name) {
-    for (const ProgramAnalysis& analysis : workspace.programs())
-        if (analysis.program().name == name) return analysis;
-    throw std::runtime_error("no such program");
-}
+constexpr WorkspaceOptions closed_workspace{.complete = true, .jobs = 1};
 
 /// The name and file that the only call of a program means; empty: unknown.
 std::string called_by(const Workspace& workspace, std::string_view caller) {

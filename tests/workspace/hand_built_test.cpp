@@ -17,6 +17,7 @@ namespace maclint {
 namespace {
 
 using test::HandBuilt;
+using test::program;
 using test::Step;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -26,12 +27,6 @@ using Part = RegionMark::Part;
 
 std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files) {
     return Workspace::analyse(std::move(files), {.complete = true, .jobs = 1});
-}
-
-const ProgramAnalysis& program(const Workspace& workspace, std::string_view name) {
-    for (const ProgramAnalysis& analysis : workspace.programs())
-        if (analysis.program().name == name) return analysis;
-    throw std::runtime_error("no such program");
 }
 
 /// What a read of the variable on the line (from 1) is known to be.

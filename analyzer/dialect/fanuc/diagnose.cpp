@@ -160,8 +160,10 @@ std::optional<SyntaxError> ErrorExplainer::parenthesis_as_bracket() const {
         const bool address =
             word.size() == 1 && touches && looks_like_expression(comment) && word != "N" && word != "O";
         if (!certain && !operand && !address) continue;
+        // The comment ends at its first ')': one that holds a '(' is not all that is meant.
+        const bool whole = is_closed(text(comment)) && text(comment).rfind('(') == 0;
         std::string cure = "[";
-        if (is_closed(text(comment)) && comment.span.length() <= longest_shown) {
+        if (whole && comment.span.length() <= longest_shown) {
             const bool plain = word == "DO" || word == "END"; // their number stands without brackets
             if (plain) cure.clear();
             cure += text_.substr(comment.span.begin + 1, comment.span.length() - 2);
