@@ -1,6 +1,9 @@
 //! One workspace, one run of the union of all selections, then every file's own judgement.
 #include "cli/lint.hpp"
 
+#include "analyzer/program/model.hpp"
+#include "analyzer/workspace/workspace.hpp"
+
 #include <algorithm>
 #include <iterator>
 
@@ -50,19 +53,17 @@ void report_not_nc(const std::vector<ReadFile>& files, std::vector<Finding>& fin
 } // namespace
 
 LintResult lint(const std::vector<ReadFile>& files, unsigned jobs, Progress& progress) {
-    LintResult result;
     progress.begin("following the programs", 0);
-    result.workspace = analyse(files, jobs);
+    const auto workspace = analyse(files, jobs);
     progress.begin("checking", 0);
-    auto findings = run_rules(*result.workspace, selection_of(files), jobs);
+    auto findings = run_rules(*workspace, selection_of(files), jobs);
     report_not_nc(files, findings);
     std::vector<FileRules> filtered;
     for (const ReadFile& file : files) {
         if (!file.file || !file.input.asked) continue;
         filtered.push_back({file.file.get(), file.settings.rules.get()});
-        if (file.not_nc) result.kept.push_back(file.file);
     }
-    result.findings = apply_suppressions(std::move(findings), filtered);
+    LintResult result{apply_suppressions(std::move(findings), filtered)};
     std::ranges::stable_sort(result.findings, comes_before, &FilteredFinding::finding);
     return result;
 }

@@ -26,9 +26,21 @@ function(maclint_library name)
   endif()
 endfunction()
 
+# Compiles `target` as tests, in a release with `optimisation`: what is tested is in the libraries, the tests themselves
+# are to compile fast. Four files go at a time, so that what they instantiate is made once: their names must not clash.
+function(maclint_test_code target optimisation)
+  target_link_libraries(${target} PRIVATE maclint_cli GTest::gtest GTest::gmock)
+  target_compile_definitions(${target} PRIVATE
+    MACLINT_SOURCE_DIR="${CMAKE_SOURCE_DIR}" MACLINT_EXECUTABLE="${CMAKE_BINARY_DIR}/maclint"
+    MACLINT_SHARED="${MACLINT_SHARED}")
+  maclint_own_code(${target} PRIVATE)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${optimisation}>)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${MACLINT_SHARED_PARSING} UNITY_BUILD_BATCH_SIZE 4)
+endfunction()
+
 # Compiles the headers once for all files of `target`. A file still includes what it uses: ./dev tidy compiles without.
 function(maclint_precompile target)
-  if(MACLINT_PRECOMPILED_HEADERS)
+  if(MACLINT_SHARED_PARSING)
     target_precompile_headers(${target} PRIVATE ${ARGN})
   endif()
 endfunction()

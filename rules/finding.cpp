@@ -35,7 +35,7 @@ std::string Finding::message() const {
 // Position before everything else: the order does not depend on who found what first.
 bool comes_before(const Finding& a, const Finding& b) {
     const auto key = [](const Finding& f) {
-        return std::tie(f.file->source->path(), f.span.begin, f.rule->code, f.span.end);
+        return std::tie(f.source->path(), f.span.begin, f.rule->code, f.span.end);
     };
     if (key(a) != key(b)) return key(a) < key(b);
     return a.arguments < b.arguments;

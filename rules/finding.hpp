@@ -1,8 +1,11 @@
 //! What a rule says: a place, a message and how the control gets there.
 #pragma once
 
-#include "analyzer/program/model.hpp"
+#include "analyzer/source/source.hpp"
+#include "analyzer/source/span.hpp"
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +20,7 @@ enum class Severity : std::uint8_t { note, warning, error };
 
 /// A place with a sentence about it: a related location or a step of a path.
 struct RelatedLocation {
-    const ProgramFile* file;
+    std::shared_ptr<const Source> source;
     Span span;
     std::string text; ///< UTF-8, starts lower case, no full stop: "N20 is here, inside DO1 … END1"
 };
@@ -34,7 +37,7 @@ struct Edit {
 struct Finding {
     const Rule* rule;
     Severity severity; ///< the rule's, or what the configuration made of it
-    const ProgramFile* file;
+    std::shared_ptr<const Source> source;
     Span span;
     std::string_view message_id;        ///< one of the rule's messages
     std::vector<std::string> arguments; ///< for {0}, {1} … of the message, UTF-8

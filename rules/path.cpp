@@ -113,7 +113,8 @@ std::vector<RelatedLocation> steps_along(const ProgramAnalysis& analysis,
         if (edge.kind == flow::EdgeKind::branch && !has_choice(analysis, id, leads)) continue;
         std::string words = words_for(analysis, edge);
         if (!words.empty())
-            related.push_back({&analysis.file(), span_of(analysis.program(), edge, graph), std::move(words)});
+            related.push_back(
+                {analysis.source(), span_of(analysis.program(), edge, graph), std::move(words)});
     }
     std::ranges::reverse(related);
     return related;
@@ -128,11 +129,11 @@ std::vector<RelatedLocation> path_between(const ProgramAnalysis& analysis, flow:
 }
 
 RelatedLocation related_at(const ProgramAnalysis& analysis, dataflow::OriginId origin, std::string text) {
-    return {&analysis.file(), span_of(analysis, analysis.data().origin(origin)), std::move(text)};
+    return {analysis.source(), span_of(analysis, analysis.data().origin(origin)), std::move(text)};
 }
 
 RelatedLocation related_at_effect(const ProgramAnalysis& analysis, EffectId effect, std::string text) {
-    return {&analysis.file(), analysis.program().effects[effect].span, std::move(text)};
+    return {analysis.source(), analysis.program().effects[effect].span, std::move(text)};
 }
 
 std::string quoted(const Program& program, Span span) {

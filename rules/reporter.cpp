@@ -1,4 +1,5 @@
 //! Collects the findings of one rule.
+#include "analyzer/program/model.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
@@ -18,8 +19,8 @@ Severity severity_in(const ProgramFile& file, const Rule& rule) {
 
 Finding& Reporter::report(const ProgramFile& file, Span span, std::string_view message_id,
                           std::vector<std::string> arguments) {
-    return findings_.emplace_back(
-        Finding{rule_, severity_in(file, *rule_), &file, span, message_id, std::move(arguments), {}, {}, {}});
+    return findings_.emplace_back(Finding{
+        rule_, severity_in(file, *rule_), file.source, span, message_id, std::move(arguments), {}, {}, {}});
 }
 
 bool Reporter::has_message(std::string_view id) const {

@@ -1,9 +1,12 @@
 //! What a rule is: one record with everything that its page, the reports and the tests are made from.
 #pragma once
 
+#include "analyzer/program/syntax_error.hpp"
 #include "rules/finding.hpp"
 
+#include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -11,6 +14,7 @@
 namespace maclint {
 
 class ProgramAnalysis;
+struct ProgramFile;
 class Workspace;
 class Reporter;
 struct WordsOfBlock;

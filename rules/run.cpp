@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <unordered_set>
 
 namespace maclint {
 namespace {
@@ -58,9 +59,9 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
 
     std::vector<Finding> findings;
     for (auto& part : parts) std::ranges::move(part, std::back_inserter(findings));
-    std::ranges::sort(files);
-    std::erase_if(findings,
-                  [&](const Finding& finding) { return !std::ranges::binary_search(files, finding.file); });
+    std::unordered_set<const Source*> asked;
+    for (const ProgramFile* file : files) asked.insert(file->source.get());
+    std::erase_if(findings, [&](const Finding& finding) { return !asked.contains(finding.source.get()); });
     std::ranges::stable_sort(findings, comes_before);
     return findings;
 }

@@ -32,12 +32,12 @@ void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from,
            flow::NodeId node, std::string ends) {
     finding.path.push_back(std::move(begins));
     add_path(finding.path, analysis, from, node);
-    finding.path.push_back({finding.file, finding.span, std::move(ends)});
+    finding.path.push_back({finding.source, finding.span, std::move(ends)});
 }
 
 void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId node, std::string ends) {
     add_path(finding.path, analysis, 0, node);
-    finding.path.push_back({finding.file, finding.span, std::move(ends)});
+    finding.path.push_back({finding.source, finding.span, std::move(ends)});
 }
 
 void report_path_on(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId node) {
@@ -49,8 +49,8 @@ void trace_round(Finding& finding, const ProgramAnalysis& analysis, const datafl
     add_path(finding.path, analysis, 0, loop.head);
     add_path(finding.path, analysis, loop.head, loop.latch);
     const flow::Node& latch = analysis.graph().nodes[loop.latch];
-    finding.path.push_back({finding.file, latch.part, "the loop goes back to its head here"});
-    finding.path.push_back({finding.file, finding.span, std::move(ends)});
+    finding.path.push_back({finding.source, latch.part, "the loop goes back to its head here"});
+    finding.path.push_back({finding.source, finding.span, std::move(ends)});
 }
 
 } // namespace maclint::rules

@@ -1,7 +1,8 @@
 //! The dialects that maclint reads, the controls it knows, and which of them a file is for.
 #pragma once
 
-#include "analyzer/program/model.hpp"
+#include "analyzer/program/tables.hpp"
+#include "analyzer/source/source.hpp"
 
 #include <memory>
 #include <span>
@@ -9,6 +10,8 @@
 #include <string_view>
 
 namespace maclint {
+
+struct ProgramFile;
 
 /// One dialect: how its files are recognised and turned into programs.
 struct Dialect {

@@ -61,6 +61,7 @@ class ProgramAnalysis {
     [[nodiscard]] const Workspace& workspace() const { return *workspace_; }
     [[nodiscard]] ProgramIndex index() const { return index_; }
     [[nodiscard]] const ProgramFile& file() const { return *file_->file; }
+    [[nodiscard]] const std::shared_ptr<const Source>& source() const { return file_->file->source; }
     [[nodiscard]] bool asked() const { return file_->asked; }
     [[nodiscard]] const Program& program() const { return *program_; }
     [[nodiscard]] const ControlModel& control() const { return *program_->control; }

@@ -1,4 +1,5 @@
 //! `maclint check`: find files, read, lint, report.
+#include "analyzer/program/model.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/report_target.hpp"
 #include "cli/commands/show_config.hpp"
@@ -91,7 +92,7 @@ Report report_of(const CheckRequest& request, const std::vector<ReadFile>& files
     report.findings = std::move(result.findings);
     report.notices = std::move(notices);
     for (const ReadFile& file : files)
-        if (file.file && file.input.asked) report.files.push_back(file.file.get());
+        if (file.file && file.input.asked) report.files.push_back(file.file->source);
     if (fails(report, request.fail_on)) report.exit_status = exit_findings;
     if (std::ranges::any_of(report.notices, &Notice::is_error)) report.exit_status = exit_error;
     if (request.max_findings) cut(report, *request.max_findings);

@@ -1,6 +1,7 @@
 //! One paragraph a file.
 #include "cli/commands/show_config.hpp"
 
+#include "analyzer/program/model.hpp"
 #include "cli/suggest.hpp"
 
 #include <map>

@@ -1,6 +1,7 @@
 //! File by file: drop, suppress, then see which suppressions were not needed.
 #include "cli/filter/apply_suppressions.hpp"
 
+#include "analyzer/program/model.hpp"
 #include "cli/filter/directive.hpp"
 #include "cli/suggest.hpp"
 
@@ -252,11 +253,11 @@ std::vector<const Rule*> rules_in_suppressions(const ProgramFile& file) {
 
 std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings,
                                                 const std::vector<FileRules>& files) {
-    std::unordered_map<const ProgramFile*, std::vector<Finding>> by_file;
-    for (Finding& finding : findings) by_file[finding.file].push_back(std::move(finding));
+    std::unordered_map<const Source*, std::vector<Finding>> by_file;
+    for (Finding& finding : findings) by_file[finding.source.get()].push_back(std::move(finding));
     std::vector<FilteredFinding> filtered;
     for (const FileRules& file : files) {
-        const auto own = by_file.find(file.file);
+        const auto own = by_file.find(file.file->source.get());
         auto mine = own == by_file.end() ? std::vector<Finding>() : std::move(own->second);
         if (mine.empty() && file.file->comments.empty()) continue;
         std::ranges::move(FileSuppressions(*file.file, *file.rules).apply_suppressions(std::move(mine)),

@@ -2,7 +2,6 @@
 //! those.
 #pragma once
 
-#include "analyzer/program/model.hpp"
 #include "cli/config/selection.hpp"
 #include "rules/rule.hpp"
 

@@ -2,6 +2,7 @@
 //! minus.
 #include "cli/filter/directive.hpp"
 
+#include "analyzer/program/model.hpp"
 #include "cli/config/selection.hpp"
 #include "cli/suggest.hpp"
 

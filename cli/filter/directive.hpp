@@ -1,13 +1,17 @@
 //! Comments that speak to maclint: (MACLINT ALLOW MAC301 - REASON).
 #pragma once
 
-#include "analyzer/program/model.hpp"
+#include "analyzer/source/span.hpp"
 #include "rules/rule.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace maclint {
+struct DirectiveComment;
+}
 
 namespace maclint::cli {
 

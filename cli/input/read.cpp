@@ -1,6 +1,7 @@
 //! Settings are found one file after the other, reading and lowering go in parallel.
 #include "cli/input/read.hpp"
 
+#include "analyzer/program/model.hpp"
 #include "analyzer/program/readable.hpp"
 #include "analyzer/source/content.hpp"
 #include "analyzer/workspace/parallel.hpp"

@@ -10,7 +10,7 @@ std::string write_concise(const Report& report, const TextStyle& style) {
     std::string out;
     for (const auto& [finding, suppressed] : report.findings) {
         if (suppressed) continue;
-        const Source& source = *finding.file->source;
+        const Source& source = *finding.source;
         const Position at = source.position(finding.span.begin);
         out += shown(source.path()) + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": ";
         out += ansi.severity(finding.severity, std::string(name_of(finding.severity)) + "[" +

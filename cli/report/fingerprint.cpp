@@ -124,7 +124,7 @@ std::map<std::uint32_t, std::string> line_hashes(const Source& source,
 }
 
 std::string Fingerprints::of(const Finding& finding) {
-    const Source& source = *finding.file->source;
+    const Source& source = *finding.source;
     const std::string line = normalised(source.line_text(source.position(finding.span.begin).line));
     const std::string key =
         std::string(finding.rule->code) + "\n" + std::string(finding.message_id) + "\n" + line;

@@ -20,16 +20,16 @@ Json json_of(const Source& source, Span span) {
             {"bytes", {span.begin, span.end}}};
 }
 
-std::string path_of(const ProgramFile& file) {
-    const std::string& path = file.source->path();
+std::string path_of(const Source& source) {
+    const std::string& path = source.path();
     return to_utf8(path, detect_encoding(path));
 }
 
-Json json_of(const std::vector<RelatedLocation>& related) {
+Json json_of(const std::vector<RelatedLocation>& locations) {
     Json list = Json::array();
-    for (const RelatedLocation& related : related)
-        list.push_back({{"file", path_of(*related.file)},
-                        {"range", json_of(*related.file->source, related.span)},
+    for (const RelatedLocation& related : locations)
+        list.push_back({{"file", path_of(*related.source)},
+                        {"range", json_of(*related.source, related.span)},
                         {"text", related.text}});
     return list;
 }
@@ -42,14 +42,14 @@ Json json_of(const Source& source, const std::vector<Edit>& fix) {
 
 Json json_of(const FilteredFinding& filtered) {
     const Finding& finding = filtered.finding;
-    const Source& source = *finding.file->source;
+    const Source& source = *finding.source;
     Json out = {{"code", finding.rule->code},
                 {"name", finding.rule->name},
                 {"severity", name_of(finding.severity)},
                 {"message", finding.message()},
                 {"message_id", finding.message_id},
                 {"arguments", finding.arguments},
-                {"file", path_of(*finding.file)},
+                {"file", path_of(source)},
                 {"range", json_of(source, finding.span)},
                 {"related", json_of(finding.related)},
                 {"path", json_of(finding.path)},

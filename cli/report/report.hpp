@@ -5,6 +5,8 @@
 #include "cli/notice.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,9 +20,10 @@ struct RunTimes {
 };
 
 struct Report {
-    std::vector<FilteredFinding> findings;  ///< in the order of reports, suppressed ones included
-    std::vector<Notice> notices;            ///< in the order of paths
-    std::vector<const ProgramFile*> files;  ///< that were linted because the user asked for them, by path
+    std::vector<FilteredFinding> findings; ///< in the order of reports, suppressed ones included
+    std::vector<Notice> notices;           ///< in the order of paths
+    std::vector<std::shared_ptr<const Source>>
+        files;                              ///< that were linted because the user asked for them, by path
     std::vector<FilteredFinding> not_shown; ///< left out of `findings` because of --max-findings
     int exit_status = 0;
     std::optional<RunTimes> times; ///< none with --no-timestamps

@@ -1,5 +1,4 @@
 //! The report as SARIF 2.1.0 (OASIS standard of 27 March 2020); section numbers below are its.
-#include "analyzer/program/model.hpp"
 #include "cli/report/fingerprint.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/rule_page.hpp"
@@ -107,33 +106,34 @@ class SarifWriter {
   private:
     // ---- files
 
-    void add_artifact(const ProgramFile& file) {
-        if (artifact_index_.try_emplace(&file, artifact_files_.size()).second)
-            artifact_files_.push_back(&file);
+    void add_artifact(const Source& source) {
+        if (artifact_index_.try_emplace(&source, artifact_files_.size()).second)
+            artifact_files_.push_back(&source);
     }
 
     /// Files that were linted, then those that findings lead to.
     void collect_artifacts() {
-        for (const ProgramFile* file : report_.files) add_artifact(*file);
+        for (const auto& source : report_.files) add_artifact(*source);
         for (const FilteredFinding& filtered : report_.findings) {
-            add_artifact(*filtered.finding.file);
-            for (const RelatedLocation& related : filtered.finding.related) add_artifact(*related.file);
-            for (const RelatedLocation& related : filtered.finding.path) add_artifact(*related.file);
+            add_artifact(*filtered.finding.source);
+            for (const RelatedLocation& related : filtered.finding.related) add_artifact(*related.source);
+            for (const RelatedLocation& related : filtered.finding.path) add_artifact(*related.source);
         }
     }
 
     void collect_line_hashes() {
-        std::map<const ProgramFile*, std::set<std::uint32_t>> wanted;
-        for (const FilteredFinding& filtered : report_.findings)
-            wanted[filtered.finding.file].insert(
-                filtered.finding.file->source->position(filtered.finding.span.begin).line);
-        for (const auto& [file, lines] : wanted) line_hashes_[file] = line_hashes(*file->source, lines);
+        std::map<const Source*, std::set<std::uint32_t>> wanted;
+        for (const FilteredFinding& filtered : report_.findings) {
+            const Source& source = *filtered.finding.source;
+            wanted[&source].insert(source.position(filtered.finding.span.begin).line);
+        }
+        for (const auto& [source, lines] : wanted) line_hashes_[source] = line_hashes(*source, lines);
     }
 
     [[nodiscard]] Json artifacts() const {
         Json list = Json::array();
         for (std::size_t i = 0; i < artifact_files_.size(); ++i) {
-            const Source& source = *artifact_files_[i]->source;
+            const Source& source = *artifact_files_[i];
             Json artifact = {{"location", location_of_path(source.path())},
                              {"length", source.size()},
                              {"encoding", source.encoding() == Encoding::utf8 ? "UTF-8" : "windows-1252"}};
@@ -151,9 +151,9 @@ class SarifWriter {
         return location;
     }
 
-    [[nodiscard]] Json artifact_location(const ProgramFile& file) const {
-        Json location = location_of_path(file.source->path());
-        location["index"] = artifact_index_.at(&file);
+    [[nodiscard]] Json artifact_location(const Source& source) const {
+        Json location = location_of_path(source.path());
+        location["index"] = artifact_index_.at(&source);
         return location;
     }
 
@@ -189,17 +189,17 @@ class SarifWriter {
                     {"snippet", {{"text", source.to_utf8(source.bytes(lines))}}}};
     }
 
-    [[nodiscard]] Json physical(const ProgramFile& file, Span span) const {
-        Json physical = {{"artifactLocation", artifact_location(file)},
-                         {"region", region_with_snippet(*file.source, span)}};
-        if (auto context = context_of(*file.source, span)) physical["contextRegion"] = *std::move(context);
+    [[nodiscard]] Json physical(const Source& source, Span span) const {
+        Json physical = {{"artifactLocation", artifact_location(source)},
+                         {"region", region_with_snippet(source, span)}};
+        if (auto context = context_of(source, span)) physical["contextRegion"] = *std::move(context);
         return physical;
     }
 
     /// A place without a context, for all but the finding's own.
-    [[nodiscard]] Json short_physical(const ProgramFile& file, Span span) const {
-        return {{"artifactLocation", artifact_location(file)},
-                {"region", region_with_snippet(*file.source, span)}};
+    [[nodiscard]] Json short_physical(const Source& source, Span span) const {
+        return {{"artifactLocation", artifact_location(source)},
+                {"region", region_with_snippet(source, span)}};
     }
 
     // ---- results
@@ -213,7 +213,7 @@ class SarifWriter {
             {"ruleIndex", RuleStates::index_of(*finding.rule)},
             {"level", level_of(finding.severity)},
             {"message", std::move(message)},
-            {"locations", Json::array({{{"physicalLocation", physical(*finding.file, finding.span)}}})},
+            {"locations", Json::array({{{"physicalLocation", physical(*finding.source, finding.span)}}})},
             {"partialFingerprints", fingerprints_of(finding)}};
         if (!finding.related.empty()) result["relatedLocations"] = related_of(finding);
         if (!finding.path.empty()) result["codeFlows"] = code_flows_of(finding);
@@ -223,9 +223,9 @@ class SarifWriter {
     }
 
     Json fingerprints_of(const Finding& finding) {
-        const std::uint32_t line = finding.file->source->position(finding.span.begin).line;
+        const std::uint32_t line = finding.source->position(finding.span.begin).line;
         Json prints = Json::object();
-        const auto& hashes = line_hashes_.at(finding.file);
+        const auto& hashes = line_hashes_.at(finding.source.get());
         if (const auto hash = hashes.find(line); hash != hashes.end())
             prints["primaryLocationLineHash"] = hash->second;
         prints["maclint/v1"] = fingerprints_.of(finding);
@@ -236,7 +236,7 @@ class SarifWriter {
         Json list = Json::array();
         for (const RelatedLocation& related : finding.related)
             list.push_back({{"id", list.size() + 1},
-                            {"physicalLocation", short_physical(*related.file, related.span)},
+                            {"physicalLocation", short_physical(*related.source, related.span)},
                             {"message", text_message(sentence(related.text))}});
         return list;
     }
@@ -245,7 +245,7 @@ class SarifWriter {
         Json steps = Json::array();
         for (const RelatedLocation& related : finding.path)
             steps.push_back({{"location",
-                              {{"physicalLocation", short_physical(*related.file, related.span)},
+                              {{"physicalLocation", short_physical(*related.source, related.span)},
                                {"message", text_message(sentence(related.text))}}},
                              {"executionOrder", steps.size() + 1}});
         return Json::array({{{"threadFlows", Json::array({{{"locations", std::move(steps)}}})}}});
@@ -254,11 +254,11 @@ class SarifWriter {
     [[nodiscard]] Json fixes_of(const Finding& finding) const {
         Json replacements = Json::array();
         for (const Edit& edit : finding.fix)
-            replacements.push_back({{"deletedRegion", region_of(*finding.file->source, edit.span)},
+            replacements.push_back({{"deletedRegion", region_of(*finding.source, edit.span)},
                                     {"insertedContent", {{"text", edit.text}}}});
         return Json::array(
             {{{"description", text_message("Fix '" + std::string(finding.rule->name) + "'.")},
-              {"artifactChanges", Json::array({{{"artifactLocation", artifact_location(*finding.file)},
+              {"artifactChanges", Json::array({{{"artifactLocation", artifact_location(*finding.source)},
                                                 {"replacements", std::move(replacements)}}})}}});
     }
 
@@ -268,7 +268,7 @@ class SarifWriter {
         Json suppression = {{"kind", "inSource"}, {"status", "accepted"}};
         if (!filtered.suppressed->reason.empty()) suppression["justification"] = filtered.suppressed->reason;
         suppression["location"] = {
-            {"physicalLocation", short_physical(*filtered.finding.file, filtered.suppressed->comment)}};
+            {"physicalLocation", short_physical(*filtered.finding.source, filtered.suppressed->comment)}};
         return Json::array({std::move(suppression)});
     }
 
@@ -391,9 +391,9 @@ class SarifWriter {
 
     const Report& report_;
     std::string root_ = source_root();
-    std::vector<const ProgramFile*> artifact_files_;
-    std::map<const ProgramFile*, std::size_t> artifact_index_;
-    std::map<const ProgramFile*, std::map<std::uint32_t, std::string>> line_hashes_;
+    std::vector<const Source*> artifact_files_;
+    std::map<const Source*, std::size_t> artifact_index_;
+    std::map<const Source*, std::map<std::uint32_t, std::string>> line_hashes_;
     Fingerprints fingerprints_;
 };
 

@@ -8,14 +8,14 @@ namespace maclint::cli {
 
 Tally tally(const Report& report) {
     Tally tally;
-    std::unordered_set<const ProgramFile*> files;
+    std::unordered_set<const Source*> files;
     for (const auto* findings : {&report.findings, &report.not_shown}) {
         for (const auto& [finding, suppressed] : *findings) {
             if (suppressed) {
                 ++tally.suppressed;
                 continue;
             }
-            files.insert(finding.file);
+            files.insert(finding.source.get());
             switch (finding.severity) {
             case Severity::error: ++tally.errors; break;
             case Severity::warning: ++tally.warnings; break;

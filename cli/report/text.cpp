@@ -21,7 +21,7 @@ class TextWriter {
             std::string(name_of(finding.severity)) + "[" + std::string(finding.rule->code) + "]";
         out_ +=
             style_.severity(finding.severity, head) + style_.bold(": " + printable(finding.message())) + "\n";
-        add_frame(*finding.file->source, finding.span);
+        add_frame(*finding.source, finding.span);
         for (const RelatedLocation& related : finding.related) add_related(related, printable(related.text));
         add_path(finding.path);
         out_ += "\n";
@@ -48,7 +48,7 @@ class TextWriter {
 
     void add_related(const RelatedLocation& related, const std::string& text) {
         out_ += style_.note("note") + ": " + text + "\n";
-        add_frame(*related.file->source, related.span);
+        add_frame(*related.source, related.span);
     }
 
     void add_frame(const Source& source, Span span) {

@@ -64,7 +64,7 @@ void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, Ne
                              std::to_string(limit), chain_words(analysis, site, nesting)});
         add_chain(finding, analysis, nesting);
         finding.path.push_back(
-            {&analysis.file(), span, "calls " + name_of_callee(analysis, site) + ", one level too deep"});
+            {analysis.source(), span, "calls " + name_of_callee(analysis, site) + ", one level too deep"});
     }
 }
 

@@ -56,10 +56,10 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         Finding& finding =
             reporter.report(analysis.file(), span, message,
                             {quoted(analysis.program(), span), line_number(analysis.file(), left.begin)});
-        finding.path.push_back({&analysis.file(), span, "the modal call begins here"});
+        finding.path.push_back({analysis.source(), span, "the modal call begins here"});
         for (RelatedLocation& step : path_between(analysis, node_of(analysis, call), node))
             finding.path.push_back(std::move(step));
-        finding.path.push_back({&analysis.file(), left, "it is still active here"});
+        finding.path.push_back({analysis.source(), left, "it is still active here"});
     };
     for (const dataflow::PointState& change : analysis.facts().tool_changes)
         for (const dataflow::OriginId call : analysis.own_modal_calls(change.state, change.node))

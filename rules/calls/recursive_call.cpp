@@ -98,7 +98,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             finding.path.push_back(
                 related_at_effect(calling, step.effect, "calls the next program of the circle"));
         }
-        finding.path.push_back({&analysis.file(), span, "calls " + callee.program().name + " again"});
+        finding.path.push_back({analysis.source(), span, "calls " + callee.program().name + " again"});
     }
 }
 

@@ -79,7 +79,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         Finding& finding = reporter.report(analysis.file(), span, sometimes ? "some-paths" : "plain",
                                            {program.spell(counter->variable)});
         finding.path = steps_along(analysis, *path);
-        finding.path.push_back({&analysis.file(), span, "the loop begins, and nothing has set its counter"});
+        finding.path.push_back({analysis.source(), span, "the loop begins, and nothing has set its counter"});
     }
 }
 

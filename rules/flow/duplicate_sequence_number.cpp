@@ -96,7 +96,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, std::int64_t nu
     }
     Finding& finding = reporter.report(analysis.file(), blocks[1], message, std::move(words));
     for (std::size_t i = 0; i < blocks.size(); ++i)
-        if (i != 1) finding.related.push_back({&analysis.file(), blocks[i], "the same number stands here"});
+        if (i != 1) finding.related.push_back({analysis.source(), blocks[i], "the same number stands here"});
     finding.related.push_back(related_at_effect(analysis, user, "this leads to it"));
 }
 

@@ -150,7 +150,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         known.push_back(first.effect);
         Finding& finding = report(analysis, reporter, first, faults.front());
         for (const dataflow::CounterTest& test : counter->tests)
-            finding.related.push_back({&analysis.file(),
+            finding.related.push_back({analysis.source(),
                                        analysis.program().expressions[test.comparison->expression].span,
                                        "this decides when the loop ends"});
     }

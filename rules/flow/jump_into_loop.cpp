@@ -80,8 +80,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             {quoted(program, span), quoted(program, open), line_number(analysis.file(), open.begin)});
         for (const flow::LabelledBlock& target : targets)
             finding.related.push_back(
-                {&analysis.file(), target.span, "this sequence number is inside the loop"});
-        finding.related.push_back({&analysis.file(), open, "the loop begins here"});
+                {analysis.source(), target.span, "this sequence number is inside the loop"});
+        finding.related.push_back({analysis.source(), open, "the loop begins here"});
         trace(finding, analysis, jump.node, "jumps into the loop");
     }
 }

@@ -107,7 +107,7 @@ void check(const WordsOfBlock& block, Reporter& reporter) {
     Finding& finding = repeated.size() > 1 ? report("several", {addresses})
                        : before == after   ? report("same", {addresses, after})
                                            : report("twice", {addresses, before, after});
-    finding.related.push_back({&block.analysis.file(), first->span, "the first one stands here"});
+    finding.related.push_back({block.analysis.source(), first->span, "the first one stands here"});
 }
 
 } // namespace

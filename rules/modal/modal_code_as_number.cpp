@@ -136,7 +136,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             analysis.file(), program.expressions[*calculation].span, "copy",
             {text(*calculation), program.spell(read.variable), text(source->expression), *name});
         trace(finding, analysis, store_of(analysis, read.value)->node,
-              {&analysis.file(), program.expressions[source->expression].span, "the G code is read here"},
+              {analysis.source(), program.expressions[source->expression].span, "the G code is read here"},
               read.node, "and used as a number here");
     }
 }

@@ -81,7 +81,7 @@ void check(const WordsOfBlock& block, Reporter& reporter) {
         Finding& finding = reporter.report(block.analysis.file(), word.span, "plain",
                                            {quoted(program, before->word->span), quoted(program, word.span),
                                             std::string(control.groups[found->group].name)});
-        finding.related.push_back({&block.analysis.file(), before->word->span, "the other one stands here"});
+        finding.related.push_back({block.analysis.source(), before->word->span, "the other one stands here"});
         return;
     }
 }

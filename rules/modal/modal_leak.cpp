@@ -122,10 +122,10 @@ void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const Moda
     report_path_on(finding, analysis, set, exit.node);
     const Span end =
         exit.effect ? analysis.program().effects[*exit.effect].span : analysis.graph().nodes[exit.node].part;
-    finding.related.push_back({&analysis.file(), end, words_for(exit.kind)});
+    finding.related.push_back({analysis.source(), end, words_for(exit.kind)});
     if (leak.leak_use.program != nullptr)
         finding.related.push_back(
-            {&leak.leak_use.program->file(), leak.leak_use.block, "a caller moves so here"});
+            {leak.leak_use.program->source(), leak.leak_use.block, "a caller moves so here"});
 }
 
 } // namespace maclint::rules

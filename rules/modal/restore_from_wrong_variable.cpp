@@ -80,7 +80,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                 : reporter.report(analysis.file(), span, "code", {text, quoted(program, read)});
         const dataflow::Store* store = store_of(analysis, write.value);
         trace(finding, analysis, store != nullptr ? store->node : write.node,
-              {&analysis.file(), read, "the value comes from here"}, write.node, "and is put back here");
+              {analysis.source(), read, "the value comes from here"}, write.node, "and is put back here");
     }
 }
 

@@ -93,7 +93,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
          word_of(analysis, group, part), quoted(program, program.effects[restore.effect].span)});
     trace(finding, analysis, part.origin, "the program changes it here", store.node, "and saves it here");
     finding.related.push_back(
-        {&analysis.file(), program.effects[restore.effect].span, "this puts back the program's own value"});
+        {analysis.source(), program.effects[restore.effect].span, "this puts back the program's own value"});
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

@@ -101,9 +101,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                                             std::string(analysis.control().groups[*saved->source.group].name),
                                             program.spell(*variable), quoted(program, word)});
         trace(finding, analysis, saved->node,
-              {&analysis.file(), program.expressions[saved->source.expression].span, "it is saved here"},
+              {analysis.source(), program.expressions[saved->source.expression].span, "it is saved here"},
               store->node, "and overwritten here");
-        finding.related.push_back({&analysis.file(), word, "this word should put the saved value back"});
+        finding.related.push_back({analysis.source(), word, "this word should put the saved value back"});
     }
 }
 

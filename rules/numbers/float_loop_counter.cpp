@@ -84,7 +84,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                   "and added in every pass");
         else
             trace(finding, analysis, step.node, "the step is added in every pass");
-        finding.related.push_back({&analysis.file(), decides, "this decides whether there is another pass"});
+        finding.related.push_back({analysis.source(), decides, "this decides whether there is another pass"});
     }
 }
 

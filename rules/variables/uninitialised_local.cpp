@@ -182,7 +182,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         for (RelatedLocation& step :
              path ? steps_along(analysis, *path) : path_between(analysis, 0, read.node))
             finding.path.push_back(std::move(step));
-        finding.path.push_back({&analysis.file(), span, name + " is read"});
+        finding.path.push_back({analysis.source(), span, name + " is read"});
     }
 }
 

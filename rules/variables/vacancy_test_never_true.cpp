@@ -75,7 +75,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const std::string ends = name + " is tested for vacancy";
         if (const dataflow::Store* store = last_store_before(analysis, *variable, comparison.node))
             trace(finding, analysis, store->node,
-                  {&analysis.file(), program.effects[store->effect].span, name + " is set"}, comparison.node,
+                  {analysis.source(), program.effects[store->effect].span, name + " is set"}, comparison.node,
                   ends);
         else
             trace(finding, analysis, comparison.node, ends);

@@ -88,7 +88,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         Finding& finding = reporter.report(analysis.file(), span, "passes", {quoted(program, span), name});
         trace(finding, analysis, value.vacancy_origin, name + " may be vacant from here on", comparison.node,
               "a vacant " + name + " counts as 0");
-        finding.related.push_back({&analysis.file(), program.expressions[use->expression].span,
+        finding.related.push_back({analysis.source(), program.expressions[use->expression].span,
                                    name + " is used here and may still be vacant"});
     }
 }

@@ -6,23 +6,22 @@
 namespace maclint::test {
 
 HandMade::HandMade(std::string path, std::string text)
-    : file_(std::make_shared<ProgramFile>()) {
-    file_->source = std::make_shared<const Source>(Source::from_bytes(std::move(path), std::move(text)));
-    report_.files.push_back(file_.get());
+    : source_(std::make_shared<const Source>(Source::from_bytes(std::move(path), std::move(text)))) {
+    report_.files.push_back(source_);
 }
 
 Span HandMade::place_of(std::string_view part) const {
-    const auto at = static_cast<Offset>(file_->source->bytes().find(part));
+    const auto at = static_cast<Offset>(source_->bytes().find(part));
     return {at, at + static_cast<Offset>(part.size())};
 }
 
 Finding& HandMade::add(std::string_view part, Severity severity) {
     Finding finding{.rule = find_rule("MAC002"),
                     .severity = severity,
-                    .file = file_.get(),
+                    .source = source_,
                     .span = place_of(part),
                     .message_id = "unknown",
-                    .arguments = {file_->source->to_utf8(part)},
+                    .arguments = {source_->to_utf8(part)},
                     .related = {},
                     .path = {},
                     .fix = {}};

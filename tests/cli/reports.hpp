@@ -14,7 +14,7 @@ class HandMade {
   public:
     HandMade(std::string path, std::string text);
 
-    [[nodiscard]] const ProgramFile& file() const { return *file_; }
+    [[nodiscard]] const std::shared_ptr<const Source>& source() const { return source_; }
     /// The first place of `part` in the text.
     [[nodiscard]] Span place_of(std::string_view part) const;
     /// Puts a finding at the first place of `part` into the report: MAC002, "There is no rule 'part'. …".
@@ -22,7 +22,7 @@ class HandMade {
     [[nodiscard]] cli::Report& report() { return report_; }
 
   private:
-    std::shared_ptr<ProgramFile> file_;
+    std::shared_ptr<const Source> source_;
     cli::Report report_;
 };
 

@@ -69,9 +69,9 @@ TEST(Sarif, DescribesRules) {
 TEST(Sarif, CarriesRelatedPlacesPathFixAndFingerprints) {
     HandMade made("O1.nc", "O1\nGOTO 9\nN9\nM30\n");
     Finding& finding = made.add("GOTO 9", Severity::warning);
-    finding.related.push_back({&made.file(), made.place_of("N9"), "N9 is here"});
-    finding.path.push_back({&made.file(), made.place_of("O1"), "it starts here"});
-    finding.path.push_back({&made.file(), made.place_of("GOTO 9"), "it ends here"});
+    finding.related.push_back({made.source(), made.place_of("N9"), "N9 is here"});
+    finding.path.push_back({made.source(), made.place_of("O1"), "it starts here"});
+    finding.path.push_back({made.source(), made.place_of("GOTO 9"), "it ends here"});
     finding.fix.push_back({made.place_of("GOTO 9\n"), ""});
     const json result = first_result(made);
     EXPECT_EQ(result["relatedLocations"][0]["message"]["text"], "N9 is here.");

@@ -79,7 +79,7 @@ TEST(Frame, ShowsTheFirstAndTheLastOfManyLines) {
 TEST(TextReport, ShowsMessagePlaceFrameAndNotes) {
     HandMade made("O9100.nc", "O9100\nGOTO 20\nWHILE [#1 LT 5] DO1\nN20 G0\nEND1\nM30\n");
     Finding& finding = made.add("GOTO 20", Severity::error);
-    finding.related.push_back({&made.file(), made.place_of("N20"), "N20 is here"});
+    finding.related.push_back({made.source(), made.place_of("N20"), "N20 is here"});
     EXPECT_EQ(write_text(made.report(), plain),
               "error[MAC002]: There is no rule 'GOTO 20'. See 'maclint rules' for the list.\n"
               "  --> O9100.nc:2:1\n"
@@ -98,7 +98,7 @@ TEST(TextReport, ShowsMessagePlaceFrameAndNotes) {
 TEST(TextReport, NumbersTheStepsOfAPathAndLeavesTheMiddleOfALongOneOut) {
     HandMade made("O1.nc", "O1\nM30\n");
     Finding& finding = made.add("M30", Severity::warning);
-    for (int i = 0; i < 30; ++i) finding.path.push_back({&made.file(), {0, 2}, "here"});
+    for (int i = 0; i < 30; ++i) finding.path.push_back({made.source(), {0, 2}, "here"});
     const std::string text = write_text(made.report(), plain);
     EXPECT_THAT(text, HasSubstr("note: step 6 of 30: here"));
     EXPECT_THAT(text, HasSubstr("note: 18 steps left out"));

@@ -1,6 +1,5 @@
 //! What operations do to ranges and value numbers: worked out by hand.
 #include "tests/dataflow/computing.hpp"
-#include "tests/dataflow/expect.hpp"
 
 #include <array>
 

@@ -21,7 +21,7 @@ std::vector<std::uint32_t> still_compensated(const std::string& text) {
     const auto workspace = test::analyse_text("dinplus", text);
     std::vector<std::uint32_t> lines;
     for (const Finding& finding : run_rules(*workspace, {{find_rule("DIN619")}}, 1))
-        lines.push_back(finding.file->source->position(finding.span.begin).line);
+        lines.push_back(finding.source->position(finding.span.begin).line);
     return lines;
 }
 

@@ -1,6 +1,5 @@
 //! What ranges, vacancy and rounding tell of a comparison: worked out by hand.
 #include "tests/dataflow/computing.hpp"
-#include "tests/dataflow/expect.hpp"
 
 #include <array>
 

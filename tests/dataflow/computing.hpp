@@ -1,17 +1,14 @@
 //! Values for tests of operations, and operations on them.
 #pragma once
 
-#include "analyzer/dataflow/arithmetic.hpp"
+#include "tests/dataflow/expect.hpp"
 
 #include <array>
 #include <cstdint>
-#include <limits>
 
 #include <gtest/gtest.h>
 
 namespace maclint::dataflow {
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class Arithmetic : public testing::Test {
   protected:

@@ -3,7 +3,6 @@
 #include "tests/support/analysed.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -16,7 +15,7 @@ using dataflow::Vacancy;
 using dataflow::Value;
 using test::last_read;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using dataflow::infinity;
 
 /// What #500, of which nothing is known, is where the condition holds.
 Value where(const std::string& condition) {

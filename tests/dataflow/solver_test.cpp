@@ -1,8 +1,8 @@
 //! What the solver knows at a word that reads a variable, or at a program's end: each worked out by hand.
+#include "tests/dataflow/expect.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,7 +16,7 @@ using dataflow::Vacancy;
 using dataflow::Value;
 using test::last_read;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using dataflow::infinity;
 
 /// What a modal group can be at the only exit that is reached.
 dataflow::ModalValue at_exit(const ProgramAnalysis& analysis, ModalRole role) {

@@ -12,7 +12,7 @@ namespace maclint {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::reported;
+using test::reported;
 
 struct Kind {
     std::string_view folder; ///< beginning of the path
@@ -40,13 +40,13 @@ constexpr Kind kinds[] = {
     // One or two blocks that any control would take: nothing in them tells.
     {"reference/dinplus-examples",                     "010-block-allowed.nc",  "fanuc"},
     {"reference/dinplus-examples",                     "011-block-forbidden.nc", "fanuc"},
-    {"reference/dinplus-examples",                     "",                      testing::din_plus},
+    {"reference/dinplus-examples",                     "",                      test::din_plus},
     {"reference/seed-programs",                        ".mpf",                  "SINUMERIK"},
     {"reference/seed-programs",                        "O9601.",                "nct"},
     // The other NCT programs are Fanuc code to the letter, or nearly.
     {"reference/seed-programs",                        "",                      "fanuc"},
     // Our own fixtures.
-    {"tests/fixtures/dinplus/programs",                "",                      testing::din_plus},
+    {"tests/fixtures/dinplus/programs",                "",                      test::din_plus},
     {"tests/fixtures/dinplus/bad-input",               "utf16-le.nc",           "UTF-16 text, which no control reads"},
     {"tests/fixtures/dinplus/bad-input",               "png-header.ncs",        "a binary file"},
     {"tests/fixtures/dinplus/bad-input",               "all-bytes.nc",          "a binary file"},
@@ -54,7 +54,7 @@ constexpr Kind kinds[] = {
     {"tests/fixtures/dinplus/bad-input",               "only-comment.nc",       "text of another kind"},
     {"tests/fixtures/dinplus/bad-input",               "note.txt",              "text of another kind"},
     {"tests/fixtures/dinplus/bad-input",               "iso-program.nc",        "fanuc"},
-    {"tests/fixtures/dinplus/bad-input",               "",                      testing::din_plus},
+    {"tests/fixtures/dinplus/bad-input",               "",                      test::din_plus},
     {"tests/fixtures/bad-input",                       "klartext",              "HEIDENHAIN Klartext"},
     {"tests/fixtures/bad-input",                       "json.nc",               "JSON"},
     {"tests/fixtures/bad-input",                       "c-source.nc",           "C source"},

@@ -12,8 +12,8 @@
 namespace maclint {
 namespace {
 
+using test::reported;
 using ::testing::HasSubstr;
-using testing::reported;
 
 Detection detect(std::string path, std::string_view text) {
     return detect_dialect(Source::from_bytes(std::move(path), std::string(text)));
@@ -112,7 +112,7 @@ TEST(Detection, WireErosionAndOkumaAreNamed) {
 }
 
 TEST(Detection, DinPlusIsToldBySectionsAndFilesOfSubprograms) {
-    const std::string din_plus(testing::din_plus);
+    const std::string din_plus(test::din_plus);
     for (const char* text : {"PROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 G0 X5\nEND",
                              "BEARBEITUNG\nN1 G0 X5\nENDE", "CHUCKING EQUIPMENT 2\nH0 D0 Z200\n",
                              "FACE_C Z-25\nN1 G0 X5\n", "AUXIL_CONTOUR ID\"path\"\nN1 G0 X5 Z0\n",
@@ -123,7 +123,7 @@ TEST(Detection, DinPlusIsToldBySectionsAndFilesOfSubprograms) {
 }
 
 TEST(Detection, FragmentsOfDinPlusAreToldByVariablesAddressesAndCalls) {
-    const std::string din_plus(testing::din_plus);
+    const std::string din_plus(test::din_plus);
     for (const char* text :
          {"N1 #l1=#l1+1\nN2 IF #l1 < 5\nN3 THEN\n", "#g200=5\n", "N5 IF NDEF(#__la)\nN6 THEN\n",
           "N1 L\"GROOVE\" V1 LA5\n", "N1 T3 G95 F0.25 G96 S200 M3\nN2 G0 X62 Z2\n",
@@ -136,7 +136,7 @@ TEST(Detection, FragmentsOfDinPlusAreToldByVariablesAddressesAndCalls) {
 TEST(Detection, ACommentAtTheHeadOfDinPlusIsNoJson) {
     const std::string program = "\nPROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 G0 X5\nEND\n";
     for (const char* comment : {"[Part \"A1\"]", "[{ shaft }]", "[\"A1\"]", "[5]", "[]", "[ {\"A\"} ]"})
-        EXPECT_EQ(reported_of(comment + program), testing::din_plus) << comment;
+        EXPECT_EQ(reported_of(comment + program), test::din_plus) << comment;
     for (const char* json : {"[{\"a\": [1, -2.5e3]}, {\"b\": null}]", "[\n  \"a\\\"b\",\n  true\n]\n",
                              "{\"a\": 1}", "[{\"cut\": \"off"})
         EXPECT_EQ(reported_of(json), "JSON") << json;
@@ -152,8 +152,8 @@ TEST(Detection, ALineOfManyWordsTakesNoTime) {
     const auto start = std::chrono::steady_clock::now();
     (void)detect("a.nc", line);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(500));
-    EXPECT_EQ(reported_of("FINISHED PART X5 Z\nN1 G0 X5\n"), testing::din_plus);
-    EXPECT_NE(reported_of("FINISHED PARTS LIST\nN1 G0 X5\n"), testing::din_plus);
+    EXPECT_EQ(reported_of("FINISHED PART X5 Z\nN1 G0 X5\n"), test::din_plus);
+    EXPECT_NE(reported_of("FINISHED PARTS LIST\nN1 G0 X5\n"), test::din_plus);
 }
 
 TEST(Detection, TheNoteSaysWhatGaveTheLanguageAwayAndWhere) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace maclint::testing {
+namespace maclint::test {
 
 /// What `reported` says of DIN PLUS, whether the dialect is there or not.
 inline constexpr std::string_view din_plus = "HEIDENHAIN DIN PLUS";
@@ -18,4 +18,4 @@ inline std::string reported(const Detection& detection) {
     return std::string(detection.dialect->name);
 }
 
-} // namespace maclint::testing
+} // namespace maclint::test

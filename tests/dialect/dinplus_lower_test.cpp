@@ -9,13 +9,11 @@ namespace {
 
 /// The blocks of a MACHINING section and the irregularities, one a line.
 std::string din(std::string_view blocks) {
-    return testing::lower(testing::read_as("dinplus", "part.nc", "MACHINING\n" + std::string(blocks)));
+    return test::lower(test::read_as("dinplus", "part.nc", "MACHINING\n" + std::string(blocks)));
 }
 
 /// The same for a program that begins otherwise.
-std::string whole(std::string_view text) {
-    return testing::lower(testing::read_as("dinplus", "part.nc", text));
-}
+std::string whole(std::string_view text) { return test::lower(test::read_as("dinplus", "part.nc", text)); }
 
 TEST(DinWords, ACodeSetsItsGroupAndItsWord) {
     EXPECT_EQ(din("N1 G96 S200 G95 F0.3 M4"),
@@ -47,7 +45,7 @@ TEST(DinWords, ValuesAreExpressionsWithoutBrackets) {
 }
 
 TEST(DinWords, AddressAndIncrementAreRecorded) {
-    const ProgramFile file = testing::read_as("dinplus", "p.nc", "MACHINING\nN1 XKi5 ID\"a\" Zi#l1 ANi30+_a");
+    const ProgramFile file = test::read_as("dinplus", "p.nc", "MACHINING\nN1 XKi5 ID\"a\" Zi#l1 ANi30+_a");
     const Program& program = file.programs.at(0);
     ASSERT_EQ(program.words.size(), 4U);
     EXPECT_EQ(program.words[0].address, "XK");
@@ -148,7 +146,7 @@ TEST(DinVariables, ConstantsAreStoredOnce) {
 
 TEST(DinVariables, WhatIsHandedDownIsKnown) {
     const ProgramFile file =
-        testing::read_as("dinplus", "p.nc", "CONST\n_a=3\nVAR\n#_d=#l90(5)\n#_e=#l2\nMACHINING\n#l7(1)");
+        test::read_as("dinplus", "p.nc", "CONST\n_a=3\nVAR\n#_d=#l90(5)\n#_e=#l2\nMACHINING\n#l7(1)");
     const Program& program = file.programs.at(0);
     std::vector<std::string> names;
     for (const Variable variable : program.handed_down) names.push_back(program.spell(variable));

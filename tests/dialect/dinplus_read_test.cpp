@@ -21,7 +21,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 ProgramFile read_din(std::string_view text, std::string path = "part.nc") {
-    return testing::read_as("dinplus", std::move(path), text);
+    return test::read_as("dinplus", std::move(path), text);
 }
 
 std::vector<std::string> sections_of(const Program& program) {

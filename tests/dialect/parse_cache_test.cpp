@@ -234,9 +234,9 @@ TEST(ParseCache, GivesRandomDinPlusBlocksTheirOwnTree) {
 /// A NUL once ended the comment for the parser, and every block like it was wrong from then on.
 TEST(ParseCache, ANulInACommentHarmsNeitherItsBlockNorALaterOne) {
     for (const std::string_view text : {"#1=5(A\0B)"sv, "#1=5(A-B)"sv})
-        EXPECT_EQ(testing::lower(text), "#1 := 5") << text;
+        EXPECT_EQ(test::lower(text), "#1 := 5") << text;
     for (const std::string_view text : {"N1 #g1=5 [A\0B]"sv, "N1 #g1=5 [A-B]"sv})
-        EXPECT_EQ(testing::lower(testing::read_as("dinplus", "a.ncs", text)), "N1 #g1 := 5") << text;
+        EXPECT_EQ(test::lower(test::read_as("dinplus", "a.ncs", text)), "N1 #g1 := 5") << text;
 }
 
 } // namespace

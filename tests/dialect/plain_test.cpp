@@ -68,7 +68,7 @@ TEST(PlainLane, TakesPlainBlocksOfDinPlus) {
 }
 
 TEST(PlainLane, JoinsBlocksToRunsWithWhatTheyLeaveAfter) {
-    const ProgramFile file = maclint::testing::read("G90G0X1.\n\n(NOTE)\nN5G1Y2.F100\nF200");
+    const ProgramFile file = test::read("G90G0X1.\n\n(NOTE)\nN5G1Y2.F100\nF200");
     const Program& program = file.programs.front();
     ASSERT_EQ(program.items.size(), 1U);
     const Stretch all{0, program.span};
@@ -80,12 +80,12 @@ TEST(PlainLane, JoinsBlocksToRunsWithWhatTheyLeaveAfter) {
     });
     EXPECT_EQ(left, "motion mode=1 distance mode=90 feed=200 ");
     EXPECT_EQ(count_blocks(program), 3U);
-    EXPECT_EQ(maclint::testing::read("G17\n#1=1\nG18").programs.front().items.size(), 3U);
+    EXPECT_EQ(test::read("G17\n#1=1\nG18").programs.front().items.size(), 3U);
 }
 
 TEST(PlainLane, KnowsOfARunWhatItsBlocksRepeat) {
     const auto summary = [](std::string_view text) {
-        const ProgramFile file = maclint::testing::read(text);
+        const ProgramFile file = test::read(text);
         return std::get<PlainRun>(file.programs.front().items.front()).words;
     };
     EXPECT_TRUE(summary("G0 G90 X1. Y2. M3 M8\nX1. Y2.").repeated.empty());
@@ -96,7 +96,7 @@ TEST(PlainLane, KnowsOfARunWhatItsBlocksRepeat) {
 
 TEST(PlainLane, DecodesItsBlocksAgain) {
     const std::string text = "N5G90G1X1.\n(NOTE)\n;G92X0Y0\nF10.5S-3\n";
-    const ProgramFile file = maclint::testing::read(text);
+    const ProgramFile file = test::read(text);
     const Program& program = file.programs.front();
     std::vector<std::string> seen;
     for_each_block(program, [&](const BlockView& block) {
@@ -126,11 +126,11 @@ std::vector<std::int64_t> numbers_of(const Program& program) {
 TEST(PlainLane, BlocksAfterWhatItCannotReadAreDecodedToo) {
     for (const char* between : {"(MACLINT ALLOW MAC301)", "(NEVER CLOSED", "%\n%"}) {
         const ProgramFile file =
-            maclint::testing::read("%\nO1\nN1 G1 X1.\n" + std::string(between) + "\nN2 G1 X2.\nN3 X3.\n");
+            test::read("%\nO1\nN1 G1 X1.\n" + std::string(between) + "\nN2 G1 X2.\nN3 X3.\n");
         ASSERT_EQ(file.programs.size(), 1U) << between;
         EXPECT_THAT(numbers_of(file.programs[0]), ElementsAre(1, 2, 3)) << between;
     }
-    EXPECT_EQ(count_blocks(maclint::testing::read("G1X1.\n(NOTE)\n\nX2.\n%\n").programs.front()), 2U);
+    EXPECT_EQ(count_blocks(test::read("G1X1.\n(NOTE)\n\nX2.\n%\n").programs.front()), 2U);
 }
 
 /// The numbers that a loop over stretches or numbered blocks looks for.
@@ -145,7 +145,7 @@ struct Only {
 TEST(PlainLane, CutsALongRowOfBlocksWhereANumberIsWanted) {
     std::string text;
     for (int i = 1; i <= 10'000; ++i) text += "N" + std::to_string(i) + " X1.\n";
-    const ProgramFile file = maclint::testing::read(text);
+    const ProgramFile file = test::read(text);
     const Program& program = file.programs.front();
     std::vector<std::string> heads;
     Offset end = 0;
@@ -248,8 +248,8 @@ BothLanes forbid_plain_lane(std::string_view text, const syntax::PlainTables& ta
 std::size_t compare_lanes(std::string_view text, std::string_view control, std::string_view name,
                           const syntax::PlainTables& tables, std::string_view comment) {
     const BothLanes lanes = forbid_plain_lane(text, tables, comment);
-    const auto plain = meaning(maclint::testing::read_as(control, std::string(name), text));
-    const auto parsed = meaning(maclint::testing::read_as(control, std::string(name), lanes.grammar_only));
+    const auto plain = meaning(test::read_as(control, std::string(name), text));
+    const auto parsed = meaning(test::read_as(control, std::string(name), lanes.grammar_only));
     if (plain != parsed) {
         const auto [a, b] = std::ranges::mismatch(plain, parsed);
         ADD_FAILURE() << name << ", with the plain lane:\n"

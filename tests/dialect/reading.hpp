@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace maclint::testing {
+namespace maclint::test {
 
 /// A file of that name and text, read for a control.
 inline ProgramFile read_as(std::string_view control, std::string path, std::string_view text) {
@@ -28,4 +28,4 @@ inline std::string lower(const ProgramFile& file) {
 }
 inline std::string lower(std::string_view text) { return lower(read(text)); }
 
-} // namespace maclint::testing
+} // namespace maclint::test

@@ -14,7 +14,7 @@
 namespace maclint {
 namespace {
 
-using testing::read;
+using test::read;
 
 /// Of the processor: other work on the machine does not count.
 double seconds_since(std::clock_t start) {
@@ -141,7 +141,7 @@ TEST(FanucReader, LongBlocksOfNamesAreRead) {
     for (const char* block : {"[#DEPTH]=[#MAXDEPTH]+[#STEPLEN]-[#FINEPASS]*[#STEPLEN]",
                               "IF[[#DEPTH]GT[#MAXDEPTH]]THEN[#DEPTH]=[#MAXDEPTH]",
                               "IF[[#_ABSMT]EQ[#_ABSOT]]OR[[#A]EQ[#B]]OR[[#C]EQ[#_VERYLONGNAME]]GOTO#_TARGET"})
-        EXPECT_EQ(testing::read(std::string(block) + "\n").syntax_errors.size(), 0U) << block;
+        EXPECT_EQ(test::read(std::string(block) + "\n").syntax_errors.size(), 0U) << block;
 }
 
 TEST(FanucReader, UnfinishedOutputStatementAtTheEndOfAFileReturns) {

@@ -16,7 +16,7 @@
 namespace maclint {
 namespace {
 
-using testing::lower;
+using test::lower;
 
 std::set<SyntaxErrorKind> causes_of_rule(std::string_view rule) {
     static constexpr std::pair<std::string_view, SyntaxErrorKind> causes[] = {
@@ -45,7 +45,7 @@ TEST(SyntaxErrors, WrongBlocksOfTheGrammarAreToldTheirCause) {
         const std::set<SyntaxErrorKind> wanted = causes_of_rule(line.substr(tab + 1));
         if (wanted.empty()) continue;
         std::set<SyntaxErrorKind> found;
-        for (const SyntaxError& syntax_error : testing::read(line.substr(0, tab)).syntax_errors)
+        for (const SyntaxError& syntax_error : test::read(line.substr(0, tab)).syntax_errors)
             found.insert(syntax_error.kind);
         EXPECT_TRUE(std::ranges::any_of(found, [&](SyntaxErrorKind kind) { return wanted.contains(kind); }))
             << line << '\n'
@@ -76,7 +76,7 @@ TEST(SyntaxErrors, WordsThatTheControlRefusesAreToldThoughTheyCanBeParsed) {
     for (const auto& [block, reported] : blocks)
         EXPECT_THAT(lower(block), ::testing::HasSubstr(reported)) << block;
     for (const char* fine : {"G1X-#1", "#1=-[-5]", "#[#1]=5", "N1#1=5", "X-.5"})
-        EXPECT_TRUE(testing::read(fine).syntax_errors.empty()) << fine;
+        EXPECT_TRUE(test::read(fine).syntax_errors.empty()) << fine;
 }
 
 TEST(SyntaxErrors, AbbreviatedFunctionsAreWordsOfTheLanguage) {
@@ -86,29 +86,29 @@ TEST(SyntaxErrors, AbbreviatedFunctionsAreWordsOfTheLanguage) {
 }
 
 TEST(SyntaxErrors, TheNumberOfALoopStandsWithoutBrackets) {
-    EXPECT_EQ(testing::read("WHILE[#1LT5]DO(1)").syntax_errors.at(0).cure, "1");
-    EXPECT_EQ(testing::read("END(1)").syntax_errors.at(0).cure, "1");
+    EXPECT_EQ(test::read("WHILE[#1LT5]DO(1)").syntax_errors.at(0).cure, "1");
+    EXPECT_EQ(test::read("END(1)").syntax_errors.at(0).cure, "1");
 }
 
 TEST(SyntaxErrors, ABracketThatTheCommentCutsOffIsNotWrittenAsACure) {
     // The comment is "(ABS(#2)": in brackets it would be as wrong as before.
-    EXPECT_EQ(testing::read("#1=ATAN(ABS(#2)/ABS(#3))").syntax_errors.at(0).cure, "[");
-    EXPECT_EQ(testing::read("#1=ATAN(#2)").syntax_errors.at(0).cure, "[#2]");
+    EXPECT_EQ(test::read("#1=ATAN(ABS(#2)/ABS(#3))").syntax_errors.at(0).cure, "[");
+    EXPECT_EQ(test::read("#1=ATAN(#2)").syntax_errors.at(0).cure, "[#2]");
 }
 
 TEST(SyntaxErrors, TheCureIsUtf8LikeTheSubject) {
-    EXPECT_EQ(testing::read("#1=SIN(\xE4)").syntax_errors.at(0).cure, "[\xC3\xA4]");
+    EXPECT_EQ(test::read("#1=SIN(\xE4)").syntax_errors.at(0).cure, "[\xC3\xA4]");
 }
 
 TEST(SyntaxErrors, TheListOfAnOutputStatementMayHoldAnyWords) {
     for (const std::string block :
          {"DPRNT[HOLE*NO/#122[40]/**HOLE*NAME/**CENTRE*DISTANCE]", "DPRNT[HOLES*OUT*OF*LIMITS]",
           "BPRNT[IF*ANGLE<LIMIT*THEN*GOOD]", "N10DPRNT[WHILE*DIAMETER>=#1[33]*REWORK*PART]"}) {
-        EXPECT_TRUE(testing::read(block).syntax_errors.empty()) << block;
+        EXPECT_TRUE(test::read(block).syntax_errors.empty()) << block;
         const auto cause = fanuc::find_cause(block, {0, static_cast<Offset>(block.size())});
         EXPECT_FALSE(cause) << block << ": " << cause->subject;
     }
-    EXPECT_EQ(testing::read("DPRNT[HOLES*OUT*OF*LIMITS").syntax_errors.at(0).cure, "its ']' is missing");
+    EXPECT_EQ(test::read("DPRNT[HOLES*OUT*OF*LIMITS").syntax_errors.at(0).cure, "its ']' is missing");
 }
 
 /// Every block of the files below the folder that is read without complaint has no cause of an error in it:
@@ -124,7 +124,7 @@ void expect_no_cause_in_good_blocks(const std::filesystem::path& folder) {
             fanuc::cut_block(text, at, block);
             const std::string code = text.substr(block.span.begin, block.span.length());
             if (code.empty() || !seen.insert(code).second) continue;
-            if (!testing::read(code).syntax_errors.empty()) continue;
+            if (!test::read(code).syntax_errors.empty()) continue;
             const auto cause = fanuc::find_cause(code, {0, static_cast<Offset>(code.size())});
             EXPECT_FALSE(cause) << entry.path() << ": " << code << "\n"
                                 << cause->subject << ": " << cause->cure;

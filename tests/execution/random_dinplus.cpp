@@ -8,19 +8,19 @@
 namespace maclint::test {
 namespace {
 
-constexpr std::array<std::string_view, 10> variables{"#l1", "#l2", "#l3", "#l90", "#g1",
-                                                     "#g2", "#c1", "#_n", "#_m",  "#__la"};
-constexpr std::array<std::string_view, 6> relations{"==", "<>", "<", "<=", ">", ">="};
-constexpr std::array<std::string_view, 11> functions{"SIN",   "COS", "TAN",  "ASIN", "ACOS", "ATAN",
-                                                     "ROUND", "INT", "SQRT", "LOGN", "ABS"};
-constexpr std::array<std::string_view, 13> words{"G1 X10",   "G0 Z5",    "G40",  "G41",    "G95 F0.2",
-                                                 "G96 S150", "G18",      "G17",  "G16 Q1", "G16 Q0",
-                                                 "G94 F#l1", "G97 S#g1", "X5 Z2"};
+constexpr std::array<std::string_view, 10> din_variables{"#l1", "#l2", "#l3", "#l90", "#g1",
+                                                         "#g2", "#c1", "#_n", "#_m",  "#__la"};
+constexpr std::array<std::string_view, 6> din_relations{"==", "<>", "<", "<=", ">", ">="};
+constexpr std::array<std::string_view, 11> din_functions{"SIN",   "COS", "TAN",  "ASIN", "ACOS", "ATAN",
+                                                         "ROUND", "INT", "SQRT", "LOGN", "ABS"};
+constexpr std::array<std::string_view, 13> din_words{"G1 X10",   "G0 Z5",    "G40",  "G41",    "G95 F0.2",
+                                                     "G96 S150", "G18",      "G17",  "G16 Q1", "G16 Q0",
+                                                     "G94 F#l1", "G97 S#g1", "X5 Z2"};
 constexpr std::array<std::string_view, 5> states{"#n18(G)", "#n40(G)", "#n95(F)", "#e1", "#i5"};
 
-class Writer {
+class DinWriter {
   public:
-    Writer(Dice& dice, std::vector<std::string> callees, bool is_main)
+    DinWriter(Dice& dice, std::vector<std::string> callees, bool is_main)
         : dice_(dice)
         , callees_(std::move(callees))
         , is_main_(is_main) {}
@@ -58,12 +58,12 @@ class Writer {
         case 13:
         case 14: return line(skip() + call());
         case 15:
-            return line((dice_.one_in(2) ? "#g(" : "#l(") + std::string(dice_.one_of(variables)) +
+            return line((dice_.one_in(2) ? "#g(" : "#l(") + std::string(dice_.one_of(din_variables)) +
                         ")=" + expression(1));
         case 16: return line("INPUT(\"n\"," + std::string(target()) + ")");
         case 17: return line("PRINT(\"n\"," + expression(0) + ")");
         case 18: return line(dice_.one_in(3) ? end() : "G" + std::string(target()));
-        default: return line(skip() + std::string(dice_.one_of(words)));
+        default: return line(skip() + std::string(dice_.one_of(din_words)));
         }
     }
 
@@ -86,7 +86,7 @@ class Writer {
         const std::string counter(target());
         if (dice_.one_in(2)) {
             line(counter + "=" + constant());
-            line("WHILE " + counter + std::string(dice_.one_of(relations)) + constant());
+            line("WHILE " + counter + std::string(dice_.one_of(din_relations)) + constant());
             line(counter + "=" + counter + dice_.one_of(std::string_view("++-")) + constant());
         } else {
             line("WHILE " + condition());
@@ -132,7 +132,9 @@ class Writer {
         return "/1 RETURN";
     }
 
-    std::string_view target() { return variables[dice_.below(variables.size() - (is_main_ ? 1 : 0))]; }
+    std::string_view target() {
+        return din_variables[dice_.below(din_variables.size() - (is_main_ ? 1 : 0))];
+    }
 
     std::string constant() {
         constexpr std::array<std::string_view, 10> numbers{"0", "1",   "2",  "3",  "4",
@@ -146,9 +148,10 @@ class Writer {
         switch (dice_.below(6)) {
         case 0:
         case 1: return term();
-        case 2: return std::string(dice_.one_of(functions)) + "(" + expression(depth - 1) + ")";
+        case 2: return std::string(dice_.one_of(din_functions)) + "(" + expression(depth - 1) + ")";
         case 3:
-            return dice_.one_in(2) ? "#g(" + term() + ")" : "(" + std::string(dice_.one_of(variables)) + ")";
+            return dice_.one_in(2) ? "#g(" + term() + ")"
+                                   : "(" + std::string(dice_.one_of(din_variables)) + ")";
         default:
             return "(" + expression(depth - 1) + dice_.one_of(std::string_view("+-*/")) + "(" +
                    expression(depth - 1) + "))";
@@ -172,7 +175,7 @@ class Writer {
     std::string comparison() {
         if (dice_.one_in(5))
             return std::string(dice_.one_in(2) ? "DEF(" : "NDEF(") + std::string(target().substr(1)) + ")";
-        return term() + std::string(dice_.one_of(relations)) + term();
+        return term() + std::string(dice_.one_of(din_relations)) + term();
     }
 
     Dice& dice_;
@@ -201,14 +204,15 @@ std::vector<NamedText> random_dinplus_programs(Dice& dice) {
     if (has_external) callees.push_back(external);
     std::vector<std::string> of_main = callees;
     if (has_local) of_main.push_back(local);
-    std::string main = declarations(dice) + "MACHINING\n" + Writer(dice, of_main, true).run() + "M30\n";
-    if (has_local) main += "SUBPROGRAM \"S\"\n" + Writer(dice, callees, false).run() + "RETURN\n";
+    std::string main = declarations(dice) + "MACHINING\n" + DinWriter(dice, of_main, true).run() + "M30\n";
+    if (has_local) main += "SUBPROGRAM \"S\"\n" + DinWriter(dice, callees, false).run() + "RETURN\n";
     files.emplace_back("main.nc", std::move(main));
     if (has_external)
         files.emplace_back(
-            "EXT.ncs", declarations(dice) + "MACHINING\n" +
-                           Writer(dice, dice.one_in(4) ? callees : std::vector<std::string>{}, false).run() +
-                           "RETURN\n");
+            "EXT.ncs",
+            declarations(dice) + "MACHINING\n" +
+                DinWriter(dice, dice.one_in(4) ? callees : std::vector<std::string>{}, false).run() +
+                "RETURN\n");
     return files;
 }
 

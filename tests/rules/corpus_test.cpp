@@ -76,7 +76,7 @@ TEST_P(Corpus, RaisesWhatItsCommentsExpectAndNothingElse) {
     std::map<std::string, std::string> messages;
     for (const auto& [finding, suppressed] : result.findings) {
         if (suppressed) continue;
-        const Source& source = *finding.file->source;
+        const Source& source = *finding.source;
         raised.push_back(place(source, source.position(finding.span.begin).line, finding.rule->code));
         messages[raised.back()] = finding.message();
     }

@@ -23,7 +23,7 @@ std::vector<Finding> findings(const Workspace& workspace, std::string_view code)
 std::vector<std::uint32_t> lines_in(const Workspace& workspace, std::string_view code) {
     std::vector<std::uint32_t> lines;
     for (const Finding& finding : findings(workspace, code))
-        lines.push_back(finding.file->source->position(finding.span.begin).line);
+        lines.push_back(finding.source->position(finding.span.begin).line);
     return lines;
 }
 

@@ -33,7 +33,7 @@ cli::LintResult lint_example(const Example& example, const std::vector<std::stri
 std::string reported(const cli::LintResult& result) {
     std::string text;
     for (const auto& [finding, suppressed] : result.findings)
-        text += "line " + std::to_string(finding.file->source->position(finding.span.begin).line) + ": " +
+        text += "line " + std::to_string(finding.source->position(finding.span.begin).line) + ": " +
                 std::string(finding.rule->code) + " " + finding.message() + "\n";
     return text;
 }
@@ -101,14 +101,14 @@ TEST_P(RuleExamples, SpansLieInTheFile) {
     for (const Example& example : GetParam()->bad) {
         const auto result = lint_example(example, {});
         for (const auto& evaluated : result.findings) {
-            const auto inside = [&](const ProgramFile& file, Span span) {
-                return span.begin <= span.end && span.end <= file.source->size();
+            const auto inside = [&](const Source& source, Span span) {
+                return span.begin <= span.end && span.end <= source.size();
             };
-            EXPECT_TRUE(inside(*evaluated.finding.file, evaluated.finding.span));
+            EXPECT_TRUE(inside(*evaluated.finding.source, evaluated.finding.span));
             for (const RelatedLocation& remark : evaluated.finding.related)
-                EXPECT_TRUE(inside(*remark.file, remark.span));
+                EXPECT_TRUE(inside(*remark.source, remark.span));
             for (const RelatedLocation& remark : evaluated.finding.path)
-                EXPECT_TRUE(inside(*remark.file, remark.span));
+                EXPECT_TRUE(inside(*remark.source, remark.span));
         }
     }
 }

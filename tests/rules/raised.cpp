@@ -15,13 +15,13 @@ auto each_finding(std::string_view code, std::string text, const Take& take) {
     return taken;
 }
 
-std::uint32_t line(const ProgramFile& file, Span span) { return file.source->position(span.begin).line; }
+std::uint32_t line(const Source& source, Span span) { return source.position(span.begin).line; }
 
 } // namespace
 
 std::vector<std::uint32_t> lines_raised(std::string_view code, std::string text) {
     return each_finding(code, std::move(text),
-                        [](const Finding& finding) { return line(*finding.file, finding.span); });
+                        [](const Finding& finding) { return line(*finding.source, finding.span); });
 }
 
 std::vector<std::string> messages_raised(std::string_view code, std::string text) {
@@ -31,7 +31,7 @@ std::vector<std::string> messages_raised(std::string_view code, std::string text
 std::vector<std::uint32_t> path_raised(std::string_view code, std::string text) {
     const auto paths = each_finding(code, std::move(text), [](const Finding& finding) {
         std::vector<std::uint32_t> lines;
-        for (const RelatedLocation& step : finding.path) lines.push_back(line(*step.file, step.span));
+        for (const RelatedLocation& step : finding.path) lines.push_back(line(*step.source, step.span));
         return lines;
     });
     return paths.size() == 1 ? paths.front() : std::vector<std::uint32_t>{};
