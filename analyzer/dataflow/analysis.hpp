@@ -1,7 +1,9 @@
-//! Data flow over one program: a worklist solver, and what it found out.
+//! Data flow over one program: its states, and what they say of it.
 #pragma once
 
 #include "analyzer/dataflow/facts.hpp"
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/dataflow/state.hpp"
 #include "analyzer/dataflow/summary.hpp"
 #include "analyzer/flow/graph.hpp"
@@ -43,7 +45,7 @@ class Analysis {
     [[nodiscard]] bool is_vacant_at_entry(Variable variable) const;
 
   private:
-    friend class Solver;
+    friend class AnalysisBuilder;
     const Program* program_;
     const flow::Graph* graph_;
     EntryKnowledge knowledge_;

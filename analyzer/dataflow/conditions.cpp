@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/conditions.hpp"
 
 #include "analyzer/dataflow/arithmetic.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>
@@ -205,7 +206,7 @@ bool same_expression(const Program& program, ExpressionId a, ExpressionId b) {
 
 bool asks_for_vacancy(const Program& program, const Facts& facts, flow::NodeId first, flow::NodeId last,
                       Variable variable) {
-    const auto& all = facts.comparisons;
+    const auto& all = facts.all<Comparison>();
     for (auto test = std::ranges::lower_bound(all, first, {}, &Comparison::node);
          test != all.end() && test->node <= last; ++test)
         if (is_vacancy_test(test->operation) && plain_variable(program, test->left_expression) == variable)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/facts.hpp"
+#include "analyzer/flow/graph.hpp"
 
 #include <optional>
 #include <span>

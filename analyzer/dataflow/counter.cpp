@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/counter.hpp"
 
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/loops.hpp"
 
 #include <algorithm>
@@ -10,9 +11,9 @@
 namespace maclint::dataflow {
 
 LoopChanges::LoopChanges(const Loop& loop, const Facts& facts) {
-    for_each_in_body(loop, facts.stores,
+    for_each_in_body(loop, facts.all<Store>(),
                      [&](const Store& store) { assigned_.push_back(key_of(store.variable)); });
-    for_each_in_body(loop, facts.clobbers, [&](const Clobber& clobber) {
+    for_each_in_body(loop, facts.all<Clobber>(), [&](const Clobber& clobber) {
         if (clobber.variable)
             clobbered_.push_back(key_of(*clobber.variable));
         else if (std::ranges::find(spaces_, clobber.space) == spaces_.end())
@@ -36,7 +37,7 @@ namespace {
 /// The assignments in the loop's body that change the variable.
 std::vector<const Store*> stores_in(const Loop& loop, const Facts& facts, Variable variable) {
     std::vector<const Store*> stores;
-    for_each_in_body(loop, facts.stores, [&](const Store& store) {
+    for_each_in_body(loop, facts.all<Store>(), [&](const Store& store) {
         if (store.variable == variable) stores.push_back(&store);
     });
     return stores;
@@ -90,11 +91,12 @@ class CounterSearch {
     }
 
     bool add_test(const flow::Edge& edge) {
-        auto found = std::ranges::lower_bound(facts_.comparisons, edge.from, {}, &Comparison::node);
-        while (found != facts_.comparisons.end() && found->node == edge.from &&
+        auto found = std::ranges::lower_bound(facts_.all<Comparison>(), edge.from, {}, &Comparison::node);
+        while (found != facts_.all<Comparison>().end() && found->node == edge.from &&
                found->expression != *edge.condition)
             ++found;
-        if (found == facts_.comparisons.end() || found->node != edge.from || !is_comparison(found->operation))
+        if (found == facts_.all<Comparison>().end() || found->node != edge.from ||
+            !is_comparison(found->operation))
             return false;
         // The exit is taken when the comparison `holds`; the loop goes on otherwise.
         Operation stays = edge.holds ? opposite(found->operation) : found->operation;

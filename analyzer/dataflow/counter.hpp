@@ -2,6 +2,9 @@
 #pragma once
 
 #include "analyzer/dataflow/facts.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/dataflow/state.hpp"
 
 #include <optional>
 #include <vector>

@@ -25,14 +25,14 @@ Value Transfer::number(ExpressionId id, double number) {
 
 Value Transfer::record_read(const State& state, Variable variable, ExpressionId id, Use use) {
     const Value value = is_ambiguous(variable) ? opaque(id) : states_.read(state, variable);
-    if (facts_ != nullptr) facts_->reads.push_back({node_, effect_, id, variable, value, use});
+    if (facts_ != nullptr) facts_->add(Read{node_, effect_, id, variable, value, use});
     return value;
 }
 
 Value Transfer::load_modal(const State& state, GroupId group, ExpressionId id) {
     ModalValue modal = states_.read(state, channels_.running, group);
     modal.unknown |= channels_.uncertain != 0;
-    if (facts_ != nullptr) facts_->modal_reads.push_back({node_, id, group, modal});
+    if (facts_ != nullptr) facts_->add(ModalRead{node_, effect_, id, group, modal});
     Value value = opaque(id);
     value.vacancy = Vacancy::set;
     value.exactness = Exactness::exact;
@@ -129,7 +129,7 @@ Truth Transfer::evaluate_chain(const State& state, std::span<const ExpressionId>
         apart.can_fail = all ? apart.can_fail || part.can_fail : apart.can_fail && part.can_fail;
     }
     if (!(all ? apart.can_hold : apart.can_fail)) return apart;
-    Facts* const facts = std::exchange(facts_, nullptr); // what is read is recorded already
+    FactLists* const facts = std::exchange(facts_, nullptr); // what is read is recorded already
     State agreed = state;
     for (const ExpressionId operand : operands) {
         const Truth part = evaluate_condition(agreed, operand);
@@ -162,8 +162,8 @@ Truth Transfer::evaluate_condition(const State& state, ExpressionId id) {
         const Value value = evaluate(state, operands.front(), Use::vacancy_test);
         const Truth truth = test_vacancy(apply->operation, value);
         if (facts_ != nullptr)
-            facts_->comparisons.push_back({node_, effect_, id, apply->operation, operands.front(),
-                                           operands.front(), value, value, truth});
+            facts_->add(Comparison{node_, effect_, id, apply->operation, operands.front(), operands.front(),
+                                   value, value, truth});
         return truth;
     }
     default: break;
@@ -177,8 +177,8 @@ Truth Transfer::evaluate_condition(const State& state, ExpressionId id) {
     compared_ = {id, left, right};
     const Truth truth = compare(apply->operation, left, right, program_.control->vacant_equals_zero);
     if (facts_ != nullptr)
-        facts_->comparisons.push_back(
-            {node_, effect_, id, apply->operation, operands[0], operands[1], left, right, truth});
+        facts_->add(
+            Comparison{node_, effect_, id, apply->operation, operands[0], operands[1], left, right, truth});
     return truth;
 }
 

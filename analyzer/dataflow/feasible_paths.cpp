@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/cycles.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,14 +17,14 @@ constexpr std::size_t most_attempts = 12;
 /// Sorted, without `except`.
 std::vector<flow::NodeId> assigning_nodes(const Facts& facts, Variable variable, flow::NodeId except) {
     std::vector<flow::NodeId> nodes;
-    for (const Store& store : facts.stores)
+    for (const Store& store : facts.all<Store>())
         if (store.variable == variable && store.node != except) nodes.push_back(store.node);
     return nodes;
 }
 
 void add_clobbering_nodes(const Facts& facts, Variable variable, flow::NodeId except,
                           std::vector<flow::NodeId>& nodes) {
-    for (const Clobber& clobber : facts.clobbers)
+    for (const Clobber& clobber : facts.all<Clobber>())
         if (clobber.node != except &&
             (clobber.variable ? *clobber.variable == variable : clobber.space == variable.space))
             nodes.push_back(clobber.node);
@@ -100,9 +101,8 @@ class FeasiblePathSearch {
 
     // ---- decisions ----
 
-    [[nodiscard]] std::ranges::subrange<std::vector<Store>::const_iterator>
-    stores_in(flow::NodeId node) const {
-        return std::ranges::equal_range(analysis_.facts().stores, node, {}, &Store::node);
+    [[nodiscard]] std::span<const Store> stores_in(flow::NodeId node) const {
+        return analysis_.facts().in<Store>(node);
     }
 
     /// A decision at a place of the path, and the place from which on what it was about may be different.
@@ -195,7 +195,7 @@ class FeasiblePathSearch {
         for (const flow::NodeId node : rounds_before(edge)) {
             for (const Store& store : stores_in(node)) unsure.add(store.variable);
             for (const Clobber& change :
-                 std::ranges::equal_range(analysis_.facts().clobbers, node, {}, &Clobber::node))
+                 std::ranges::equal_range(analysis_.facts().all<Clobber>(), node, {}, &Clobber::node))
                 if (change.variable)
                     unsure.add(*change.variable);
                 else
@@ -260,7 +260,7 @@ bool assigned_on_every_path(const flow::Graph& graph, const Analysis& analysis, 
 
 std::vector<const Store*> last_stores_before(const flow::Graph& graph, const Analysis& analysis,
                                              Variable variable, const Loop& loop) {
-    const auto& all = analysis.facts().stores;
+    const auto& all = analysis.facts().all<Store>();
     std::vector<const Store*> found;
     std::vector<bool> seen(graph.nodes.size(), false);
     std::vector<flow::NodeId> pending{loop.head};

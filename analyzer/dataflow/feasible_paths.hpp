@@ -1,6 +1,7 @@
 //! Paths through a program around every assignment to a variable.
 #pragma once
 
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/loops.hpp"
 
 #include <optional>

@@ -1,4 +1,5 @@
 //! Cycles of the flow graph that are never left.
+#include "analyzer/dataflow/facts/call_made.hpp"
 #include "analyzer/dataflow/loops.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ class InescapableCycleSearch {
         , components_(cycles.components)
         , stops_(graph.nodes.size(), false) {
         for (const flow::Exit& exit : graph.exits) stops_[exit.node] = true;
-        for (const CallMade& call : analysis.facts().calls)
+        for (const CallMade& call : analysis.facts().all<CallMade>())
             stops_[call.node] = stops_[call.node] || call.may_stop;
         for (flow::NodeId node = 0; node < graph.nodes.size(); ++node) look_at_effects(node);
     }

@@ -1,6 +1,8 @@
 //! Natural loops of the reached part of the flow graph.
 #include "analyzer/dataflow/loops.hpp"
 
+#include "analyzer/dataflow/facts/call_made.hpp"
+
 #include <algorithm>
 #include <tuple>
 
@@ -24,7 +26,8 @@ class LoopSearch {
         , traits_(graph.nodes.size(), 0)
         , mark_(graph.nodes.size(), 0) {
         for (const flow::Exit& exit : graph.exits) mark(exit.node, true, false);
-        for (const CallMade& call : analysis.facts().calls) mark(call.node, call.may_stop, !call.known);
+        for (const CallMade& call : analysis.facts().all<CallMade>())
+            mark(call.node, call.may_stop, !call.known);
         target_.reserve(graph.edges.size());
         for (const flow::Edge& edge : graph.edges) target_.push_back(edge.to);
         sources_.reserve(graph.nodes.size(), graph.edges.size());

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -44,7 +45,7 @@ struct Loop {
 /// Calls `visit` for every fact in the loop's body. Facts are in the order of nodes, and so is the body: each
 /// node's are looked up after those of the last.
 template<class Fact, class Visit>
-void for_each_in_body(const Loop& loop, const std::vector<Fact>& facts, const Visit& visit) {
+void for_each_in_body(const Loop& loop, std::span<const Fact> facts, const Visit& visit) {
     auto fact = facts.begin();
     for (const flow::NodeId node : loop.body) {
         constexpr int usually_enough = 4;

@@ -94,18 +94,18 @@ void Transfer::apply(State& state, const Effect& effect) {
                    [&](const Guarded& what) {
                        if (facts_ == nullptr) return;
                        const Truth truth = evaluate_condition(state, what.condition);
-                       facts_->conditions.push_back({node_, effect_, what.condition, truth});
+                       facts_->add(Condition{node_, effect_, what.condition, truth});
                    },
                    [&](const RegionMark& what) {
                        if (facts_ == nullptr || !what.condition) return;
                        const Truth truth = evaluate_condition(state, *what.condition);
-                       facts_->conditions.push_back({node_, effect_, *what.condition, truth});
+                       facts_->add(Condition{node_, effect_, *what.condition, truth});
                    },
                    [&](const Jump& what) {
                        if (facts_ == nullptr) return;
                        const Value target = evaluate(state, what.target, Use::jump);
                        if (!flow::constant_target(program_, what.target))
-                           facts_->computed_jumps.push_back({node_, effect_, target});
+                           facts_->add(ComputedJump{node_, effect_, target});
                    },
                    [&](const Exchange& what) {
                        if (facts_ != nullptr)
@@ -118,7 +118,7 @@ void Transfer::apply(State& state, const Effect& effect) {
                        if (what.may_call_or_return) havoc_shared(state);
                    },
                    [&](const ToolChange&) {
-                       if (facts_ != nullptr) facts_->tool_changes.push_back({node_, effect_, state});
+                       if (facts_ != nullptr) facts_->add(BeforeToolChange{{node_, effect_, state}});
                    },
                    [&](const Stop& what) {
                        if (facts_ != nullptr && what.number) (void)evaluate(state, *what.number, Use::word);
@@ -146,8 +146,8 @@ void Transfer::store(State& state, Variable variable, Value value, ExpressionId 
         return clobber(state, variable, opaque_variable(variable, 8));
     value = states_.typed(value, variable);
     if (facts_ != nullptr)
-        facts_->stores.push_back({node_, effect_, variable, expression, value, states_.read(state, variable),
-                                  step_of(state, variable, expression)});
+        facts_->add(Store{node_, effect_, variable, expression, value, states_.read(state, variable),
+                          step_of(state, variable, expression)});
     value.origin = here();
     states_.write(state, variable, value);
 }
@@ -208,7 +208,7 @@ std::optional<Step> Transfer::step_of(const State& state, Variable variable, Exp
     else if (apply->operation == Operation::add && is_self(operands[1]))
         amount = operands[0];
     if (!amount) return std::nullopt;
-    Facts* const facts = std::exchange(facts_, nullptr); // its reads are recorded already
+    FactLists* const facts = std::exchange(facts_, nullptr); // its reads are recorded already
     const Step step{apply->operation, *amount, evaluate(state, *amount, Use::arithmetic)};
     facts_ = facts;
     return step;
@@ -226,9 +226,9 @@ void Transfer::set_modal(State& state, const SetModal& set) {
             if (const auto code = value.constant()) group = program_.control->group_of(set.letter, *code);
     }
     if (facts_ != nullptr) {
-        facts_->modal_writes.push_back({node_, effect_, group, set.group.has_value(), set.value, value});
+        facts_->add(ModalWrite{node_, effect_, group, set.group.has_value(), set.value, value});
         if (group && program_.control->groups[*group].watched)
-            facts_->watched.push_back({node_, effect_, state});
+            facts_->add(BeforeWatchedWord{{node_, effect_, state}});
     }
     if (group)
         set_group(state, *group, value);
@@ -336,7 +336,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
     const Callee callee = callees_(id);
     const Summary& summary = callee.summary;
     if (facts_ != nullptr)
-        facts_->calls.push_back({node_, id, summary.known, !summary.known || summary.may_stop});
+        facts_->add(CallMade{node_, id, summary.known, !summary.known || summary.may_stop});
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
     if (!summary.known) {
         clobber_passed(state, call);
@@ -427,13 +427,13 @@ void Transfer::havoc_shared(State& state) {
 
 /// Everything in the space may have changed here.
 void Transfer::havoc(State& state, SpaceId space) {
-    if (facts_ != nullptr) facts_->clobbers.push_back({node_, effect_, space, {}});
+    if (facts_ != nullptr) facts_->add(Clobber{node_, effect_, space, {}});
     states_.havoc(state, space, {Origin::Kind::effect, effect_, node_});
 }
 
 /// The variable may have changed here, by something that is no assignment.
 void Transfer::clobber(State& state, Variable variable, const Value& value) {
-    if (facts_ != nullptr) facts_->clobbers.push_back({node_, effect_, variable.space, variable});
+    if (facts_ != nullptr) facts_->add(Clobber{node_, effect_, variable.space, variable});
     states_.write(state, variable, value);
 }
 
@@ -471,7 +471,7 @@ void Transfer::move(State& state) {
         if (made_here) {
             run_program(moved, effect_, *call);
         } else { // a program called before has left a modal call of its own in force
-            if (facts_ != nullptr) facts_->calls.push_back({node_, effect_, false, true});
+            if (facts_ != nullptr) facts_->add(CallMade{node_, effect_, false, true});
             run_unknown_program(moved, false);
         }
         for_each_channel(channels_.running, [&](std::uint8_t channel) {

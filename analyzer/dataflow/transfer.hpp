@@ -1,7 +1,7 @@
 //! What the effects of one node do to a state.
 #pragma once
 
-#include "analyzer/dataflow/facts.hpp"
+#include "analyzer/dataflow/fact_lists.hpp"
 #include "analyzer/dataflow/state.hpp"
 #include "analyzer/dataflow/summary.hpp"
 
@@ -12,7 +12,7 @@ class Transfer {
     Transfer(const Program& program, const flow::Graph& graph, States& states, const Callees& callees);
 
     /// From now on everything read, compared and set is written down there; nullptr ends it.
-    void record_in(Facts* facts) { facts_ = facts; }
+    void record_in(FactLists* facts) { facts_ = facts; }
 
     /// The state after the node.
     [[nodiscard]] State run(flow::NodeId node, State state);
@@ -71,7 +71,7 @@ class Transfer {
     States& states_;
     const Callees& callees_;
     std::optional<GroupId> modal_call_group_;
-    Facts* facts_ = nullptr;
+    FactLists* facts_ = nullptr;
     std::vector<SymbolId> constants_; ///< of the literals met so far; 0: not met
     std::vector<OriginId> origins_;   ///< of the effects met so far; 0: not met
     flow::NodeId node_ = 0;

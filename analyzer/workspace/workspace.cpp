@@ -2,6 +2,7 @@
 //! callees.
 #include "analyzer/workspace/workspace.hpp"
 
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/flow/components.hpp"
 #include "analyzer/workspace/bind.hpp"
 #include "analyzer/workspace/parallel.hpp"
@@ -337,7 +338,7 @@ class WorkspaceBuilder {
                 return true;
         }
         if (!analysis.callers_.empty()) return false;
-        return std::ranges::any_of(analysis.facts().reads, [&](const dataflow::Read& read) {
+        return std::ranges::any_of(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
             const auto symbol = analysis.data().table().symbols[read.value.symbol];
             return symbol.kind == dataflow::Symbol::Kind::entry &&
                    analysis.program().is_formal(read.variable);

@@ -1,4 +1,6 @@
 //! MAC413: a modal macro call that stays on.
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -61,10 +63,10 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             finding.path.push_back(std::move(step));
         finding.path.push_back({analysis.source(), left, "it is still active here"});
     };
-    for (const dataflow::PointState& change : analysis.facts().tool_changes)
+    for (const dataflow::PointState& change : analysis.facts().all<dataflow::BeforeToolChange>())
         for (const dataflow::OriginId call : analysis.own_modal_calls(change.state, change.node))
             report(call, change.node, "tool", analysis.program().effects[change.effect].span);
-    for (const dataflow::ExitState& exit : analysis.facts().exits) {
+    for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>()) {
         if (exit.exit.kind == flow::ExitKind::alarm) continue;
         const Span left = exit.exit.effect ? analysis.program().effects[*exit.exit.effect].span
                                            : analysis.graph().nodes[exit.exit.node].part;

@@ -1,6 +1,8 @@
 //! Reads the states in which programs end and return.
 #include "rules/dinplus/left_active.hpp"
 
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/feasible_paths.hpp"
 #include "rules/trace.hpp"
 
@@ -25,13 +27,14 @@ bool ends(const ProgramAnalysis& analysis, flow::ExitKind kind) {
 bool is_left_by_a_caller(const ProgramAnalysis& analysis, GroupId group) {
     return std::ranges::any_of(analysis.callers(), [&](const Caller& caller) {
         const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
-        return std::ranges::any_of(calling.facts().exits, [&](const dataflow::ExitState& exit) {
-            const dataflow::ModalValue value = calling.data().modal(exit, group);
-            return std::ranges::any_of(value.parts, [&](const dataflow::ModalPart& part) {
-                const dataflow::Origin& origin = calling.data().origin(part.origin);
-                return origin.kind == dataflow::Origin::Kind::effect && origin.id == caller.effect;
+        return std::ranges::any_of(
+            calling.facts().all<dataflow::ExitState>(), [&](const dataflow::ExitState& exit) {
+                const dataflow::ModalValue value = calling.data().modal(exit, group);
+                return std::ranges::any_of(value.parts, [&](const dataflow::ModalPart& part) {
+                    const dataflow::Origin& origin = calling.data().origin(part.origin);
+                    return origin.kind == dataflow::Origin::Kind::effect && origin.id == caller.effect;
+                });
             });
-        });
     });
 }
 
@@ -51,7 +54,7 @@ bool lasts_until(const ProgramAnalysis& analysis, GroupId group, const dataflow:
     const auto running = [&](flow::NodeId at) { return analysis.graph().channels_at(at).running; };
     const unsigned channels = running(set) & running(node);
     std::vector<flow::NodeId> setting;
-    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes)
+    for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>())
         if (write.group == group && (channels & ~running(write.node)) == 0) setting.push_back(write.node);
     std::ranges::sort(setting);
     return dataflow::can_follow(analysis.program(), analysis.graph(), analysis.data(), set, node, setting);

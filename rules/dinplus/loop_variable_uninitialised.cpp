@@ -1,4 +1,6 @@
 //! DIN407: a loop counts in a variable that the program has not set.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/feasible_paths.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -73,7 +75,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const dataflow::Comparison& test = *counter->tests.front().comparison;
         const Span span = program.expressions[test.expression].span;
         const bool sometimes =
-            std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
+            std::ranges::any_of(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
                 return store.variable == counter->variable && !loop.holds(store.node);
             });
         Finding& finding = reporter.report(analysis.file(), span, sometimes ? "some-paths" : "plain",

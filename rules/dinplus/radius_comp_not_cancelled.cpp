@@ -1,4 +1,6 @@
 //! DIN619: G41 or G42 is still on at a tool change or at the end.
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/dinplus/left_active.hpp"
 #include "rules/path.hpp"
@@ -73,7 +75,7 @@ constexpr ModalRole compensation = ModalRole::cutter_compensation;
 
 /// Whether the word sets another plane than the one that is in force on every path.
 bool changes_plane(const ProgramAnalysis& analysis, const dataflow::PointState& point) {
-    const auto& writes = analysis.facts().modal_writes;
+    const auto& writes = analysis.facts().all<dataflow::ModalWrite>();
     const auto write = std::ranges::find(writes, point.effect, &dataflow::ModalWrite::effect);
     if (write == writes.end() || analysis.control().groups[*write->group].role != ModalRole::plane)
         return false;
@@ -88,8 +90,9 @@ bool changes_plane(const ProgramAnalysis& analysis, const dataflow::PointState& 
 
 /// Where the compensation must be off: tool changes and changes of the plane.
 std::vector<dataflow::PointState> find_points(const ProgramAnalysis& analysis) {
-    std::vector<dataflow::PointState> points = analysis.facts().tool_changes;
-    std::ranges::copy_if(analysis.facts().watched, std::back_inserter(points),
+    const auto changes = analysis.facts().all<dataflow::BeforeToolChange>();
+    std::vector<dataflow::PointState> points(changes.begin(), changes.end());
+    std::ranges::copy_if(analysis.facts().all<dataflow::BeforeWatchedWord>(), std::back_inserter(points),
                          [&](const dataflow::PointState& point) { return changes_plane(analysis, point); });
     std::ranges::stable_sort(points, {}, &dataflow::PointState::effect);
     return points;

@@ -1,5 +1,7 @@
 //! DIN330: a transfer value that some caller leaves out is used without asking.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -96,7 +98,7 @@ bool is_unchecked(const ProgramAnalysis& analysis, const dataflow::Read& read) {
 
 /// The comparison with 0 that the read is a side of.
 const dataflow::Comparison* zero_test_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+    for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (comparison.node != read.node) continue;
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
@@ -128,7 +130,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const flow::Regions& regions = analysis.regions();
     if (regions.balance_unknown || !regions.faults.empty()) return;
     std::vector<Variable> reported;
-    for (const dataflow::Read& read : analysis.facts().reads) {
+    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         if (!is_unchecked(analysis, read) || std::ranges::find(reported, read.variable) != reported.end())
             continue;
         const Caller* caller = caller_without(analysis, read.variable);

@@ -1,4 +1,5 @@
 //! MAC301: a jump to nowhere.
+#include "analyzer/dataflow/facts/computed_jump.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -82,7 +83,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         missing(jump.node, jump.jump, message_for(*jump.label),
                 quoted(program, program.expressions[effect.target].span));
     }
-    for (const dataflow::ComputedJump& jump : analysis.facts().computed_jumps) {
+    for (const dataflow::ComputedJump& jump : analysis.facts().all<dataflow::ComputedJump>()) {
         const auto number = jump.target.constant();
         constexpr double most = 1e15;
         if (!number || std::abs(*number) > most) continue;

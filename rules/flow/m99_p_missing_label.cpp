@@ -1,4 +1,5 @@
 //! MAC333: a return to a block that the caller lacks.
+#include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -70,7 +71,7 @@ bool is_called_by_nobody(const ProgramAnalysis& analysis) {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_recursive()) return;
     const Program& program = analysis.program();
-    for (const dataflow::ExitState& exit : analysis.facts().exits) {
+    for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>()) {
         if (exit.exit.kind != flow::ExitKind::returns || !exit.exit.effect) continue;
         const Effect& effect = program.effects[*exit.exit.effect];
         const auto& label = std::get<Return>(effect.what).resume_label;

@@ -1,4 +1,5 @@
 //! MAC502: what acts on every later move is still switched on when the program is left.
+#include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"

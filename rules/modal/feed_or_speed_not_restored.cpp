@@ -1,4 +1,5 @@
 //! MAC503: a macro leaves another feed or speed than it found.
+#include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"

@@ -1,4 +1,6 @@
 //! MAC574: a modal G code that was read from a system variable is multiplied, divided or given to a function.
+#include "analyzer/dataflow/facts/modal_read.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/saved_state.hpp"
 #include "rules/path.hpp"
@@ -117,7 +119,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     const auto calculation_with = calculations(program);
     const auto text = [&](ExpressionId id) { return quoted(program, program.expressions[id].span); };
-    for (const dataflow::ModalRead& read : analysis.facts().modal_reads) {
+    for (const dataflow::ModalRead& read : analysis.facts().all<dataflow::ModalRead>()) {
         const auto calculation = calculation_with[read.expression];
         if (!calculation) continue;
         const auto name = code_name(analysis, {read.expression, read.group, nullptr});
@@ -126,7 +128,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                                            {text(*calculation), text(read.expression), *name});
         trace(finding, analysis, read.node, "the G code is used as a number here");
     }
-    for (const dataflow::Read& read : analysis.facts().reads) {
+    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         const auto calculation = calculation_with[read.expression];
         if (!calculation) continue;
         const auto source = copy_source(analysis, read.expression, read.value);

@@ -22,7 +22,7 @@ Span span_of(const ProgramAnalysis& analysis, const dataflow::ModalPart& part) {
 std::optional<ModalLeak> leak_of(const ProgramAnalysis& analysis, GroupId group, const IsFault& is_fault) {
     std::optional<ModalLeak> last;
     bool elsewhere_right = false;
-    for (const dataflow::ExitState& exit : analysis.facts().exits) {
+    for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>()) {
         if (exit.exit.kind == flow::ExitKind::alarm) continue;
         const dataflow::ModalValue value = analysis.data().modal(exit, group);
         if (value.unknown) return std::nullopt;

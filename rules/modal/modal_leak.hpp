@@ -1,6 +1,7 @@
 //! Modal groups that a program leaves other than it found them.
 #pragma once
 
+#include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/workspace/leak_use.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/finding.hpp"

@@ -1,4 +1,6 @@
 //! MAC518: a called program ends in the customary code without asking for the caller's.
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
@@ -45,7 +47,7 @@ M99
 namespace {
 
 bool saves(const ProgramAnalysis& analysis, GroupId group) {
-    return std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
+    return std::ranges::any_of(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
         const auto* load = std::get_if<LoadModal>(&analysis.program().expressions[store.expression].node);
         return load != nullptr && load->group == group;
     });

@@ -1,4 +1,5 @@
 //! MAC501: a called program leaves a modal group at a code that callers do not expect.
+#include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"

@@ -1,4 +1,6 @@
 //! MAC505: a word puts back a value that was saved from another kind of word.
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/saved_state.hpp"
 #include "rules/path.hpp"
@@ -65,7 +67,7 @@ bool is_wrong(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes) {
+    for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
         const auto source = copy_source(analysis, write.expression, write.value);
         if (!source || !is_wrong(analysis, write, *source)) continue;
         const Span span = program.effects[write.effect].span;

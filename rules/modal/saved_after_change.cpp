@@ -1,5 +1,9 @@
 //! MAC517: a modal value is saved when the program has already changed it.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/modal_read.hpp"
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/modal/saved_state.hpp"
@@ -61,7 +65,7 @@ std::optional<dataflow::ModalPart> own_part(const ProgramAnalysis& analysis,
 
 /// The read that the store saves, when the store saves a modal group.
 const dataflow::ModalRead* saved_read(const ProgramAnalysis& analysis, const dataflow::Store& store) {
-    const auto& reads = analysis.facts().modal_reads;
+    const auto& reads = analysis.facts().all<dataflow::ModalRead>();
     const auto read = std::ranges::find(reads, store.expression, &dataflow::ModalRead::expression);
     return read == reads.end() ? nullptr : &*read;
 }
@@ -69,7 +73,7 @@ const dataflow::ModalRead* saved_read(const ProgramAnalysis& analysis, const dat
 /// Words whose setting is still in force when the program returns.
 std::vector<EffectId> effective_at_return(const ProgramAnalysis& analysis) {
     std::vector<EffectId> effects;
-    for (const dataflow::ExitState& exit : analysis.facts().exits) {
+    for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>()) {
         if (exit.exit.kind != flow::ExitKind::returns) continue;
         for (std::size_t group = 0; group < analysis.control().groups.size(); ++group) {
             const dataflow::ModalValue value = analysis.data().modal(exit, static_cast<GroupId>(group));
@@ -101,7 +105,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     const std::vector<EffectId> effective = effective_at_return(analysis);
     std::vector<EffectId> known;
-    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes) {
+    for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
         if (!dataflow::plain_variable(program, write.expression) ||
             !std::ranges::binary_search(effective, write.effect))
             continue;

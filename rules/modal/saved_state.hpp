@@ -1,6 +1,7 @@
 //! Modal values that a program keeps in variables: where a word's value was copied from.
 #pragma once
 
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>

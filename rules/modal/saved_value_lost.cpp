@@ -1,5 +1,7 @@
 //! MAC506: the variable that holds the saved state is overwritten before it is put back.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/saved_state.hpp"
 #include "rules/path.hpp"
@@ -75,16 +77,17 @@ bool is_computed_from(const ProgramAnalysis& analysis, const dataflow::Store& st
 
 /// The saved value has served already: some word put it back.
 bool is_put_back(const ProgramAnalysis& analysis, Variable variable, ExpressionId saved) {
-    return std::ranges::any_of(analysis.facts().modal_writes, [&](const dataflow::ModalWrite& write) {
-        if (dataflow::plain_variable(analysis.program(), write.expression) != variable) return false;
-        const auto source = copy_source(analysis, write.expression, write.value);
-        return source && source->expression == saved;
-    });
+    return std::ranges::any_of(
+        analysis.facts().all<dataflow::ModalWrite>(), [&](const dataflow::ModalWrite& write) {
+            if (dataflow::plain_variable(analysis.program(), write.expression) != variable) return false;
+            const auto source = copy_source(analysis, write.expression, write.value);
+            return source && source->expression == saved;
+        });
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const dataflow::ModalWrite& write : analysis.facts().modal_writes) {
+    for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
         const auto variable = dataflow::plain_variable(program, write.expression);
         const dataflow::Store* store = store_of(analysis, write.value);
         if (!variable || store == nullptr || !(store->variable == *variable)) continue;

@@ -1,5 +1,7 @@
 //! MAC718: a condition that always holds or never does.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/numbers/deliberate_conditions.hpp"
 #include "rules/path.hpp"
@@ -123,7 +125,7 @@ struct Sides {
 
 Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     Sides sides;
-    const auto& comparisons = analysis.facts().comparisons;
+    const auto& comparisons = analysis.facts().all<dataflow::Comparison>();
     for (auto comparison =
              std::ranges::lower_bound(comparisons, condition.node, {}, &dataflow::Comparison::node);
          comparison != comparisons.end() && comparison->node == condition.node; ++comparison) {
@@ -168,7 +170,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     if (analysis.regions().balance_unknown) return; // a loop that cannot be read may repeat the block
     std::optional<DeliberateConditions> deliberate; // most programs have no such condition
-    for (const dataflow::Condition& condition : analysis.facts().conditions) {
+    for (const dataflow::Condition& condition : analysis.facts().all<dataflow::Condition>()) {
         const dataflow::Truth truth = condition.truth;
         if (truth.can_hold == truth.can_fail) continue;
         if (!deliberate) deliberate.emplace(analysis);

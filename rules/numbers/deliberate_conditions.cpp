@@ -1,6 +1,8 @@
 //! One look at all stores and conditions.
 #include "rules/numbers/deliberate_conditions.hpp"
 
+#include "analyzer/dataflow/facts/store.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -18,12 +20,12 @@ std::optional<Label> jump_target(const Program& program, EffectId effect) {
 
 DeliberateConditions::DeliberateConditions(const ProgramAnalysis& analysis)
     : program_(analysis.program()) {
-    for (const dataflow::Store& store : analysis.facts().stores) {
+    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
         Assigned& assigned = assigned_[dataflow::key_of(store.variable)];
         ++assigned.count;
         assigned.literal &= std::holds_alternative<Literal>(program_.expressions[store.expression].node);
     }
-    for (const dataflow::Condition& condition : analysis.facts().conditions)
+    for (const dataflow::Condition& condition : analysis.facts().all<dataflow::Condition>())
         if (const auto target = jump_target(program_, condition.effect))
             first_tests_.try_emplace(*target, condition.node);
 }

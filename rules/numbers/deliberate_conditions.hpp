@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstddef>

@@ -1,4 +1,6 @@
 //! MAC710: EQ or NE between numbers that rounding has touched.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/numbers/inexact_counter.hpp"
 #include "rules/numbers/inexact_sum.hpp"
@@ -109,7 +111,8 @@ bool is_safe_against_zero(const ProgramAnalysis& analysis, const Value& value, c
 /// Some assignment copies the very value that is compared with: IF[#14GT#2]THEN#14=#2 … IF[#14EQ#2].
 bool is_copied_into(const ProgramAnalysis& analysis, ExpressionId expression, const Value& other) {
     const auto* load = std::get_if<Load>(&analysis.program().expressions[expression].node);
-    return load != nullptr && std::ranges::any_of(analysis.facts().stores, [&](const dataflow::Store& store) {
+    return load != nullptr &&
+           std::ranges::any_of(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
                return store.variable == load->variable && store.value.symbol == other.symbol;
            });
 }
@@ -163,7 +166,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const std::vector<InexactCounter> counters = find_inexact_counters(analysis);
     const Sums sums = find_sums(analysis);
-    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+    for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
         const auto inexact = inexact_side(analysis, sums, comparison);

@@ -1,6 +1,8 @@
 //! Loops that count in steps which collect rounding errors.
 #pragma once
 
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <vector>

@@ -10,7 +10,7 @@ Sums find_sums(const ProgramAnalysis& analysis) {
     for (const dataflow::Loop& loop : analysis.loops())
         for (const flow::NodeId node : loop.body) repeated[node] = true;
     Sums sums;
-    for (const dataflow::Store& store : analysis.facts().stores) {
+    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
         if (!store.step || !repeated[store.node]) continue;
         const dataflow::Value& amount = store.step->amount;
         if (amount.integer || (amount.constant() && !dataflow::is_inexact(amount))) continue;

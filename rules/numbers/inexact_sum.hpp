@@ -1,6 +1,7 @@
 //! Sums whose steps may have decimals: ten steps of 0.1 are not 1.
 #pragma once
 
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <vector>

@@ -1,5 +1,7 @@
 //! MAC209: a local variable is read although nothing can have set it.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/feasible_paths.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -100,7 +102,7 @@ std::vector<Variable> series_taken(const ProgramAnalysis& analysis) {
     std::vector<Variable> taken;
     if (analysis.is_main() || !analysis.callers().empty()) return taken;
     std::vector<Variable> read_as_given;
-    for (const dataflow::Read& read : analysis.facts().reads)
+    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
         if (is_as_at_entry(analysis, read) &&
             std::ranges::find(read_as_given, read.variable) == read_as_given.end())
             read_as_given.push_back(read.variable);
@@ -129,7 +131,7 @@ std::optional<std::vector<flow::EdgeId>> path_to(const ProgramAnalysis& analysis
 /// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
 bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     if (!dataflow::may_hold_vacant(analysis.program(), read.variable)) return false;
-    const auto& stores = analysis.facts().stores;
+    const auto& stores = analysis.facts().all<dataflow::Store>();
     for (auto store = std::ranges::lower_bound(stores, read.node, {}, &dataflow::Store::node);
          store != stores.end() && store->node == read.node; ++store)
         if (store->effect == read.effect && store->variable == read.variable && store->step) return true;
@@ -161,7 +163,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     const std::vector<Variable> series = series_taken(analysis);
     std::vector<std::pair<Variable, int>> attempts;
-    for (const dataflow::Read& read : analysis.facts().reads) {
+    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         if (read.use == dataflow::Use::vacancy_test || !is_vacant_since_entry(analysis, read)) continue;
         // It is unknown whether a control still looks at what decides nothing any more, as after NDEF(…) OR.
         if (dataflow::asks_for_vacancy(program, analysis.facts(), read.node, read.node, read.variable))

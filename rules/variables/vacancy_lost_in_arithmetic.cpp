@@ -1,4 +1,5 @@
 //! MAC222: the result of arithmetic is tested for vacancy, which it never is.
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -48,7 +49,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+    for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         const bool vacant = comparison.operation == Operation::is_vacant;
         if (!vacant && comparison.operation != Operation::is_set) continue;
         const Expression& operand = program.expressions[comparison.left_expression];

@@ -1,5 +1,7 @@
 //! MAC228: a variable that every path to the test has set is tested for vacancy.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/feasible_paths.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -53,14 +55,14 @@ namespace {
 const dataflow::Store* last_store_before(const ProgramAnalysis& analysis, Variable variable,
                                          flow::NodeId node) {
     const dataflow::Store* last = nullptr;
-    for (const dataflow::Store& store : analysis.facts().stores)
+    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
         if (store.variable == variable && store.node < node) last = &store;
     return last;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+    for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         const bool vacant = comparison.operation == Operation::is_vacant;
         if (!vacant && comparison.operation != Operation::is_set) continue;
         if (comparison.left.vacancy != dataflow::Vacancy::set) continue;

@@ -1,5 +1,7 @@
 //! MAC221: a missing argument passes a range check, because GT, GE, LT and LE take vacant for 0.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -56,7 +58,7 @@ bool is_relational(Operation operation) {
 /// A later read of the variable that still may find it vacant.
 const dataflow::Read* later_use(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison,
                                 Variable variable) {
-    const auto& reads = analysis.facts().reads;
+    const auto& reads = analysis.facts().all<dataflow::Read>();
     const auto found = std::ranges::find_if(reads, [&](const dataflow::Read& read) {
         const bool used = read.use == dataflow::Use::word || read.use == dataflow::Use::arithmetic ||
                           read.use == dataflow::Use::argument || read.use == dataflow::Use::index;
@@ -69,7 +71,7 @@ const dataflow::Read* later_use(const ProgramAnalysis& analysis, const dataflow:
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     std::vector<Variable> known;
-    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+    for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (!is_relational(comparison.operation)) continue;
         const bool left = comparison.right.constant().has_value();
         if (!left && !comparison.left.constant()) continue;

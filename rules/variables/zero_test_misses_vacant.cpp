@@ -1,5 +1,6 @@
 //! MAC220: a test for 0 does not catch a missing argument.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -66,7 +67,7 @@ bool tests_both(const ProgramAnalysis& analysis, const dataflow::Comparison& com
 /// takes as well.
 std::vector<Variable> find_choices(const ProgramAnalysis& analysis) {
     std::vector<Variable> choices;
-    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+    for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         const auto constant = comparison.right.constant();
         if (comparison.operation != Operation::equal || !constant || *constant == 0) continue;
         const auto variable = dataflow::plain_variable(analysis.program(), comparison.left_expression);
@@ -78,7 +79,7 @@ std::vector<Variable> find_choices(const ProgramAnalysis& analysis) {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     const std::vector<Variable> choices = find_choices(analysis);
-    for (const dataflow::Comparison& comparison : analysis.facts().comparisons) {
+    for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
         const bool zero_left = is_zero(comparison.left);

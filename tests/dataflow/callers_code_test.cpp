@@ -1,4 +1,6 @@
 //! The modal codes that a program finds in force when it is called: unknown until it asks.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/exit_state.hpp"
 #include "tests/dataflow/expect.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -16,7 +18,7 @@ using dataflow::Truth;
 /// How the last comparison of a macro with unknown callers turns out.
 Truth last_comparison(const std::string& text) {
     const auto workspace = test::analyse_fanuc("O9001\n" + text + "N8M99\nN9M99\n");
-    return workspace->programs().front().facts().comparisons.back().truth;
+    return workspace->programs().front().facts().all<dataflow::Comparison>().back().truth;
 }
 
 TEST(CallersCode, IsKnownWhereTheProgramHasAskedForIt) {
@@ -44,7 +46,7 @@ bool puts_back(const std::string& text) {
     const auto workspace = test::analyse_fanuc("O9001\n" + text);
     const ProgramAnalysis& analysis = workspace->programs().front();
     const GroupId group = *analysis.control().group_with(ModalRole::distance);
-    const auto& exits = analysis.facts().exits;
+    const auto& exits = analysis.facts().all<dataflow::ExitState>();
     return !exits.empty() && std::ranges::all_of(exits, [&](const dataflow::ExitState& exit) {
         const auto value = analysis.data().modal(exit, group);
         return !value.unknown && std::ranges::all_of(value.parts, [&](const dataflow::ModalPart& part) {

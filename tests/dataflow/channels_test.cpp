@@ -1,5 +1,7 @@
 //! Programs that run in several channels (slides) at the same time: what one slide sets, another does not
 //! have.
+#include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "rules/rule.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -117,7 +119,7 @@ dataflow::ModalValue at_tool_change(const std::string& text) {
     const auto workspace = test::analyse_text("dinplus", text);
     const ProgramAnalysis& analysis = workspace->programs().front();
     const auto group = analysis.control().group_with(ModalRole::cutter_compensation);
-    return analysis.data().modal(analysis.facts().tool_changes.at(0), group.value());
+    return analysis.data().modal(analysis.facts().all<dataflow::BeforeToolChange>()[0], group.value());
 }
 
 TEST(Channels, ASlideThatHasEndedHasNothingOnAnyMore) {
@@ -135,7 +137,9 @@ TEST(Channels, ASlideThatHasEndedHasNoCodeOfAnyGroup) {
     for (const ModalRole role :
          {ModalRole::motion, ModalRole::cutter_compensation, ModalRole::feed_mode, ModalRole::feed}) {
         const GroupId group = *analysis.control().group_with(role);
-        EXPECT_EQ(analysis.data().modal(analysis.facts().tool_changes.at(0), group).parts.size(), 1U)
+        EXPECT_EQ(
+            analysis.data().modal(analysis.facts().all<dataflow::BeforeToolChange>()[0], group).parts.size(),
+            1U)
             << analysis.control().groups[group].name;
     }
 }
@@ -149,7 +153,7 @@ TEST(Channels, WhatASlideHasOnIsUnknownWhereItMayNotCome) {
 TEST(Channels, NothingIsKnownOfAVariableThatOnlySomeSlidesStoreIn) {
     const auto workspace = test::analyse_text(
         "dinplus", "MACHINING\n$1 N1 #l1=5\n$2 N2 #l2=#l1\nN3 #l3=7\n$2 N4 #l4=#l3\nN5 M30\nEND\n");
-    const auto& reads = workspace->programs().front().facts().reads;
+    const auto& reads = workspace->programs().front().facts().all<dataflow::Read>();
     ASSERT_EQ(reads.size(), 2U);
     EXPECT_FALSE(reads[0].value.constant());
     EXPECT_EQ(reads[1].value.constant(), 7);

@@ -1,5 +1,6 @@
 //! Which decisions contradict each other, and what conditions are made of.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "tests/support/analysed.hpp"
 #include "tests/support/hand_built.hpp"
 
@@ -234,8 +235,8 @@ TEST(Conditions, TellWhetherTheyTestVacancy) {
     EXPECT_TRUE(dataflow::asks_for_vacancy(program, analysis.facts(), 0, last, {0, 1}));
     EXPECT_FALSE(dataflow::asks_for_vacancy(program, analysis.facts(), 0, last, {0, 2}));
     EXPECT_FALSE(dataflow::asks_for_vacancy(program, analysis.facts(), last, last, {0, 1}));
-    const flow::NodeId first_test = analysis.facts().comparisons[0].node;
-    const flow::NodeId second_test = analysis.facts().comparisons[2].node;
+    const flow::NodeId first_test = analysis.facts().all<dataflow::Comparison>()[0].node;
+    const flow::NodeId second_test = analysis.facts().all<dataflow::Comparison>()[2].node;
     const auto asks = [&](flow::NodeId from, flow::NodeId to) {
         return dataflow::asks_for_vacancy(program, analysis.facts(), from, to, {0, 1});
     };

@@ -1,4 +1,7 @@
 //! What expressions are known to be, and what conditions turn out to be: each worked out by hand.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <algorithm>
@@ -27,7 +30,7 @@ Outcome outcome_of(Truth truth) {
 Outcome outcome(const std::string& before, const std::string& condition) {
     const auto workspace =
         test::analyse_fanuc("O0001\n" + before + "IF[" + condition + "]GOTO99\nN98M30\nN99M30\n");
-    const auto& conditions = workspace->programs().front().facts().conditions;
+    const auto& conditions = workspace->programs().front().facts().all<dataflow::Condition>();
     return conditions.empty() ? unasked : outcome_of(conditions.back().truth);
 }
 
@@ -84,7 +87,7 @@ TEST(Evaluate, AnInputIsZeroOrOneAndAPositionANumber) {
 TEST(Evaluate, WhatAProbeOfALatheHasFoundMayBeNothing) {
     const auto vacancy_of = [](const std::string& value) {
         const auto workspace = test::analyse_text("dinplus", "MACHINING\n#l1=" + value + "\nG0 X#l1\nM30\n");
-        return workspace->programs().front().facts().reads.back().value.vacancy;
+        return workspace->programs().front().facts().all<dataflow::Read>().back().value.vacancy;
     };
     EXPECT_EQ(vacancy_of("#a9(Z,1)"), Vacancy::unknown);
     EXPECT_EQ(vacancy_of("5"), Vacancy::set);
@@ -150,9 +153,9 @@ TEST(Truths, OfOtherThanComparisonsAreReadsOnly) {
     for (const std::string condition : {"#500", "#500AND#501", "[#500EQ1]XOR[#501EQ2]"}) {
         const auto workspace = test::analyse_fanuc("O0001\nIF[" + condition + "]GOTO1\nN1M30\n");
         const auto& facts = workspace->programs().front().facts();
-        EXPECT_TRUE(facts.comparisons.empty()) << condition;
-        ASSERT_FALSE(facts.reads.empty()) << condition;
-        EXPECT_EQ(facts.reads.front().variable.number, 500) << condition;
+        EXPECT_TRUE(facts.all<dataflow::Comparison>().empty()) << condition;
+        ASSERT_FALSE(facts.all<dataflow::Read>().empty()) << condition;
+        EXPECT_EQ(facts.all<dataflow::Read>().front().variable.number, 500) << condition;
     }
 }
 
@@ -160,17 +163,19 @@ TEST(Truths, AreWrittenDownOnceForEachComparison) {
     const auto workspace = test::analyse_fanuc("O0001\nIF[[#500EQ1]AND[[#501LT#502]OR[#503EQ#0]]]GOTO1\n"
                                                "N1M30\n");
     const auto& facts = workspace->programs().front().facts();
-    EXPECT_EQ(facts.conditions.size(), 1U);
-    ASSERT_EQ(facts.comparisons.size(), 3U);
-    EXPECT_EQ(facts.comparisons[0].operation, Operation::equal);
-    EXPECT_EQ(facts.comparisons[0].right.constant(), 1);
-    EXPECT_EQ(facts.comparisons[1].operation, Operation::less);
-    EXPECT_EQ(facts.comparisons[2].operation, Operation::is_vacant);
-    EXPECT_EQ(facts.comparisons[2].left_expression, facts.comparisons[2].right_expression);
-    ASSERT_EQ(facts.reads.size(), 4U);
-    EXPECT_TRUE(std::ranges::all_of(facts.reads.begin(), facts.reads.begin() + 3,
+    EXPECT_EQ(facts.all<dataflow::Condition>().size(), 1U);
+    ASSERT_EQ(facts.all<dataflow::Comparison>().size(), 3U);
+    EXPECT_EQ(facts.all<dataflow::Comparison>()[0].operation, Operation::equal);
+    EXPECT_EQ(facts.all<dataflow::Comparison>()[0].right.constant(), 1);
+    EXPECT_EQ(facts.all<dataflow::Comparison>()[1].operation, Operation::less);
+    EXPECT_EQ(facts.all<dataflow::Comparison>()[2].operation, Operation::is_vacant);
+    EXPECT_EQ(facts.all<dataflow::Comparison>()[2].left_expression,
+              facts.all<dataflow::Comparison>()[2].right_expression);
+    ASSERT_EQ(facts.all<dataflow::Read>().size(), 4U);
+    EXPECT_TRUE(std::ranges::all_of(facts.all<dataflow::Read>().begin(),
+                                    facts.all<dataflow::Read>().begin() + 3,
                                     [](const auto& read) { return read.use == dataflow::Use::comparison; }));
-    EXPECT_EQ(facts.reads[3].use, dataflow::Use::vacancy_test);
+    EXPECT_EQ(facts.all<dataflow::Read>()[3].use, dataflow::Use::vacancy_test);
 }
 
 } // namespace

@@ -1,4 +1,6 @@
 //! A path to a read is one that somebody can go: no more is asked of it, and no less.
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/feasible_paths.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -21,7 +23,7 @@ bool reaches_uninitialised(const std::string& text, std::int32_t variable) {
     const auto workspace = test::analyse_fanuc("O1\n" + text + "M30\n");
     const ProgramAnalysis& program = workspace->programs().front();
     std::optional<dataflow::Read> last;
-    for (const dataflow::Read& read : program.facts().reads)
+    for (const dataflow::Read& read : program.facts().all<dataflow::Read>())
         if (read.variable.number == variable) last = read;
     if (!last) throw std::runtime_error("no such read");
     return dataflow::path_without_assignment(program.program(), program.graph(), program.data(),

@@ -1,5 +1,9 @@
 //! What loops tell: counters, what calls change, which ways make sense.
 #include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/feasible_paths.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -58,13 +62,14 @@ TEST(Summary, SaysWhetherAProgramMayStop) {
 
 TEST(Entry, LocalsOfASubprogramAreItsCallers) {
     const auto workspace = test::analyse_fanuc("O1\nM98P2\nM30\nO2\nG0X#10\nM99\n");
-    ASSERT_FALSE(workspace->programs()[1].facts().reads.empty());
-    EXPECT_EQ(workspace->programs()[1].facts().reads.front().value.vacancy, dataflow::Vacancy::unknown);
+    ASSERT_FALSE(workspace->programs()[1].facts().all<dataflow::Read>().empty());
+    EXPECT_EQ(workspace->programs()[1].facts().all<dataflow::Read>().front().value.vacancy,
+              dataflow::Vacancy::unknown);
 }
 
 TEST(Entry, ArgumentsMayBeMissingAndOtherLocalsAreVacant) {
     const auto workspace = test::analyse_fanuc("O9001\nG0X#24Y#10\nM99\n");
-    const auto& reads = workspace->programs().front().facts().reads;
+    const auto& reads = workspace->programs().front().facts().all<dataflow::Read>();
     ASSERT_EQ(reads.size(), 2U);
     EXPECT_EQ(reads[0].value.vacancy, dataflow::Vacancy::maybe);
     EXPECT_EQ(reads[1].value.vacancy, dataflow::Vacancy::vacant);
@@ -74,7 +79,7 @@ TEST(EvaluateWords, ThatPassNotZeroMayBeVacantAndCountAsZero) {
     const auto workspace = test::analyse_fanuc("O1\nIF[#501EQ1]GOTO10\n#1=ROUND[ABS[#5003]]\n"
                                                "N10IF[#1NE0]GOTO20\nM30\nN20IF[#1LT1]GOTO30\nM30\n"
                                                "N30M30\n");
-    EXPECT_TRUE(workspace->programs().front().facts().comparisons.back().truth.can_hold);
+    EXPECT_TRUE(workspace->programs().front().facts().all<dataflow::Comparison>().back().truth.can_hold);
 }
 
 TEST(EvaluateWords, ThatAModalCallLeavesDifferFromMoveToMoveAndComeFromTheCall) {
@@ -82,7 +87,7 @@ TEST(EvaluateWords, ThatAModalCallLeavesDifferFromMoveToMoveAndComeFromTheCall) 
                                                "G67\nM30\nO9010\nIF[#501EQ0]GOTO5\n#100=#0\nM99\n"
                                                "N5#100=#1\nM99\n");
     const ProgramAnalysis& analysis = workspace->programs().front();
-    const auto& stores = analysis.facts().stores;
+    const auto& stores = analysis.facts().all<dataflow::Store>();
     ASSERT_EQ(stores.size(), 3U);
     EXPECT_NE(stores[1].value.symbol, stores[2].value.symbol);
     const dataflow::Origin& origin = analysis.data().origin(stores[1].value.vacancy_origin);
@@ -112,7 +117,7 @@ TEST(Solver, EndsInALoopThatIsEnteredInItsMiddle) {
 
 TEST(EvaluateWords, OfSumsAreTheSameInEitherOrder) {
     const auto workspace = test::analyse_fanuc("O9001\n#31=#1+#2\n#32=#2+#1\n#33=#1-#2\nM99\n");
-    const auto& stores = workspace->programs().front().facts().stores;
+    const auto& stores = workspace->programs().front().facts().all<dataflow::Store>();
     ASSERT_EQ(stores.size(), 3U);
     EXPECT_EQ(stores[0].value.symbol, stores[1].value.symbol);
     EXPECT_NE(stores[0].value.symbol, stores[2].value.symbol);
@@ -122,7 +127,7 @@ TEST(Decisions, OfOneWayMustNotContradictEachOther) {
     const auto workspace = test::analyse_fanuc(
         "O9001\nIF[#1GT5]GOTO9\nIF[#1LE3]GOTO9\nIF[5LT#1]GOTO9\nIF[#1EQ4]GOTO9\nN9 M99\n");
     const ProgramAnalysis& analysis = workspace->programs().front();
-    const auto& conditions = analysis.facts().conditions;
+    const auto& conditions = analysis.facts().all<dataflow::Condition>();
     ASSERT_GE(conditions.size(), 2U);
     const auto decide = [&](std::size_t i, bool holds) {
         return dataflow::Decision{conditions[i].expression, holds};

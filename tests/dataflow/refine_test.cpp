@@ -1,4 +1,6 @@
 //! What a program knows after a condition: each bound worked out by hand.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "tests/dataflow/expect.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -114,8 +116,8 @@ TEST(Refine, WhatIsEqualToANumberIsThatNumber) {
     const auto workspace =
         test::analyse_fanuc("O0001\nX#500\nIF[#500NE5]GOTO9\nX#500\nIF[#500EQ5]GOTO9\nN9M30\n");
     const auto& facts = workspace->programs().front().facts();
-    EXPECT_FALSE(facts.comparisons.back().truth.can_fail); // asked before
-    EXPECT_EQ(facts.reads[0].value.origin, facts.reads[2].value.origin);
+    EXPECT_FALSE(facts.all<dataflow::Comparison>().back().truth.can_fail); // asked before
+    EXPECT_EQ(facts.all<dataflow::Read>()[0].value.origin, facts.all<dataflow::Read>()[2].value.origin);
     // Two bounds that meet leave the number, but nobody knows whether it was rounded on the way.
     EXPECT_EQ(where("[#500GE5]AND[#500LE5]").exactness, Exactness::unknown);
     EXPECT_RANGE(where("[#500GE5]AND[#500LE5]"), 5, 5);
@@ -130,7 +132,7 @@ TEST(Refine, WhatIsEqualToARangeIsInThatRange) {
 
 TEST(Refine, AVariableKeepsTheStoreThatMadeIt) {
     const auto workspace = test::analyse_fanuc("O0001\n#1=#1000*10\nX#1\nIF[#1NE5]GOTO9\nX#1\nN9M30\n");
-    const auto& reads = workspace->programs().front().facts().reads;
+    const auto& reads = workspace->programs().front().facts().all<dataflow::Read>();
     EXPECT_NE(reads.front().value.origin, 0U);
     EXPECT_EQ(reads.front().value.origin, reads.back().value.origin);
 }
@@ -185,7 +187,7 @@ TEST(Refine, WhatIsNotZeroButPerhapsVacantMayStillCountAsZero) {
 TEST(Refine, NobodyComesWhereNoNumberIsLeft) {
     const auto reads_of = [](const std::string& conditions) {
         const auto workspace = test::analyse_fanuc("O0001\n#1=#1000*10\n" + conditions + "X#1\nN9M30\n");
-        return workspace->programs().front().facts().reads.back().use;
+        return workspace->programs().front().facts().all<dataflow::Read>().back().use;
     };
     EXPECT_EQ(reads_of("IF[#1LT4]GOTO9\nIF[#1GE4]GOTO9\n"), dataflow::Use::comparison);
     EXPECT_EQ(reads_of("IF[#1LT4]GOTO9\nIF[#1GT4]GOTO9\n"), dataflow::Use::word);

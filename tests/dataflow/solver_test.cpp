@@ -1,4 +1,7 @@
 //! What the solver knows at a word that reads a variable, or at a program's end: each worked out by hand.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "tests/dataflow/expect.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -20,7 +23,7 @@ using dataflow::infinity;
 
 /// What a modal group can be at the only exit that is reached.
 dataflow::ModalValue at_exit(const ProgramAnalysis& analysis, ModalRole role) {
-    const auto& exits = analysis.facts().exits;
+    const auto& exits = analysis.facts().all<dataflow::ExitState>();
     EXPECT_EQ(exits.size(), 1U);
     return analysis.data().modal(exits.front(), *analysis.control().group_with(role));
 }
@@ -89,7 +92,7 @@ TEST(Solver, ACallThatMayNotRunMayChangeNothing) {
 TEST(Solver, AWordWithAVariableThatMayBeVacantMayKeepWhatWasInForce) {
     // F100, or what #500 holds: nobody can say that the feed is #500.
     const auto workspace = test::analyse_fanuc("O0001\nF100\nF#500\nIF[#4109EQ#500]GOTO1\nN1M30\n");
-    const auto& comparison = workspace->programs().front().facts().comparisons.front();
+    const auto& comparison = workspace->programs().front().facts().all<dataflow::Comparison>().front();
     EXPECT_TRUE(comparison.truth.can_hold);
     EXPECT_TRUE(comparison.truth.can_fail);
 }
@@ -146,7 +149,7 @@ TEST(Solver, WhatAProgramFurtherUpHandsDownMayBeChangedByACall) {
                                  {"S.ncs", "MACHINING\n#l90=1\n#l5=2\nL\"T\" V1\nG0 X#l90 Z#l5\nRETURN\n"},
                                  {"T.ncs", "MACHINING\n" + store + "\nRETURN\n"}},
                                 {.complete = true, .jobs = 1});
-        const auto& reads = workspace->programs()[1].facts().reads;
+        const auto& reads = workspace->programs()[1].facts().all<dataflow::Read>();
         return std::pair(reads[reads.size() - 2].value.constant(), reads.back().value.constant());
     };
     using Constants = std::pair<std::optional<double>, std::optional<double>>;

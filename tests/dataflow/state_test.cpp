@@ -1,5 +1,7 @@
 //! What is known where paths meet, at a program's start, and after everything may have changed: worked out by
 //! hand from what each path stores.
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "tests/support/analysed.hpp"
 #include "tests/support/hand_built.hpp"
 
@@ -24,7 +26,7 @@ Value after_either(const std::string& one, const std::string& other) {
     const auto after = [](const std::string& fallen, const std::string& jumped) {
         const auto workspace = test::analyse_fanuc("O0001\nIF[#500EQ1]GOTO1\n" + fallen + "\nGOTO2\nN1" +
                                                    jumped + "\nN2X#1\nM30\n");
-        return workspace->programs().front().facts().reads.back().value;
+        return workspace->programs().front().facts().all<dataflow::Read>().back().value;
     };
     const Value found = after(one, other);
     const Value exchanged = after(other, one);
@@ -70,7 +72,7 @@ TEST(Join, IsRoundedWhereOnePathRounds) {
 Origin vacancy_origin_of_last_read(const std::string& text) {
     const auto workspace = test::analyse_fanuc(text);
     const ProgramAnalysis& analysis = workspace->programs().front();
-    return analysis.data().origin(analysis.facts().reads.back().value.vacancy_origin);
+    return analysis.data().origin(analysis.facts().all<dataflow::Read>().back().value.vacancy_origin);
 }
 
 TEST(Join, ThatTheVariableItselfWasLeftOutSaysMoreThanThatAnotherWas) {
@@ -86,7 +88,7 @@ TEST(Join, ThatTheVariableItselfWasLeftOutSaysMoreThanThatAnotherWas) {
 
 TEST(Entry, OfAProgramThatNobodyCallsHasNoLocalsButItsArguments) {
     const auto workspace = test::analyse_fanuc("O9001\nX#1Y#10Z#100\nM99\n");
-    const auto& reads = workspace->programs().front().facts().reads;
+    const auto& reads = workspace->programs().front().facts().all<dataflow::Read>();
     ASSERT_EQ(reads.size(), 3U);
     EXPECT_EQ(reads[0].value.vacancy, Vacancy::maybe);
     EXPECT_TRUE(reads[0].value.can_be(0));
@@ -97,7 +99,8 @@ TEST(Entry, OfAProgramThatNobodyCallsHasNoLocalsButItsArguments) {
 TEST(Entry, WhatTheControlOwnsIsNeverVacant) {
     for (const std::string variable : {"#5041", "#1100", "#2001", "#5221", "[#_DATE]"}) {
         const auto workspace = test::analyse_fanuc("O0001\n#1=" + variable + "\nM30\n");
-        EXPECT_EQ(workspace->programs().front().facts().stores.at(0).value.vacancy, Vacancy::set) << variable;
+        EXPECT_EQ(workspace->programs().front().facts().all<dataflow::Store>()[0].value.vacancy, Vacancy::set)
+            << variable;
     }
 }
 
@@ -106,7 +109,7 @@ TEST(Entry, WhatTheControlOwnsIsNeverVacant) {
 TEST(Forgetting, IsOfTheCommonsAloneAndOfEachCallAnew) {
     const auto workspace =
         test::analyse_fanuc("O0001\nG65P77\n#1=#100\n#2=#100\nG65P77\n#3=#100\n#4=#1\nM30\n");
-    const auto& stores = workspace->programs().front().facts().stores;
+    const auto& stores = workspace->programs().front().facts().all<dataflow::Store>();
     ASSERT_EQ(stores.size(), 4U);
     EXPECT_EQ(stores[0].value.symbol, stores[1].value.symbol); // nothing ran between the two
     EXPECT_NE(stores[1].value.symbol, stores[2].value.symbol); // the second call did
@@ -115,13 +118,13 @@ TEST(Forgetting, IsOfTheCommonsAloneAndOfEachCallAnew) {
 
 TEST(Forgetting, EndsWithTheNextStore) {
     const auto workspace = test::analyse_fanuc("O0001\nG65P77\n#100=3\nX#100\nM30\n");
-    EXPECT_EQ(workspace->programs().front().facts().reads.back().value.constant(), 3);
+    EXPECT_EQ(workspace->programs().front().facts().all<dataflow::Read>().back().value.constant(), 3);
 }
 
 TEST(Forgetting, OnOnePathIsForgettingWherePathsMeet) {
     const auto workspace =
         test::analyse_fanuc("O0001\n#1=#100\nIF[#500EQ1]GOTO1\nG65P77\nN1#2=#100\n#3=#100\nM30\n");
-    const auto& stores = workspace->programs().front().facts().stores;
+    const auto& stores = workspace->programs().front().facts().all<dataflow::Store>();
     ASSERT_EQ(stores.size(), 3U);
     EXPECT_NE(stores[0].value.symbol, stores[1].value.symbol);
     EXPECT_EQ(stores[1].value.symbol, stores[2].value.symbol);
@@ -144,7 +147,7 @@ Value stored_in(VariableType type, double largest) {
     std::vector<WorkspaceFile> files;
     files.push_back(built.finish());
     const auto workspace = Workspace::analyse(std::move(files), {.complete = true, .jobs = 1});
-    return workspace->programs().front().facts().reads.back().value;
+    return workspace->programs().front().facts().all<dataflow::Read>().back().value;
 }
 
 TEST(DeclaredTypes, ATruthIsZeroOrOne) {
@@ -179,7 +182,7 @@ Value at_entry(VariableType type) {
     std::vector<WorkspaceFile> files;
     files.push_back(built.finish());
     const auto workspace = Workspace::analyse(std::move(files), {.complete = false, .jobs = 1});
-    return workspace->programs().front().facts().reads.back().value;
+    return workspace->programs().front().facts().all<dataflow::Read>().back().value;
 }
 
 TEST(DeclaredTypes, AreThoseOfParametersToo) {

@@ -1,4 +1,8 @@
 //! What single blocks change: steps of a counter, stores through an index, calls of known programs, codes.
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <optional>
@@ -18,7 +22,7 @@ using dataflow::Value;
 /// How the store in #1 changes it, when it is a step.
 std::optional<Step> step_in(const std::string& block) {
     const auto workspace = test::analyse_fanuc("O0001\n#1=3\n#2=4\n" + block + "\nM30\n");
-    return workspace->programs().front().facts().stores.at(2).step;
+    return workspace->programs().front().facts().all<dataflow::Store>()[2].step;
 }
 
 TEST(Steps, AreOfAVariableByAnAmount) {
@@ -42,7 +46,7 @@ TEST(Steps, AreNotOfOtherVariablesOrOperations) {
 /// What the last word reads in the first program.
 Value last_read_of_first(const std::string& text) {
     const auto workspace = test::analyse_files({{"O0001.nc", text}}, {.complete = true, .jobs = 1});
-    return workspace->programs().front().facts().reads.back().value;
+    return workspace->programs().front().facts().all<dataflow::Read>().back().value;
 }
 Value after_call_of(const std::string& called) {
     return last_read_of_first("O0001\n#100=9\nG65P2A3\nX#100\nM30\nO0002\n" + called + "\nM99\n");
@@ -84,7 +88,7 @@ TEST(CallsOfKnownPrograms, GiveTwoVariablesTwoValues) {
         {{"O0001.nc",
           "O0001\nG65P2A#500\n#1=#100\n#2=#101\n#3=#100\nM30\nO0002\n#100=#1\n#101=#5003\nM99\n"}},
         {.complete = true, .jobs = 1});
-    const auto& stores = workspace->programs().front().facts().stores;
+    const auto& stores = workspace->programs().front().facts().all<dataflow::Store>();
     ASSERT_EQ(stores.size(), 3U);
     EXPECT_NE(stores[0].value.symbol, stores[1].value.symbol);
     EXPECT_EQ(stores[0].value.symbol, stores[2].value.symbol);
@@ -115,8 +119,8 @@ struct AtEnd {
 AtEnd at_end(const std::string& text, ModalRole role) {
     const auto workspace = test::analyse_fanuc("O0001\n" + text + "M30\n");
     const ProgramAnalysis& analysis = workspace->programs().front();
-    const auto value =
-        analysis.data().modal(analysis.facts().exits.at(0), *analysis.control().group_with(role));
+    const auto value = analysis.data().modal(analysis.facts().all<dataflow::ExitState>()[0],
+                                             *analysis.control().group_with(role));
     AtEnd found{{}, value.unknown};
     for (const dataflow::ModalPart& part : value.parts)
         if (const auto code = analysis.data().table().number_of(part.symbol)) found.codes.push_back(*code);
@@ -154,7 +158,7 @@ TEST(Codes, AreWatchedInTheGroupsThatRulesAskFor) {
         "dinplus", "MACHINING\nN1 G18\nN2 G41\nN3 G30 H1 Q1\nN4 G54\nN5 F0.2\nN6 M30\nEND\n");
     const ProgramAnalysis& analysis = workspace->programs().front();
     std::vector<std::uint32_t> lines;
-    for (const dataflow::PointState& point : analysis.facts().watched)
+    for (const dataflow::PointState& point : analysis.facts().all<dataflow::BeforeWatchedWord>())
         lines.push_back(test::line_of_effect(analysis, point.effect));
     EXPECT_THAT(lines, testing::ElementsAre(2)); // the plane
 }

@@ -1,6 +1,16 @@
 //! One function a kind of event: which facts speak of it, and whether they allow it.
 #include "tests/execution/held_against_facts.hpp"
 
+#include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/computed_jump.hpp"
+#include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/modal_read.hpp"
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/overloaded.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -22,10 +32,11 @@ constexpr std::size_t longest_path = 60;
 
 std::string spell(semantics::Content content) { return content ? std::to_string(*content) : "vacant"; }
 
-template<class Map, class Key>
-auto found(const Map& map, const Key& key) {
-    const auto [first, last] = map.equal_range(key);
-    return std::ranges::subrange(first, last) | std::views::values;
+/// The facts about an expression of an effect.
+template<class Fact>
+auto about(const dataflow::Facts& facts, EffectId effect, ExpressionId expression) {
+    return facts.at<Fact>(effect) |
+           std::views::filter([expression](const Fact& fact) { return fact.expression == expression; });
 }
 
 bool is_binary(Operation operation) {
@@ -53,28 +64,9 @@ bool within(double low, double high, bool integer, double number) {
 
 } // namespace
 
-IndexedFacts::IndexedFacts(const ProgramAnalysis& analysis) {
-    const dataflow::Facts& facts = analysis.facts();
-    for (const auto& fact : facts.reads) reads.emplace(std::pair(fact.effect, fact.expression), &fact);
-    for (const auto& fact : facts.comparisons)
-        comparisons.emplace(std::pair(fact.effect, fact.expression), &fact);
-    for (const auto& fact : facts.conditions)
-        conditions.emplace(std::pair(fact.effect, fact.expression), &fact);
-    for (const auto& fact : facts.modal_reads)
-        modal_reads.emplace(std::pair(fact.node, fact.expression), &fact);
-    for (const auto& fact : facts.stores) stores.emplace(fact.effect, &fact);
-    for (const auto& fact : facts.clobbers) clobbers.emplace(fact.effect, &fact);
-    for (const auto& fact : facts.calls) calls.emplace(fact.effect, &fact);
-    for (const auto& fact : facts.modal_writes) modal_writes.emplace(fact.effect, &fact);
-    for (const auto& fact : facts.computed_jumps) computed_jumps.emplace(fact.effect, &fact);
-    for (const auto& fact : facts.tool_changes) points.emplace(fact.effect, &fact);
-    for (const auto& fact : facts.watched) points.emplace(fact.effect, &fact);
-}
-
 HeldAgainstFacts::HeldAgainstFacts(const Workspace& workspace)
     : workspace_(workspace) {
     for (const ProgramAnalysis& analysis : workspace.programs()) {
-        facts_[&analysis] = std::make_unique<IndexedFacts>(analysis);
         watched_[&analysis] = watched_in(analysis);
     }
 }
@@ -206,9 +198,10 @@ void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::CallEnds
     Level& level = levels_.back();
     check_changes(stepper, event.call);
     level.before_call.clear();
-    const bool known = std::ranges::any_of(found(facts().calls, event.call), [&](const auto* call) {
-        return call->node == level.node && (!call->known || event.target);
-    });
+    const bool known =
+        std::ranges::any_of(facts().at<dataflow::CallMade>(event.call), [&](const dataflow::CallMade& call) {
+            return call.node == level.node && (!call.known || event.target);
+        });
     claim(known, "calls", event.target ? "no call is made there" : "the program is not there");
 }
 
@@ -219,9 +212,9 @@ void HeldAgainstFacts::check_changes(execution::Stepper& stepper, EffectId call)
     for (std::size_t i = 0; i < watched.size(); ++i) {
         if (stepper.content(watched[i]) == level.before_call[i]) continue;
         const bool known =
-            std::ranges::any_of(found(facts().clobbers, call), [&](const dataflow::Clobber* clobber) {
-                return clobber->node == level.node && clobber->space == watched[i].space &&
-                       (!clobber->variable || *clobber->variable == watched[i]);
+            std::ranges::any_of(facts().at<dataflow::Clobber>(call), [&](const dataflow::Clobber& clobber) {
+                return clobber.node == level.node && clobber.space == watched[i].space &&
+                       (!clobber.variable || *clobber.variable == watched[i]);
             });
         claim(known, "changes by calls", level.analysis->program().spell(watched[i]) + " is changed");
         for (const dataflow::Loop& loop : level.analysis->loops())
@@ -311,10 +304,10 @@ void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::Variable
     const Program& program = stepper.program().program();
     bool recorded = std::holds_alternative<Return>(program.effects[*effect].what) ||
                     !std::holds_alternative<Load>(program.expressions[event.expression].node);
-    for (const dataflow::Read* read : found(facts().reads, std::pair(*effect, event.expression))) {
-        if (!(read->variable == event.variable)) continue;
+    for (const dataflow::Read& read : about<dataflow::Read>(facts(), *effect, event.expression)) {
+        if (!(read.variable == event.variable)) continue;
         recorded = true;
-        claim(allows(read->value, event.content), "reads",
+        claim(allows(read.value, event.content), "reads",
               program.spell(event.variable) + " is " + spell(event.content));
     }
     claim(recorded, "reads recorded", program.spell(event.variable) + " is read");
@@ -323,28 +316,29 @@ void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::Variable
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::GroupRead& event) {
     const Level& level = levels_.back();
     if (!level.node) return;
-    for (const dataflow::ModalRead* read :
-         found(facts().modal_reads, std::pair(*level.node, event.expression)))
-        claim(read->group != event.group || allows(read->value, event.code), "modal reads",
+    for (const dataflow::ModalRead& read : facts().in<dataflow::ModalRead>(*level.node))
+        claim(read.expression != event.expression || read.group != event.group ||
+                  allows(read.value, event.code),
+              "modal reads",
               stepper.program().control().groups[event.group].name.data() + (" is " + spell(event.code)));
 }
 
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::Compared& event) {
-    for (const dataflow::Comparison* fact :
-         found(facts().comparisons, std::pair(*stepper.effect(), event.expression))) {
-        claim(event.truth ? fact->truth.can_hold : fact->truth.can_fail, "truth of comparisons",
+    for (const dataflow::Comparison& fact :
+         about<dataflow::Comparison>(facts(), *stepper.effect(), event.expression)) {
+        claim(event.truth ? fact.truth.can_hold : fact.truth.can_fail, "truth of comparisons",
               event.truth ? "it is true" : "it is false");
-        claim(allows(fact->left, event.left), "left sides", "it is " + spell(event.left));
-        claim(allows(fact->right, event.right), "right sides", "it is " + spell(event.right));
+        claim(allows(fact.left, event.left), "left sides", "it is " + spell(event.left));
+        claim(allows(fact.right, event.right), "right sides", "it is " + spell(event.right));
     }
 }
 
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::Decided& event) {
     bool recorded = false;
-    for (const dataflow::Condition* fact :
-         found(facts().conditions, std::pair(*stepper.effect(), event.condition))) {
+    for (const dataflow::Condition& fact :
+         about<dataflow::Condition>(facts(), *stepper.effect(), event.condition)) {
         recorded = true;
-        claim(event.truth ? fact->truth.can_hold : fact->truth.can_fail, "truth of conditions",
+        claim(event.truth ? fact.truth.can_hold : fact.truth.can_fail, "truth of conditions",
               event.truth ? "it is true" : "it is false");
     }
     claim(recorded, "conditions recorded", "a condition is decided");
@@ -355,17 +349,17 @@ void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::Stored& 
     const EffectId effect = *stepper.effect();
     const Program& program = stepper.program().program();
     bool recorded = false;
-    for (const dataflow::Store* store : found(facts().stores, effect)) {
-        if (!(store->variable == event.variable)) continue;
+    for (const dataflow::Store& store : facts().at<dataflow::Store>(effect)) {
+        if (!(store.variable == event.variable)) continue;
         recorded = true;
-        claim(allows(store->value, event.content), "stores",
+        claim(allows(store.value, event.content), "stores",
               program.spell(event.variable) + " becomes " + spell(event.content));
-        claim(allows(store->old, event.old), "old values",
+        claim(allows(store.old, event.old), "old values",
               program.spell(event.variable) + " was " + spell(event.old));
     }
-    for (const dataflow::Clobber* clobber : found(facts().clobbers, effect))
-        recorded |= clobber->space == event.variable.space &&
-                    (!clobber->variable || *clobber->variable == event.variable);
+    for (const dataflow::Clobber& clobber : facts().at<dataflow::Clobber>(effect))
+        recorded |= clobber.space == event.variable.space &&
+                    (!clobber.variable || *clobber.variable == event.variable);
     claim(recorded, "stores recorded", program.spell(event.variable) + " becomes " + spell(event.content));
     for (const dataflow::Loop& loop : stepper.program().loops())
         claim(!loop.holds(*levels_.back().node) || loop.changes.may_change(event.variable),
@@ -374,16 +368,16 @@ void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::Stored& 
 
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::GroupSet& event) {
     if (!stepper.effect()) return;
-    for (const dataflow::ModalWrite* write : found(facts().modal_writes, *stepper.effect())) {
-        claim(!write->group || *write->group == event.group, "groups set", "another group is set");
-        claim(allows(write->value, event.code), "codes set", "it is " + spell(event.code));
+    for (const dataflow::ModalWrite& write : facts().at<dataflow::ModalWrite>(*stepper.effect())) {
+        claim(!write.group || *write.group == event.group, "groups set", "another group is set");
+        claim(allows(write.value, event.code), "codes set", "it is " + spell(event.code));
     }
 }
 
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::JumpComputed& event) {
-    for (const dataflow::ComputedJump* jump : found(facts().computed_jumps, *stepper.effect()))
-        claim(event.target == 0 ? jump->target.can_be(0) || jump->target.vacancy == Vacancy::unknown
-                                : allows(jump->target, event.target),
+    for (const dataflow::ComputedJump& jump : facts().at<dataflow::ComputedJump>(*stepper.effect()))
+        claim(event.target == 0 ? jump.target.can_be(0) || jump.target.vacancy == Vacancy::unknown
+                                : allows(jump.target, event.target),
               "computed jumps", "it goes to " + spell(event.target));
 }
 
@@ -414,7 +408,7 @@ void HeldAgainstFacts::check_exit(execution::Stepper& stepper, const execution::
     bool recorded = false;
     bool allowed = false;
     std::string wrong;
-    for (const dataflow::ExitState& exit : analysis.facts().exits) {
+    for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>()) {
         const bool is_it =
             left.how == Leaving::runs_off
                 ? exit.exit.kind == flow::ExitKind::runs_off &&

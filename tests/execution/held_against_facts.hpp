@@ -14,25 +14,6 @@
 
 namespace maclint::test {
 
-/// The facts of one program, to be looked up by where they were found.
-class IndexedFacts {
-  public:
-    explicit IndexedFacts(const ProgramAnalysis& analysis);
-
-    template<class Fact>
-    using ByExpression = std::multimap<std::pair<EffectId, ExpressionId>, const Fact*>;
-    ByExpression<dataflow::Read> reads;
-    ByExpression<dataflow::Comparison> comparisons;
-    ByExpression<dataflow::Condition> conditions;
-    std::multimap<std::pair<flow::NodeId, ExpressionId>, const dataflow::ModalRead*> modal_reads;
-    std::multimap<EffectId, const dataflow::Store*> stores;
-    std::multimap<EffectId, const dataflow::Clobber*> clobbers;
-    std::multimap<EffectId, const dataflow::CallMade*> calls;
-    std::multimap<EffectId, const dataflow::ModalWrite*> modal_writes;
-    std::multimap<EffectId, const dataflow::ComputedJump*> computed_jumps;
-    std::multimap<EffectId, const dataflow::PointState*> points; ///< tool changes and watched words
-};
-
 /// Variables that are looked at as a whole: at calls, at the begin and the end of programs.
 using Watched = std::vector<Variable>;
 
@@ -94,10 +75,9 @@ class HeldAgainstFacts {
     [[nodiscard]] bool allows(const dataflow::Value& value, Content content) const;
     [[nodiscard]] bool allows(const dataflow::ModalValue& value, double code) const;
     void claim(bool holds, const std::string& kind, const std::string& what);
-    [[nodiscard]] const IndexedFacts& facts() { return *facts_[levels_.back().analysis]; }
+    [[nodiscard]] const dataflow::Facts& facts() const { return levels_.back().analysis->facts(); }
 
     const Workspace& workspace_;
-    std::unordered_map<const ProgramAnalysis*, std::unique_ptr<IndexedFacts>> facts_;
     std::unordered_map<const ProgramAnalysis*, Watched> watched_;
     std::map<std::tuple<const ProgramAnalysis*, flow::NodeId, flow::NodeId>,
              std::optional<std::vector<flow::EdgeId>>>

@@ -1,4 +1,5 @@
 //! Every program in corpus/ raises exactly the findings that its (EXPECT …) comments name on their lines.
+#include "analyzer/program/model.hpp"
 #include "cli/lint.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 //! Reads and analyses texts for tests.
 #include "tests/support/analysed.hpp"
 
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dialect/dialect.hpp"
 
 #include <stdexcept>
@@ -40,8 +41,9 @@ const ProgramAnalysis& program(const Workspace& workspace, std::string_view name
 }
 
 dataflow::Value last_read(const ProgramAnalysis& analysis) {
-    const auto& reads = analysis.facts().reads;
-    return reads.at(reads.size() - 1).value; // throws where nothing is read
+    const auto reads = analysis.facts().all<dataflow::Read>();
+    if (reads.empty()) throw std::runtime_error("nothing is read");
+    return reads.back().value;
 }
 
 dataflow::Value last_read(const std::string& text) {

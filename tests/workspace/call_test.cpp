@@ -1,4 +1,5 @@
 //! Calls find the nearest program, and depth is counted along the longest chain.
+#include "analyzer/dataflow/facts/read.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <gtest/gtest.h>
@@ -53,16 +54,16 @@ TEST(Calls, ACompleteWorkspaceTellsWhichArgumentsAreMissing) {
     const auto workspace = test::analyse_files({{"main.nc", main}, {"macro.nc", "O9000\nG0X#1Y#2Z#3\nM99\n"}},
                                                {.complete = true, .jobs = 1});
     const ProgramAnalysis& macro = program(*workspace, "O9000", "macro.nc");
-    ASSERT_EQ(macro.facts().reads.size(), 3U);
-    EXPECT_EQ(macro.facts().reads[0].value.vacancy, dataflow::Vacancy::unknown);
-    EXPECT_EQ(macro.facts().reads[1].value.vacancy, dataflow::Vacancy::maybe);
-    EXPECT_EQ(macro.facts().reads[2].value.vacancy, dataflow::Vacancy::vacant);
+    ASSERT_EQ(macro.facts().all<dataflow::Read>().size(), 3U);
+    EXPECT_EQ(macro.facts().all<dataflow::Read>()[0].value.vacancy, dataflow::Vacancy::unknown);
+    EXPECT_EQ(macro.facts().all<dataflow::Read>()[1].value.vacancy, dataflow::Vacancy::maybe);
+    EXPECT_EQ(macro.facts().all<dataflow::Read>()[2].value.vacancy, dataflow::Vacancy::vacant);
 }
 
 /// What is known of the only variable that the macro reads, in a complete workspace.
 dataflow::Vacancy read_in_macro(const std::vector<test::NamedText>& files, std::string_view macro) {
     const auto workspace = test::analyse_files(files, {.complete = true, .jobs = 1});
-    return program(*workspace, "O9000", macro).facts().reads.front().value.vacancy;
+    return program(*workspace, "O9000", macro).facts().all<dataflow::Read>().front().value.vacancy;
 }
 
 TEST(Calls, ACallThatMayMeanTheProgramMayPassWhatOthersLeaveOut) {
@@ -88,7 +89,7 @@ TEST(Calls, ALetterThatOnlyACallerWithAChoicePassesMayBeThere) {
             open_workspace);
         const ProgramAnalysis& analysis = program(*workspace, "O9000", "b/macro.nc");
         EXPECT_EQ(analysis.possible_callers().size(), 1U);
-        return analysis.facts().reads.front().value.vacancy;
+        return analysis.facts().all<dataflow::Read>().front().value.vacancy;
     };
     EXPECT_EQ(vacancy("G65P9000A1."), dataflow::Vacancy::vacant);
     EXPECT_EQ(vacancy("G65P9000I1.I2.I3."), dataflow::Vacancy::maybe);
@@ -106,7 +107,7 @@ TEST(Calls, ANamedVariableIsTheSameInCallerAndCalled) {
     const std::string main = "O1\n[#_DEPTH]=1\nM98P2\n#1=#_DEPTH\nM30\n";
     const auto read_after = [&](const std::string& called) {
         const auto workspace = test::analyse_fanuc(main + called);
-        return program(*workspace, "O1", "test.nc").facts().reads.back().value.constant();
+        return program(*workspace, "O1", "test.nc").facts().all<dataflow::Read>().back().value.constant();
     };
     EXPECT_EQ(read_after("O2\n[#_OTHER]=9\nM99\n"), 1.0);
     EXPECT_EQ(read_after("O2\n[#_OTHER]=8\n[#_DEPTH]=9\nM99\n"), 9.0);

@@ -1,4 +1,7 @@
 //! Calls by name: local subprograms, files, and what is handed to them.
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <optional>
@@ -54,7 +57,7 @@ TEST(DinCalls, ATransferValueThatIsLeftOutIsVacant) {
         test::analyse_files({{"main.nc", "MACHINING\nL\"SUB\" V1 LA1 LB2\nL\"SUB\" V1 LA3\nM30\n"},
                              {"SUB.ncs", "MACHINING\nG0 X#__la Z#__lb Y#__lc\nRETURN\n"}},
                             closed_workspace);
-    const auto& reads = program(*workspace, "SUB").facts().reads;
+    const auto& reads = program(*workspace, "SUB").facts().all<dataflow::Read>();
     ASSERT_EQ(reads.size(), 3U);
     EXPECT_EQ(reads[0].value.vacancy, dataflow::Vacancy::unknown);
     EXPECT_EQ(reads[1].value.vacancy, dataflow::Vacancy::maybe);
@@ -65,7 +68,7 @@ TEST(DinCalls, LocalsAreLocal) {
     const auto workspace = test::analyse_text(
         "dinplus",
         "MACHINING\n#l1=5\n#g1=6\nL\"S\"\n#l2=#l1\n#l3=#g1\nM30\nSUBPROGRAM \"S\"\n#l1=7\n#g1=8\nRETURN\n");
-    const auto& reads = program(*workspace, "test").facts().reads;
+    const auto& reads = program(*workspace, "test").facts().all<dataflow::Read>();
     ASSERT_EQ(reads.size(), 2U);
     EXPECT_EQ(reads[0].value.constant(), 5.0);
     EXPECT_EQ(reads[1].value.constant(), 8.0);
@@ -78,7 +81,7 @@ TEST(DinCalls, WhatIsHandedDownMayBeChanged) {
         const auto workspace =
             test::analyse_files({{"main.nc", main}, {"S.ncs", std::move(sub)}}, closed_workspace);
         std::vector<std::optional<double>> values;
-        for (const auto& read : program(*workspace, "main").facts().reads)
+        for (const auto& read : program(*workspace, "main").facts().all<dataflow::Read>())
             values.push_back(read.value.constant());
         return values;
     };
@@ -95,7 +98,7 @@ TEST(DinCalls, WhatCallersInTheFileLeaveOutMayBeMissing) {
     const auto workspace =
         test::analyse_text("dinplus", "MACHINING\nL\"S\" LA1\nL\"S\" LA2 LB3\nM30\nSUBPROGRAM \"S\"\n"
                                       "G0 X#__la Z#__lb Y#__lc\nRETURN\n");
-    const auto& reads = program(*workspace, "S").facts().reads;
+    const auto& reads = program(*workspace, "S").facts().all<dataflow::Read>();
     ASSERT_EQ(reads.size(), 3U);
     EXPECT_EQ(reads[0].value.vacancy, dataflow::Vacancy::unknown);
     EXPECT_EQ(reads[1].value.vacancy, dataflow::Vacancy::maybe);
@@ -113,7 +116,7 @@ TEST(DinCalls, WhatIsHandedDownReachesAllThatIsCalledFromThere) {
                                  {"U.ncs", "MACHINING\nG0 X#l90 Z#l92 Y#_n C#_k\nRETURN\n"}},
                                 closed_workspace);
         std::vector<dataflow::Vacancy> vacancies;
-        for (const auto& read : program(*workspace, name).facts().reads)
+        for (const auto& read : program(*workspace, name).facts().all<dataflow::Read>())
             vacancies.push_back(read.value.vacancy);
         return vacancies;
     };
@@ -143,18 +146,18 @@ TEST(DinFlow, BranchesJoinAndARestartLeaves) {
         "dinplus",
         "MACHINING\nINPUT(\"n\",#l1)\nIF #l1>3\nTHEN\n#l2=1\nELSE\n#l2=2\nENDIF\n#l3=#l2\nM99\nM30\n");
     const ProgramAnalysis& analysis = program(*workspace, "test");
-    const auto& reads = analysis.facts().reads;
+    const auto& reads = analysis.facts().all<dataflow::Read>();
     ASSERT_EQ(reads.size(), 2U);
     EXPECT_EQ(reads[1].value.low, 1);
     EXPECT_EQ(reads[1].value.high, 2);
-    ASSERT_EQ(analysis.facts().exits.size(), 1U); // M30 is never reached
-    EXPECT_EQ(analysis.facts().exits[0].exit.kind, flow::ExitKind::restarts);
+    ASSERT_EQ(analysis.facts().all<dataflow::ExitState>().size(), 1U); // M30 is never reached
+    EXPECT_EQ(analysis.facts().all<dataflow::ExitState>()[0].exit.kind, flow::ExitKind::restarts);
 }
 
 TEST(DinFlow, ContoursRunBeforeTheMachining) {
     const auto workspace =
         test::analyse_text("dinplus", "VAR\n#_d=#l1\nBLANK\n#_d=120\nMACHINING\nG0 X#_d\nM30\n");
-    const auto& reads = program(*workspace, "test").facts().reads;
+    const auto& reads = program(*workspace, "test").facts().all<dataflow::Read>();
     ASSERT_EQ(reads.size(), 1U);
     EXPECT_EQ(reads[0].value.constant(), 120.0);
 }
@@ -162,7 +165,8 @@ TEST(DinFlow, ContoursRunBeforeTheMachining) {
 TEST(DinFlow, AValueOfTheControlMayBeMissing) {
     const auto workspace =
         test::analyse_text("dinplus", "MACHINING\n#l1=#a9(X,0)\nIF NDEF(l1)\nTHEN\nENDIF\nM30\n");
-    EXPECT_NE(program(*workspace, "test").facts().stores.at(0).value.vacancy, dataflow::Vacancy::set);
+    EXPECT_NE(program(*workspace, "test").facts().all<dataflow::Store>()[0].value.vacancy,
+              dataflow::Vacancy::set);
 }
 
 } // namespace

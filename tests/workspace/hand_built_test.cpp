@@ -1,5 +1,7 @@
 //! Flow, data flow and workspace over programs of a shape that no dialect has yet: named labels with a
 //! direction, FOR, REPEAT … UNTIL, parameters by position and reference, types, shared names.
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "tests/support/analysed.hpp"
 #include "tests/support/hand_built.hpp"
@@ -31,7 +33,7 @@ std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files) {
 
 /// What a read of the variable on the line (from 1) is known to be.
 dataflow::Value value_read(const ProgramAnalysis& analysis, Variable variable, std::uint32_t line) {
-    for (const dataflow::Read& read : analysis.facts().reads)
+    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
         if (read.variable == variable && test::line_of_effect(analysis, read.effect) == line)
             return read.value;
     throw std::runtime_error("not read there");
@@ -314,8 +316,8 @@ TEST(DeclaredVariables, HoldWhatTheirTypeCanHold) {
     built.block({Stop{Stop::Kind::end, std::nullopt}});
     const auto workspace = analyse({built.finish()});
     const ProgramAnalysis& main = program(*workspace, "MAIN");
-    EXPECT_EQ(main.facts().stores.at(0).variable, i);
-    EXPECT_EQ(main.facts().stores.at(0).value.constant(), 3);
+    EXPECT_EQ(main.facts().all<dataflow::Store>()[0].variable, i);
+    EXPECT_EQ(main.facts().all<dataflow::Store>()[0].value.constant(), 3);
     EXPECT_EQ(value_read(main, b, 6).constant(), 1);
     EXPECT_TRUE(value_read(main, i, 6).integer);
     EXPECT_FALSE(value_read(main, i, 6).constant());

@@ -1,4 +1,5 @@
 //! Who uses a label, where a jump can lead, and which modal calls of a program are still active.
+#include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -94,7 +95,7 @@ std::vector<std::uint32_t> active_calls(std::string_view dialect, const std::str
     const auto workspace = test::analyse_text(dialect, text);
     const ProgramAnalysis& analysis = workspace->programs().front();
     std::set<std::uint32_t> lines;
-    for (const dataflow::ExitState& exit : analysis.facts().exits)
+    for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>())
         for (const dataflow::OriginId call : analysis.own_modal_calls(exit.state, exit.exit.node))
             lines.insert(test::line_of_effect(analysis, analysis.data().origin(call).id));
     return {lines.begin(), lines.end()};

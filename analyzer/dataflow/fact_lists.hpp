@@ -1,0 +1,70 @@
+//! The facts of a program while they are written down.
+#pragma once
+
+#include "analyzer/dataflow/facts.hpp"
+#include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/computed_jump.hpp"
+#include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/modal_read.hpp"
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+
+#include <cstddef>
+#include <iterator>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace maclint::dataflow {
+
+/// A list for each of the types.
+template<class... Types>
+class ListsOf {
+  public:
+    template<class T>
+    void add(T fact) {
+        of<T>().push_back(std::move(fact));
+    }
+    template<class T>
+    [[nodiscard]] std::vector<T>& of() {
+        return std::get<std::vector<T>>(lists_);
+    }
+    template<class T>
+    [[nodiscard]] const std::vector<T>& of() const {
+        return std::get<std::vector<T>>(lists_);
+    }
+    /// Moves all facts out, into no more memory than they need; the memory here stays for other programs,
+    /// unless a list has more than `worth_keeping` bytes.
+    [[nodiscard]] Facts hand_over(std::size_t worth_keeping) {
+        Facts facts;
+        (facts.put(taken_from(of<Types>(), worth_keeping)), ...);
+        return facts;
+    }
+
+  private:
+    template<class T>
+    static std::vector<T> taken_from(std::vector<T>& list, std::size_t worth_keeping) {
+        std::vector<T> taken;
+        if (list.capacity() * sizeof(T) > worth_keeping) {
+            taken = std::exchange(list, {});
+            taken.shrink_to_fit();
+        } else {
+            taken.assign(std::move_iterator(list.begin()), std::move_iterator(list.end()));
+            list.clear();
+        }
+        return taken;
+    }
+
+    std::tuple<std::vector<Types>...> lists_;
+};
+
+/// Every type of fact: what stands here is recorded and can be asked for.
+using FactLists = ListsOf<Comparison, Condition, Read, ModalRead, Store, Clobber, CallMade, ModalWrite,
+                          ComputedJump, BeforeToolChange, BeforeWatchedWord, ExitState>;
+
+} // namespace maclint::dataflow

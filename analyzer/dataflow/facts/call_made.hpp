@@ -1,0 +1,16 @@
+//! A call that runs a program.
+#pragma once
+
+#include "analyzer/flow/graph.hpp"
+
+namespace maclint::dataflow {
+
+/// A call that runs a program here.
+struct CallMade {
+    flow::NodeId node;
+    EffectId effect;
+    bool known;    ///< false: it is unknown what it does
+    bool may_stop; ///< it may end in an alarm, a pause or the program's end; true when unknown
+};
+
+} // namespace maclint::dataflow

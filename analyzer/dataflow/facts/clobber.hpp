@@ -1,0 +1,19 @@
+//! Variables that something else than an assignment may have changed.
+#pragma once
+
+#include "analyzer/flow/graph.hpp"
+
+#include <optional>
+
+namespace maclint::dataflow {
+
+/// Something other than an assignment may have changed variables: a call, an unreadable block, a store
+/// through an index that can be many.
+struct Clobber {
+    flow::NodeId node;
+    EffectId effect;
+    SpaceId space;
+    std::optional<Variable> variable; ///< empty: any variable of the space
+};
+
+} // namespace maclint::dataflow

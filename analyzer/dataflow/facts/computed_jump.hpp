@@ -1,0 +1,16 @@
+//! A jump to a label that is calculated.
+#pragma once
+
+#include "analyzer/dataflow/value.hpp"
+#include "analyzer/flow/graph.hpp"
+
+namespace maclint::dataflow {
+
+/// A jump whose target is computed.
+struct ComputedJump {
+    flow::NodeId node;
+    EffectId effect;
+    Value target;
+};
+
+} // namespace maclint::dataflow

@@ -1,0 +1,15 @@
+//! How a program is left.
+#pragma once
+
+#include "analyzer/dataflow/state.hpp"
+#include "analyzer/flow/graph.hpp"
+
+namespace maclint::dataflow {
+
+/// The state with which the program is left.
+struct ExitState {
+    flow::Exit exit;
+    State state;
+};
+
+} // namespace maclint::dataflow

@@ -1,0 +1,18 @@
+//! A modal group that is read by its variable.
+#pragma once
+
+#include "analyzer/dataflow/value.hpp"
+#include "analyzer/flow/graph.hpp"
+
+namespace maclint::dataflow {
+
+/// A read of a modal group by its variable, and what the group can be there.
+struct ModalRead {
+    flow::NodeId node;
+    EffectId effect;
+    ExpressionId expression;
+    GroupId group;
+    ModalValue value;
+};
+
+} // namespace maclint::dataflow

@@ -1,0 +1,21 @@
+//! A modal group that is set.
+#pragma once
+
+#include "analyzer/dataflow/value.hpp"
+#include "analyzer/flow/graph.hpp"
+
+#include <optional>
+
+namespace maclint::dataflow {
+
+/// A modal group set by a block that is not plain.
+struct ModalWrite {
+    flow::NodeId node;
+    EffectId effect;
+    std::optional<GroupId> group; ///< as written, or as the value decides; empty: unknown
+    bool stated;                  ///< the word names the group (F#4); otherwise the value decides (G#3)
+    ExpressionId expression;
+    Value value;
+};
+
+} // namespace maclint::dataflow

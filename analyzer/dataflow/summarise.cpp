@@ -1,0 +1,152 @@
+//! What a call does to its caller, from the states with which the program is left.
+#include "analyzer/dataflow/summarise.hpp"
+
+#include "analyzer/dataflow/state.hpp"
+
+#include <algorithm>
+
+namespace maclint::dataflow {
+namespace {
+
+class Summariser {
+  public:
+    Summariser(const Program& program, const flow::Graph& graph, const Callees& callees, States& states,
+               const FactLists& facts, const std::vector<bool>& reached)
+        : program_(program)
+        , graph_(graph)
+        , callees_(callees)
+        , states_(states)
+        , facts_(facts)
+        , reached_(reached) {}
+
+    Summary run() {
+        summarise();
+        return std::move(summary_);
+    }
+
+  private:
+    void summarise() {
+        summary_.known = true;
+        summary_.may_stop = may_stop();
+        State left;
+        for (const ExitState& exit : facts_.of<ExitState>()) {
+            if (exit.exit.kind != flow::ExitKind::returns && exit.exit.kind != flow::ExitKind::runs_off)
+                continue;
+            State state = exit.state;
+            const Channels leaving = graph_.channels_at(exit.exit.node).running;
+            states_.leave_out(state, static_cast<Channels>(graph_.all_channels & ~leaving));
+            left = states_.join(left, state, static_cast<flow::NodeId>(graph_.nodes.size()));
+            if (exit.exit.effect)
+                add_resume_label(std::get<Return>(program_.effects[*exit.exit.effect].what));
+        }
+        summary_.returns = returns();
+        summary_.written_for_callers = written_for_callers();
+        if (!left.reached) return;
+        for (std::size_t space = 0; space < most_spaces; ++space)
+            if (states_.table().havoc(left.havoc).by_space[space] != 0)
+                summary_.havoc.push_back(static_cast<SpaceId>(space));
+        states_.trees().for_each(left.root, [&](Key key, std::uint32_t id) {
+            if (is_variable_key(key)) {
+                const Value& value = states_.table().values[id];
+                const Symbol& symbol = states_.table().symbols[value.symbol];
+                if (symbol.kind == Symbol::Kind::entry && symbol.a == key) return;
+                summary_.variables.push_back(
+                    {variable_of(key), value.vacancy, value.low, value.high, value.integer, value.exactness});
+            } else if (is_group_key(key)) {
+                summary_.groups.push_back(describe(group_of(key), states_.table().modals[id]));
+            }
+        });
+    }
+
+    /// Variables that a caller may have handed down and that this program, or one that it calls, writes.
+    [[nodiscard]] std::optional<std::vector<std::string>> written_for_callers() const {
+        const auto& spaces = program_.control->spaces;
+        std::vector<std::string> written;
+        if (std::ranges::none_of(spaces, &VariableSpace::handed_down)) return written;
+        const auto add = [&](Variable variable) {
+            const VariableSpace& space = spaces[variable.space];
+            if (space.handed_down && !space.written_once) written.push_back(program_.spell(variable));
+        };
+        for (const Store& store : facts_.of<Store>()) add(store.variable);
+        for (const Clobber& clobber : facts_.of<Clobber>()) {
+            if (!clobber.variable && spaces[clobber.space].handed_down) return std::nullopt;
+            if (clobber.variable) add(*clobber.variable);
+        }
+        for (const CallMade& call : facts_.of<CallMade>()) {
+            const auto& below = callees_(call.effect).summary.written_for_callers;
+            if (!below) return std::nullopt;
+            written.insert(written.end(), below->begin(), below->end());
+        }
+        std::ranges::sort(written);
+        written.erase(std::ranges::unique(written).begin(), written.end());
+        return written;
+    }
+
+    [[nodiscard]] bool may_stop() const {
+        return std::ranges::any_of(facts_.of<CallMade>(), &CallMade::may_stop) ||
+               any_reached([](const Effect& effect) {
+                   return std::holds_alternative<Stop>(effect.what) ||
+                          std::holds_alternative<UnreadableBlock>(effect.what);
+               });
+    }
+
+    /// A block that could not be read may be the return.
+    [[nodiscard]] bool returns() const {
+        return std::ranges::any_of(facts_.of<ExitState>(),
+                                   [this](const ExitState& left_with) {
+                                       return flow::returns_after_call(program_, left_with.exit);
+                                   }) ||
+               any_reached([](const Effect& effect) {
+                   const auto* unreadable = std::get_if<UnreadableBlock>(&effect.what);
+                   return unreadable != nullptr && unreadable->may_call_or_return;
+               });
+    }
+
+    template<class Predicate>
+    [[nodiscard]] bool any_reached(const Predicate& predicate) const {
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node)
+            if (reached_[node] &&
+                std::ranges::any_of(program_.effects_in(graph_.nodes[node].effects), predicate))
+                return true;
+        return false;
+    }
+
+    [[nodiscard]] GroupChange describe(ChannelGroup of, const ModalValue& value) const {
+        constexpr Channels all = 0xFFFF;
+        const GroupId group = of.group;
+        const Channels channels = graph_.channels.empty() ? all : static_cast<Channels>(1U << of.channel);
+        GroupChange change{group, false, {}, value.unknown, channels};
+        for (const ModalPart& part : value.parts) {
+            if (states_.table().entry_group_of(part.symbol) == group)
+                change.may_keep = true;
+            else if (const auto code = states_.table().number_of(part.symbol))
+                change.codes.push_back(*code);
+            else
+                change.other = true;
+        }
+        return change;
+    }
+
+    void add_resume_label(const Return& back) {
+        if (!back.resume_label) return;
+        if (const auto label = flow::constant_target(program_, *back.resume_label))
+            summary_.resume_labels.push_back(callers_label(program_, *label));
+    }
+
+    const Program& program_;
+    const flow::Graph& graph_;
+    const Callees& callees_;
+    States& states_;
+    const FactLists& facts_;
+    const std::vector<bool>& reached_;
+    Summary summary_;
+};
+
+} // namespace
+
+Summary summarise(const Program& program, const flow::Graph& graph, const Callees& callees, States& states,
+                  const FactLists& facts, const std::vector<bool>& reached) {
+    return Summariser(program, graph, callees, states, facts, reached).run();
+}
+
+} // namespace maclint::dataflow

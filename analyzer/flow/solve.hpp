@@ -1,0 +1,178 @@
+//! Calculates something along all paths of a graph, forwards or backwards, until nothing changes: control
+//! flow apart from what is calculated.
+#pragma once
+
+#include "analyzer/flow/graph.hpp"
+#include "analyzer/flow/worklist.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace maclint::flow {
+
+enum class Direction : std::uint8_t { forward, backward };
+
+/// What is calculated. A `State{}` says that no path has come so far; "in front of" and "after" are meant in
+/// the direction of the calculation.
+template<class D>
+concept Domain = requires(D domain, NodeId node, const Edge& edge, const typename D::State& state) {
+    /// The state in front of a node at which paths begin, for others State{}.
+    { domain.at_begin(node) } -> std::same_as<typename D::State>;
+    { domain.is_reached(state) } -> std::same_as<bool>;
+    { domain.equal(state, state) } -> std::same_as<bool>;
+    /// All that either says; `node` is where the paths meet.
+    { domain.join(state, state, node) } -> std::same_as<typename D::State>;
+    /// The state after the node.
+    { domain.run(node, state) } -> std::same_as<typename D::State>;
+    /// The state at the end of an edge of the node that was run last, given the state after it.
+    { domain.along(edge, state) } -> std::same_as<typename D::State>;
+};
+
+/// A domain whose states could go on changing for long, as bounds of numbers do: from some visit of a node on
+/// it takes more than the paths say.
+template<class D>
+concept Widening = Domain<D> &&
+    requires(D domain, NodeId node, bool is_head, std::uint32_t visit, const typename D::State& state) {
+    /// Whether it does so at visit `visit` (from 0) of a node; in every cycle one node is a head.
+    { domain.widens(is_head, visit) } -> std::same_as<bool>;
+    /// What is taken in place of `incoming`, where `old` was the state.
+    { domain.widen(node, is_head, visit, state, state) } -> std::same_as<typename D::State>;
+};
+
+/// The states of a solution, and the memory for the next one.
+template<class State>
+struct Solution {
+    std::vector<State> before;         ///< in front of every node
+    std::vector<State> along;          ///< at the end of every edge
+    std::vector<std::uint32_t> visits; ///< of every node
+};
+
+template<Domain D, Direction direction>
+class Solver {
+  public:
+    using State = typename D::State;
+
+    Solver(const Graph& graph, D& domain, Solution<State>& solution)
+        : graph_(graph)
+        , domain_(domain)
+        , before_(solution.before)
+        , along_(solution.along)
+        , visits_(solution.visits) {
+        before_.assign(graph.nodes.size(), {});
+        along_.assign(graph.edges.size(), {});
+        visits_.assign(graph.nodes.size(), 0);
+        collect_heads();
+    }
+
+    void run() {
+        Worklist waiting(graph_.nodes.size());
+        const auto add = [&](NodeId node) { waiting.add(in_turn(node)); };
+        for (NodeId node = 0; node < graph_.nodes.size(); ++node)
+            if (domain_.is_reached(domain_.at_begin(node))) add(node);
+        while (const auto next = waiting.take()) {
+            const NodeId node = in_turn(*next);
+            const std::uint32_t visit = visits_[node]++;
+            if (!update(node, visit)) continue;
+            if (domain_.is_reached(before_[node])) propagate(node, add);
+        }
+        if constexpr (Widening<D>) narrow();
+    }
+
+  private:
+    static constexpr bool forward = direction == Direction::forward;
+    [[nodiscard]] std::span<const EdgeId> edges_to(NodeId node) const {
+        return forward ? graph_.in[node] : graph_.out[node];
+    }
+    [[nodiscard]] std::span<const EdgeId> edges_from(NodeId node) const {
+        return forward ? graph_.out[node] : graph_.in[node];
+    }
+    [[nodiscard]] static NodeId target(const Edge& edge) { return forward ? edge.to : edge.from; }
+    /// Nodes are visited in the order of the text, or against it.
+    [[nodiscard]] NodeId in_turn(NodeId node) const {
+        return forward ? node : static_cast<NodeId>(graph_.nodes.size()) - 1 - node;
+    }
+
+    /// In every cycle an edge leads back in the text.
+    void collect_heads() {
+        head_.assign(graph_.nodes.size(), false);
+        for (const Edge& edge : graph_.edges)
+            if (edge.to <= edge.from) head_[target(edge)] = true;
+    }
+
+    /// All paths that lead to the node.
+    [[nodiscard]] State incoming(NodeId node) {
+        State state = domain_.at_begin(node);
+        for (const EdgeId edge : edges_to(node)) state = domain_.join(state, along_[edge], node);
+        return state;
+    }
+
+    /// Whether the state in front of the node has changed.
+    bool update(NodeId node, std::uint32_t visit) {
+        State& old = before_[node];
+        const auto in = edges_to(node);
+        if (in.size() == 1 && !head_[node] && !domain_.is_reached(domain_.at_begin(node))) {
+            // It comes here because that edge has changed.
+            old = along_[in.front()];
+            return true;
+        }
+        State state = incoming(node);
+        if (domain_.is_reached(old)) {
+            if constexpr (Widening<D>)
+                if (domain_.widens(head_[node], visit))
+                    state = domain_.widen(node, head_[node], visit, old, state);
+            if (domain_.equal(state, old)) return false;
+        }
+        old = state;
+        return true;
+    }
+
+    template<class Add>
+    void propagate(NodeId node, const Add& add) {
+        const State after = domain_.run(node, before_[node]);
+        for (const EdgeId edge : edges_from(node)) {
+            State next = domain_.along(graph_.edges[edge], after);
+            if (domain_.equal(next, along_[edge])) continue;
+            along_[edge] = std::move(next);
+            add(target(graph_.edges[edge]));
+        }
+    }
+
+    /// One sweep without widening wins back what widening gave away; a solution stays a solution. Only what
+    /// was widened, and what follows from it, can change.
+    void narrow() requires Widening<D> {
+        std::vector<bool> may_change(graph_.nodes.size(), false);
+        bool any = false;
+        for (NodeId node = 0; node < graph_.nodes.size(); ++node) {
+            may_change[node] = visits_[node] > 0 && domain_.widens(head_[node], visits_[node] - 1);
+            any = any || may_change[node];
+        }
+        if (!any) return;
+        for (NodeId turn = 0; turn < graph_.nodes.size(); ++turn) {
+            const NodeId node = in_turn(turn);
+            if (!may_change[node] || !domain_.is_reached(before_[node])) continue;
+            State state = incoming(node);
+            if (domain_.equal(state, before_[node])) continue;
+            before_[node] = std::move(state);
+            propagate(node, [&](NodeId next) { may_change[next] = true; });
+        }
+    }
+
+    const Graph& graph_;
+    D& domain_;
+    std::vector<State>& before_;
+    std::vector<State>& along_;
+    std::vector<std::uint32_t>& visits_;
+    std::vector<bool> head_;
+};
+
+/// Fills `solution` with the smallest states that all paths of the graph allow, or with larger ones where the
+/// domain widens.
+template<Direction direction, Domain D>
+void solve(const Graph& graph, D& domain, Solution<typename D::State>& solution) {
+    Solver<D, direction>(graph, domain, solution).run();
+}
+
+} // namespace maclint::flow
