@@ -61,6 +61,7 @@ struct JumpComputed {
 struct CallBegins {
     EffectId call;
     std::optional<ProgramIndex> target;
+    bool shares_locals; ///< the called program has no local variables of its own
 };
 /// Back in the caller, after the call or at a label.
 struct CallEnds {

@@ -99,11 +99,12 @@ void Stepper::resume(std::optional<double> label) {
 void Stepper::call_again() {
     Pending& pending = *top().pending;
     --pending.times;
-    report(CallBegins{pending.effect, pending.target});
+    const bool shares_locals = control().calls[pending.kind].frame == Frame::shared;
+    report(CallBegins{pending.effect, pending.target, shares_locals});
     if (!pending.target) return call_unknown();
     if (levels_.size() > bounds_.depth) return leave(Leaving::cut_off, effect_, std::nullopt);
     std::shared_ptr<Variables> variables = top().variables;
-    if (control().calls[pending.kind].frame == Frame::fresh) {
+    if (!shares_locals) {
         variables = std::make_shared<Variables>();
         for (const Passed& passed : pending.arguments) (*variables)[passed.formal] = passed.content;
     }

@@ -12,6 +12,15 @@ std::optional<std::vector<flow::EdgeId>> ProgramAnalysis::path_from_start(flow::
     return paths_->to(graph_, node);
 }
 
+const dataflow::Liveness& ProgramAnalysis::liveness() const {
+    std::call_once(liveness_once_, [this] {
+        using Locals = dataflow::Liveness::Locals;
+        const bool own = (is_main() || is_macro_) && !locals_are_callers_;
+        liveness_.emplace(*program_, graph_, own ? Locals::end_with_it : Locals::outlive_it);
+    });
+    return *liveness_;
+}
+
 std::vector<flow::LabelledBlock> ProgramAnalysis::targets_of(const flow::ResolvedJump& jump) const {
     if (jump.target) return {*jump.target};
     std::vector<flow::LabelledBlock> targets;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/analysis.hpp"
+#include "analyzer/dataflow/liveness.hpp"
 #include "analyzer/dataflow/loops.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/flow/regions.hpp"
@@ -72,6 +73,8 @@ class ProgramAnalysis {
     /// is none. May be asked on several threads.
     [[nodiscard]] std::optional<std::vector<flow::EdgeId>> path_from_start(flow::NodeId node) const;
     [[nodiscard]] const dataflow::Facts& facts() const { return data_->facts(); }
+    /// Which stored values may still be read. May be asked on several threads.
+    [[nodiscard]] const dataflow::Liveness& liveness() const;
     [[nodiscard]] const std::vector<dataflow::Loop>& loops() const { return loops_; }
     /// Cycles that nothing ends.
     [[nodiscard]] const std::vector<dataflow::Loop>& inescapable_cycles() const {
@@ -121,10 +124,13 @@ class ProgramAnalysis {
     std::vector<dataflow::Loop> loops_, inescapable_cycles_;
     mutable std::once_flag shortest_paths_once_; ///< most programs have no finding
     mutable std::optional<flow::ShortestPaths> paths_;
+    mutable std::once_flag liveness_once_;
+    mutable std::optional<dataflow::Liveness> liveness_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;
     std::vector<std::shared_ptr<const Candidates>> same_name_; ///< lists with it that some call may mean
     bool is_macro_ = false;
+    bool locals_are_callers_ = false; ///< some caller shares its own with it, or may
     bool recursive_ = false;
     CallDepth depth_;
     std::optional<Caller> deepest_macro_caller_, deepest_subprogram_caller_;

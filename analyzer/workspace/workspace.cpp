@@ -165,6 +165,8 @@ class WorkspaceBuilder {
             return flow::ReturnTargets{summary.returns, labels_in(program, summary.resume_labels)};
         });
         const bool main = runs_on_its_own(analysis);
+        analysis.locals_are_callers_ = some_share_locals(analysis.callers_) ||
+                                       std::ranges::any_of(analysis.same_name_, &Candidates::locals_shared);
         analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
         if (const auto cycles = dataflow::find_cycles(analysis.graph_, *analysis.data_)) {
             analysis.loops_ =
@@ -222,9 +224,8 @@ class WorkspaceBuilder {
         auto& passed = entry.passed_somewhere;
         passed = passed_by(analysis.callers_, &analysis.program());
         entry.ambiguous_names = workspace_.ambiguous_names_;
-        entry.locals_are_callers = some_share_locals(analysis.callers_);
+        entry.locals_are_callers = analysis.locals_are_callers_;
         for (const auto& same_name : analysis.same_name_) {
-            entry.locals_are_callers |= same_name->locals_shared;
             passed.insert(passed.end(), same_name->passed.begin(), same_name->passed.end());
             if (analysis.program().formals.empty()) continue;
             const auto by_position = passed_by(same_name->callers, &analysis.program());

@@ -1,6 +1,7 @@
 //! What the analysis claims of random programs, held against running them.
 #include "analyzer/execution/stepper.hpp"
 #include "tests/execution/held_against_facts.hpp"
+#include "tests/execution/live_stores.hpp"
 #include "tests/execution/random_programs.hpp"
 
 #include <array>
@@ -116,9 +117,13 @@ std::optional<std::string> refuted(const std::vector<NamedText>& files, Dice& di
         for (int i = 0; i < runs && !claims.refuted(); ++i) {
             const execution::Environment environment =
                 world.in_front_of(analysis.control(), analysis.is_main());
+            LiveStores live;
             execution::Stepper stepper(
                 *workspace, environment,
-                [&](execution::Stepper& at, const execution::Event& event) { claims.observe(at, event); },
+                [&](execution::Stepper& at, const execution::Event& event) {
+                    claims.observe(at, event);
+                    live.observe(at, event);
+                },
                 bounds);
             claims.begin();
             const execution::Leaving how = stepper.run(start_of(analysis, world));
@@ -126,6 +131,8 @@ std::optional<std::string> refuted(const std::vector<NamedText>& files, Dice& di
             if (how == execution::Leaving::fault) ++held["runs that end with a fault"];
             if (how == execution::Leaving::cut_off) ++held["runs that are cut off"];
             claims.end();
+            held["reads of stored values"] += live.held();
+            if (live.refuted()) return live.refuted();
         }
     }
     for (const auto& [kind, times] : claims.held()) held[kind] += times;

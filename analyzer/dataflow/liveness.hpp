@@ -1,0 +1,41 @@
+//! Which values may still be read: what is not is a store that nobody needs.
+#pragma once
+
+#include "analyzer/flow/graph.hpp"
+#include "analyzer/program/model.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace maclint::dataflow {
+
+/// Variables of a program whose value may be read before it is replaced, as bits: bit n is the n-th that the
+/// program names. No words at all: no path leads here.
+using LiveSet = std::vector<std::uint64_t>;
+
+class LiveVariables;
+
+class Liveness {
+  public:
+    /// What becomes of the local variables when the program has returned: a caller that shares them reads
+    /// them.
+    enum class Locals : std::uint8_t { end_with_it, outlive_it };
+
+    /// Solves at once. The references must outlive the liveness.
+    Liveness(const Program& program, const flow::Graph& graph, Locals locals);
+    Liveness(Liveness&&) noexcept;
+    Liveness& operator=(Liveness&&) noexcept;
+    ~Liveness();
+
+    /// Whether what the variable holds after the effect may be read: here, by a called program, or when this
+    /// one has ended. True where nothing is known, as of a variable that the program does not name.
+    [[nodiscard]] bool is_live_after(EffectId effect, Variable variable) const;
+
+  private:
+    const flow::Graph* graph_;
+    std::unique_ptr<const LiveVariables> variables_;
+    std::vector<LiveSet> after_; ///< every node
+};
+
+} // namespace maclint::dataflow
