@@ -57,10 +57,8 @@ class LiveVariables {
         for (Id i = n.effects.first + n.effects.count; i > n.effects.first;) pass(node, --i, state);
         return state;
     }
-    [[nodiscard]] State along(const flow::Edge& edge, State state) const {
-        if (edge.condition) add_reads(*edge.condition, state);
-        return state;
-    }
+    /// Conditions are read in the node that asks them.
+    [[nodiscard]] static State along(const flow::Edge&, State state) { return state; }
 
     /// From the state after the effect to the one in front of it.
     void pass(flow::NodeId node, EffectId id, LiveSet& live) const {

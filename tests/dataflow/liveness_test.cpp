@@ -1,6 +1,7 @@
 //! Which stored values may still be read.
 #include "analyzer/dataflow/facts/store.hpp"
 #include "tests/support/analysed.hpp"
+#include "tests/support/hand_built.hpp"
 
 #include <string>
 #include <vector>
@@ -84,6 +85,57 @@ TEST(Liveness, LocalsOfASubprogramBelongToItsCaller) {
     EXPECT_THAT(in_called("G65P2A1"), ElementsAre(false));
     EXPECT_THAT(in_called("G65P2A1\nM98P2"), ElementsAre(true)) << "one of the callers shares them";
     EXPECT_THAT(in_called("M5"), ElementsAre(true)) << "nobody knows the caller";
+}
+
+TEST(Liveness, WhatIsHandedDownIsReadByAllThatIsCalled) {
+    const auto live = [](const std::string& text) {
+        return live_stores(*test::analyse_files({{"main.nc", text}}, {.complete = false, .jobs = 1}));
+    };
+    // The first store is that of the definition.
+    EXPECT_THAT(live("VAR\n#_k=#g1\n#_n=#l90(4)\nMACHINING\n#_n=1\nL\"S\" V1\n#_n=2\nG1 X#l90\nM30\n"),
+                ElementsAre(false, true, true));
+    EXPECT_THAT(live("MACHINING\n#l1=1\nL\"S\" V1\n#l1=2\nG1 X#l1\nM30\n"), ElementsAre(true, true))
+        << "a caller may have handed it down";
+    EXPECT_THAT(live("MACHINING\n#l1=1\nRETURN\n"), ElementsAre(true)) << "so it is the caller's";
+}
+
+TEST(Liveness, ANameAndWhatItStandsForAreOneVariable) {
+    const auto live = [](const std::string& blocks) {
+        return live_stores(*test::analyse_text("dinplus", "VAR\n#_d=#l1\nMACHINING\n" + blocks + "M30\n"));
+    };
+    EXPECT_THAT(live("#_d=1\nG1 X#l1\n#_d=2\n"), ElementsAre(true, false));
+    EXPECT_THAT(live("#l1=1\n#_d=2\nG1 X#l1\n"), ElementsAre(false, true));
+}
+
+TEST(Liveness, AProgramThatBeginsAgainKeepsItsVariables) {
+    EXPECT_THAT(live_stores(*test::analyse_text("dinplus", "MACHINING\nG1 X#l1\n#l1=1\nM99\n")),
+                ElementsAre(true));
+    EXPECT_THAT(live_stores(*test::analyse_text("dinplus", "MACHINING\nG1 X#l1\n#l1=1\nM30\n")),
+                ElementsAre(false));
+}
+
+TEST(Liveness, AParameterByReferenceIsTheCallersVariable) {
+    test::HandBuilt built("P.SPF", "PROC P(REAL A, VAR REAL B)\nA=1\nB=1\nRET\n");
+    const Variable a = built.formal("A", VariableType::number, Passing::by_value);
+    const Variable b = built.formal("B", VariableType::number, Passing::by_reference);
+    built.block({});
+    built.block({Assign{a, built.number(1)}});
+    built.block({Assign{b, built.number(1)}});
+    built.block({Return{}});
+    test::HandBuilt main("MAIN.MPF", "P\nM30\n");
+    main.block({main.call("P", {})});
+    main.block({Stop{Stop::Kind::end, std::nullopt}});
+    EXPECT_THAT(live_stores(*Workspace::analyse({built.finish(), main.finish()}, {true, 1})),
+                ElementsAre(false, true));
+}
+
+TEST(Liveness, ANameThatProgramsShareMayMeanAnotherVariable) {
+    test::HandBuilt built("MAIN.MPF", "ONE=1\nONE=2\nM30\n");
+    const Variable one = built.variable(test::rows::shared, "ONE");
+    built.block({Assign{one, built.number(1)}});
+    built.block({Assign{one, built.number(2)}});
+    built.block({Stop{Stop::Kind::end, std::nullopt}});
+    EXPECT_THAT(live_stores(*Workspace::analyse({built.finish()}, {true, 1})), ElementsAre(true, true));
 }
 
 TEST(Liveness, WhatIsNotNamedMayBeRead) {
