@@ -105,12 +105,13 @@ TEST(Liveness, ANameAndWhatItStandsForAreOneVariable) {
     };
     EXPECT_THAT(live("#_d=1\nG1 X#l1\n#_d=2\n"), ElementsAre(true, false));
     EXPECT_THAT(live("#l1=1\n#_d=2\nG1 X#l1\n"), ElementsAre(false, true));
+    EXPECT_THAT(live("#_d=1\n#_d=2\nG1 X#_d\n"), ElementsAre(false, true));
 }
 
 TEST(Liveness, AProgramThatBeginsAgainKeepsItsVariables) {
-    EXPECT_THAT(live_stores(*test::analyse_text("dinplus", "MACHINING\nG1 X#l1\n#l1=1\nM99\n")),
+    EXPECT_THAT(live_stores(*test::analyse_text("dinplus", "MACHINING\nG1 X#__la\n#__la=1\nM99\n")),
                 ElementsAre(true));
-    EXPECT_THAT(live_stores(*test::analyse_text("dinplus", "MACHINING\nG1 X#l1\n#l1=1\nM30\n")),
+    EXPECT_THAT(live_stores(*test::analyse_text("dinplus", "MACHINING\nG1 X#__la\n#__la=1\nM30\n")),
                 ElementsAre(false));
 }
 
