@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <tuple>
+#include <utility>
 
 namespace maclint {
 
@@ -30,6 +31,19 @@ std::string Finding::message() const {
     const auto found = std::ranges::find(rule->messages, message_id, &Message::id);
     assert(found != rule->messages.end());
     return found == rule->messages.end() ? std::string(rule->summary) : fill(found->text, arguments);
+}
+
+void Finding::offer(Fix offered) {
+    std::ranges::sort(offered.edits, {}, [](const Edit& edit) {
+        return std::pair(std::string_view(edit.source->path()), edit.span.begin);
+    });
+    // Two insertions at one place would come out in the order of whoever applies them.
+    const auto touch = [](const Edit& a, const Edit& b) {
+        return a.source == b.source && (b.span.begin < a.span.end || b.span.begin == a.span.begin);
+    };
+    if (offered.edits.empty() || std::ranges::adjacent_find(offered.edits, touch) != offered.edits.end())
+        return;
+    fix = std::move(offered);
 }
 
 // Position before everything else: the order does not depend on who found what first.

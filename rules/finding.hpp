@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +28,20 @@ struct RelatedLocation {
 
 /// Replace the bytes of `span` by `text`.
 struct Edit {
+    std::shared_ptr<const Source> source;
     Span span;
     std::string text;
+};
+
+/// Safe: the program does what it did, or what its text says that it was to do. Unsafe: somebody who knows
+/// the program should look at it first.
+enum class Applicability : std::uint8_t { safe, unsafe };
+
+/// A change that mends a finding: all of its edits, or none.
+struct Fix {
+    std::string title; ///< UTF-8, an instruction without its full stop: "Remove the comment"
+    Applicability applicability;
+    std::vector<Edit> edits; ///< none of which touch each other, see Finding::offer
 };
 
 /// `text` with {0}, {1} … replaced.
@@ -43,9 +56,11 @@ struct Finding {
     std::vector<std::string> arguments; ///< for {0}, {1} … of the message, UTF-8
     std::vector<RelatedLocation> related;
     std::vector<RelatedLocation>
-        path;              ///< in execution order, the finding's own place last; empty: no data flow involved
-    std::vector<Edit> fix; ///< empty: none
+        path; ///< in execution order, the finding's own place last; empty: no data flow involved
+    std::optional<Fix> fix;
 
+    /// Takes the fix, unless it changes nothing, or the same bytes twice: then the finding has none.
+    void offer(Fix offered);
     /// The message with its arguments filled in.
     [[nodiscard]] std::string message() const;
 };

@@ -223,12 +223,19 @@ class FileSuppressions {
         if (tokens.size() == directive.tokens.size()) {
             const Span comment = directive.comment->span;
             reporter.report(file_, comment, "comment", {quoted_list(tokens, *file_.source)})
-                .fix.push_back({removal_of(*file_.source, comment), ""});
+                .offer(removal("Remove the comment", removal_of(*file_.source, comment)));
             return;
         }
-        for (const RuleToken* token : tokens)
-            reporter.report(file_, token->span, "unused", {file_.source->to_utf8(token->word)})
-                .fix.push_back({removal_of(directive, *token), ""});
+        for (const RuleToken* token : tokens) {
+            const std::string word = file_.source->to_utf8(token->word);
+            reporter.report(file_, token->span, "unused", {word})
+                .offer(removal("Remove " + word, removal_of(directive, *token)));
+        }
+    }
+
+    /// A comment is nothing to the control.
+    [[nodiscard]] Fix removal(std::string title, Span span) const {
+        return {std::move(title), Applicability::safe, {{file_.source, span, ""}}};
     }
 
     const ProgramFile& file_;

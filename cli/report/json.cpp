@@ -34,9 +34,12 @@ Json json_of(const std::vector<RelatedLocation>& locations) {
     return list;
 }
 
-Json json_of(const Source& source, const std::vector<Edit>& fix) {
+Json json_of(const std::vector<Edit>& edits) {
     Json list = Json::array();
-    for (const Edit& edit : fix) list.push_back({{"range", json_of(source, edit.span)}, {"text", edit.text}});
+    for (const Edit& edit : edits)
+        list.push_back({{"file", path_of(*edit.source)},
+                        {"range", json_of(*edit.source, edit.span)},
+                        {"text", edit.text}});
     return list;
 }
 
@@ -53,7 +56,11 @@ Json json_of(const FilteredFinding& filtered) {
                 {"range", json_of(source, finding.span)},
                 {"related", json_of(finding.related)},
                 {"path", json_of(finding.path)},
-                {"fix", json_of(source, finding.fix)}};
+                {"fix", finding.fix ? json_of(finding.fix->edits) : Json::array()}};
+    if (finding.fix) {
+        out["fix_title"] = finding.fix->title;
+        out["fix_applicability"] = finding.fix->applicability == Applicability::safe ? "safe" : "unsafe";
+    }
     if (filtered.suppressed)
         out["suppressed"] = {{"range", json_of(source, filtered.suppressed->comment)},
                              {"reason", filtered.suppressed->reason}};

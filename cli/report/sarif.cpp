@@ -118,6 +118,8 @@ class SarifWriter {
             add_artifact(*filtered.finding.source);
             for (const RelatedLocation& related : filtered.finding.related) add_artifact(*related.source);
             for (const RelatedLocation& related : filtered.finding.path) add_artifact(*related.source);
+            if (filtered.finding.fix)
+                for (const Edit& edit : filtered.finding.fix->edits) add_artifact(*edit.source);
         }
     }
 
@@ -217,7 +219,7 @@ class SarifWriter {
             {"partialFingerprints", fingerprints_of(finding)}};
         if (!finding.related.empty()) result["relatedLocations"] = related_of(finding);
         if (!finding.path.empty()) result["codeFlows"] = code_flows_of(finding);
-        if (!finding.fix.empty()) result["fixes"] = fixes_of(finding);
+        if (finding.fix) result["fixes"] = Json::array({fix_of(*finding.fix)});
         result["suppressions"] = suppressions_of(filtered);
         return result;
     }
@@ -251,15 +253,22 @@ class SarifWriter {
         return Json::array({{{"threadFlows", Json::array({{{"locations", std::move(steps)}}})}}});
     }
 
-    [[nodiscard]] Json fixes_of(const Finding& finding) const {
-        Json replacements = Json::array();
-        for (const Edit& edit : finding.fix)
-            replacements.push_back({{"deletedRegion", region_of(*finding.source, edit.span)},
-                                    {"insertedContent", {{"text", edit.text}}}});
-        return Json::array(
-            {{{"description", text_message("Fix '" + std::string(finding.rule->name) + "'.")},
-              {"artifactChanges", Json::array({{{"artifactLocation", artifact_location(*finding.source)},
-                                                {"replacements", std::move(replacements)}}})}}});
+    /// Edits are sorted by their file.
+    [[nodiscard]] Json fix_of(const Fix& fix) const {
+        Json changes = Json::array();
+        const Source* in = nullptr;
+        for (const Edit& edit : fix.edits) {
+            if (edit.source.get() != in)
+                changes.push_back(
+                    {{"artifactLocation", artifact_location(*edit.source)}, {"replacements", Json::array()}});
+            in = edit.source.get();
+            changes.back()["replacements"].push_back({{"deletedRegion", region_of(*edit.source, edit.span)},
+                                                      {"insertedContent", {{"text", edit.text}}}});
+        }
+        const bool safe = fix.applicability == Applicability::safe;
+        return {{"description", text_message(sentence(fix.title))},
+                {"artifactChanges", std::move(changes)},
+                {"properties", {{"applicability", safe ? "safe" : "unsafe"}}}};
     }
 
     /// An empty list says that the finding was looked at and is not suppressed (3.27.23).

@@ -72,14 +72,19 @@ TEST(Sarif, CarriesRelatedPlacesPathFixAndFingerprints) {
     finding.related.push_back({made.source(), made.place_of("N9"), "N9 is here"});
     finding.path.push_back({made.source(), made.place_of("O1"), "it starts here"});
     finding.path.push_back({made.source(), made.place_of("GOTO 9"), "it ends here"});
-    finding.fix.push_back({made.place_of("GOTO 9\n"), ""});
+    finding.offer(
+        {"Remove the jump", Applicability::unsafe, {{made.source(), made.place_of("GOTO 9\n"), ""}}});
     const json result = first_result(made);
     EXPECT_EQ(result["relatedLocations"][0]["message"]["text"], "N9 is here.");
     const json steps = result["codeFlows"][0]["threadFlows"][0]["locations"];
     ASSERT_EQ(steps.size(), 2U);
     EXPECT_EQ(steps[1]["location"]["message"]["text"], "It ends here.");
     EXPECT_EQ(steps[1]["executionOrder"], 2);
-    const json change = result["fixes"][0]["artifactChanges"][0]["replacements"][0];
+    const json fix = result["fixes"][0];
+    EXPECT_EQ(fix["description"]["text"], "Remove the jump.");
+    EXPECT_EQ(fix["properties"]["applicability"], "unsafe");
+    EXPECT_EQ(fix["artifactChanges"][0]["artifactLocation"]["uri"], "O1.nc");
+    const json change = fix["artifactChanges"][0]["replacements"][0];
     EXPECT_EQ(change["deletedRegion"]["endLine"], 3);
     EXPECT_EQ(change["deletedRegion"]["endColumn"], 1);
     EXPECT_EQ(change["insertedContent"]["text"], "");

@@ -24,12 +24,13 @@ std::vector<std::string> under_select(const std::string& text, const std::string
     return codes(lint_texts({{"O1.nc", text}}, overrides));
 }
 
-/// The text with the fix of its only finding applied.
+/// The text with the fixes of its findings applied.
 std::string fixed(const std::string& text) {
     const auto result = lint_text(text);
     std::string out = text;
     for (const auto& [finding, suppressed] : result.findings)
-        for (const Edit& edit : finding.fix) out.replace(edit.span.begin, edit.span.length(), edit.text);
+        for (const Edit& edit : finding.fix ? finding.fix->edits : std::vector<Edit>{})
+            out.replace(edit.span.begin, edit.span.length(), edit.text);
     return out;
 }
 
