@@ -46,7 +46,7 @@ Selection selection_of(const std::vector<ReadFile>& files) {
 void report_not_nc(const std::vector<ReadFile>& files, std::vector<Finding>& findings) {
     Reporter reporter(*find_rule("MAC003"));
     for (const ReadFile& file : files)
-        if (file.not_nc) reporter.report(*file.file, {0, 0}, "not-nc", {*file.not_nc});
+        if (file.not_nc) reporter.report({*file.file, {0, 0}}, {0, 0}, "not-nc", {*file.not_nc});
     std::ranges::move(reporter.take(), std::back_inserter(findings));
 }
 

@@ -3,6 +3,7 @@
 
 #include "analyzer/source/source.hpp"
 #include "analyzer/source/span.hpp"
+#include "rules/cause.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -49,6 +50,7 @@ struct Fix {
 
 struct Finding {
     const Rule* rule;
+    Cause cause;
     Severity severity; ///< the rule's, or what the configuration made of it
     std::shared_ptr<const Source> source;
     Span span;

@@ -136,6 +136,12 @@ RelatedLocation related_at_effect(const ProgramAnalysis& analysis, EffectId effe
     return {analysis.source(), analysis.program().effects[effect].span, std::move(text)};
 }
 
+Cause cause_at(const ProgramAnalysis& analysis, dataflow::OriginId id) {
+    const dataflow::Origin& origin = analysis.data().origin(id);
+    if (origin.kind == dataflow::Origin::Kind::effect) return {analysis, origin.id};
+    return {analysis, span_of(analysis, origin)};
+}
+
 std::string quoted(const Program& program, Span span) {
     const std::string_view bytes = program.slice(span);
     const std::string text = to_utf8(bytes, detect_encoding(bytes));

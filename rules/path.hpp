@@ -28,6 +28,9 @@ namespace maclint {
 [[nodiscard]] RelatedLocation related_at_effect(const ProgramAnalysis& analysis, EffectId effect,
                                                 std::string text);
 
+/// The same as the cause of a finding.
+[[nodiscard]] Cause cause_at(const ProgramAnalysis& analysis, dataflow::OriginId origin);
+
 /// Source text for a message: UTF-8, white space folded, 40 characters at most.
 [[nodiscard]] std::string quoted(const Program& program, Span span);
 

@@ -90,7 +90,8 @@ void report_nesting_fault(const ProgramAnalysis& analysis, const flow::RegionFau
     if (crossed) arguments.push_back(quoted(program, program.effects[*fault.other].span));
     if (fault.other)
         arguments.push_back(line_number(analysis.file(), program.effects[*fault.other].span.begin));
-    Finding& finding = reporter.report(analysis.file(), span, message_for(fault.what), std::move(arguments));
+    Finding& finding =
+        reporter.report({analysis, fault.effect}, span, message_for(fault.what), std::move(arguments));
     if (fault.other)
         finding.related.push_back(
             related_at_effect(analysis, *fault.other, crossed ? "this is still open" : "this is open here"));

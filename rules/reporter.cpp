@@ -17,10 +17,19 @@ Severity severity_in(const ProgramFile& file, const Rule& rule) {
 
 } // namespace
 
-Finding& Reporter::report(const ProgramFile& file, Span span, std::string_view message_id,
+Finding& Reporter::report(const Cause& cause, Span span, std::string_view message_id,
                           std::vector<std::string> arguments) {
-    return findings_.emplace_back(Finding{
-        rule_, severity_in(file, *rule_), file.source, span, message_id, std::move(arguments), {}, {}, {}});
+    const ProgramFile& file = *cause.file;
+    return findings_.emplace_back(Finding{.rule = rule_,
+                                          .cause = cause,
+                                          .severity = severity_in(file, *rule_),
+                                          .source = file.source,
+                                          .span = span,
+                                          .message_id = message_id,
+                                          .arguments = std::move(arguments),
+                                          .related = {},
+                                          .path = {},
+                                          .fix = {}});
 }
 
 bool Reporter::has_message(std::string_view id) const {

@@ -100,7 +100,7 @@ class Reporter {
         : rule_(&rule) {}
 
     /// Adds a finding and gives it back, to be filled with related places, a path or a fix.
-    Finding& report(const ProgramFile& file, Span span, std::string_view message_id,
+    Finding& report(const Cause& cause, Span span, std::string_view message_id,
                     std::vector<std::string> arguments);
     /// Whether the rule has a message of that name.
     [[nodiscard]] bool has_message(std::string_view id) const;

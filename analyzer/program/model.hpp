@@ -1,6 +1,7 @@
 //! The program model: what flow, data flow and rules see of a program in any language.
 #pragma once
 
+#include "analyzer/program/ids.hpp"
 #include "analyzer/program/names.hpp"
 #include "analyzer/program/syntax_error.hpp"
 #include "analyzer/program/tables.hpp"
@@ -20,10 +21,6 @@
 #include <vector>
 
 namespace maclint {
-
-using Id = std::uint32_t; ///< index into one of a program's arenas
-using ExpressionId = Id;
-using EffectId = Id;
 
 /// Consecutive entries of an arena.
 struct Slice {

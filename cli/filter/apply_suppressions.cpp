@@ -188,7 +188,7 @@ class FileSuppressions {
         Reporter reporter(*find_rule(unknown_rule));
         for (const Directive& directive : directives_)
             for (const DirectiveFault& fault : directive.faults)
-                reporter.report(file_, fault.span, fault.message_id, fault.arguments);
+                reporter.report({file_, fault.span}, fault.span, fault.message_id, fault.arguments);
         std::ranges::move(reporter.take(), std::back_inserter(findings));
     }
 
@@ -222,13 +222,13 @@ class FileSuppressions {
                        Reporter& reporter) const {
         if (tokens.size() == directive.tokens.size()) {
             const Span comment = directive.comment->span;
-            reporter.report(file_, comment, "comment", {quoted_list(tokens, *file_.source)})
+            reporter.report({file_, comment}, comment, "comment", {quoted_list(tokens, *file_.source)})
                 .offer(removal("Remove the comment", removal_of(*file_.source, comment)));
             return;
         }
         for (const RuleToken* token : tokens) {
             const std::string word = file_.source->to_utf8(token->word);
-            reporter.report(file_, token->span, "unused", {word})
+            reporter.report({file_, token->span}, token->span, "unused", {word})
                 .offer(removal("Remove " + word, removal_of(directive, *token)));
         }
     }

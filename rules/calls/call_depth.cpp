@@ -59,7 +59,7 @@ void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, Ne
     for (const CallSite& site : calls_beyond(analysis, nesting, limit)) {
         const Span span = analysis.program().effects[site.effect].span;
         Finding& finding =
-            reporter.report(analysis.file(), span, control.assumed ? "assumed" : "named",
+            reporter.report({analysis, site.effect}, span, control.assumed ? "assumed" : "named",
                             {quoted(analysis.program(), span), std::to_string(limit + 1), control.description,
                              std::to_string(limit), chain_words(analysis, site, nesting)});
         add_chain(finding, analysis, nesting);

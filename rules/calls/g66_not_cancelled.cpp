@@ -56,7 +56,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         said.push_back(call);
         const Span span = related_at(analysis, call, "").span;
         Finding& finding =
-            reporter.report(analysis.file(), span, message,
+            reporter.report(cause_at(analysis, call), span, message,
                             {quoted(analysis.program(), span), line_number(analysis.file(), left.begin)});
         finding.path.push_back({analysis.source(), span, "the modal call begins here"});
         for (RelatedLocation& step : path_between(analysis, node_of(analysis, call), node))

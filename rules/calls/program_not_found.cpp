@@ -84,7 +84,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                            (number != nullptr && flow::constant_number(program, *number));
         if (!named || site.candidates != 0 || !knows_all(analysis, call)) continue;
         const Span span = program.effects[site.effect].span;
-        reporter.report(analysis.file(), span, "plain", {quoted(program, span)});
+        reporter.report({analysis, site.effect}, span, "plain", {quoted(program, span)});
     }
 }
 

@@ -91,7 +91,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             words += " > " + analysis.workspace().programs()[*next->target].program().name;
         }
         Finding& finding = reporter.report(
-            analysis.file(), span, cycle.empty() ? "self" : "plain",
+            {analysis, site.effect}, span, cycle.empty() ? "self" : "plain",
             {quoted(analysis.program(), span), callee.program().name, words + " > " + callee.program().name});
         for (const Caller& step : cycle) {
             const ProgramAnalysis& calling = analysis.workspace().programs()[step.program];

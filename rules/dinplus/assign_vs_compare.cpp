@@ -62,7 +62,7 @@ void check(const ProgramFile& file, Reporter& reporter) {
     for (const SyntaxError& syntax_error : file.syntax_errors) {
         const bool condition = syntax_error.kind == SyntaxErrorKind::assignment_in_condition;
         if (!condition && syntax_error.kind != SyntaxErrorKind::comparison_as_assignment) continue;
-        reporter.report(file, syntax_error.span, condition ? "condition" : "assignment",
+        reporter.report({file, syntax_error.span}, syntax_error.span, condition ? "condition" : "assignment",
                         {syntax_error.subject, syntax_error.cure});
     }
 }

@@ -93,7 +93,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             const Span span = program.effects[*before].span;
             const Span next = program.effects[part].span;
             Finding& finding = reporter.report(
-                analysis.file(), span, "plain",
+                {analysis, *before}, span, "plain",
                 {quoted(program, span), quoted(program, next), line_number(analysis.file(), next.begin)});
             finding.related.push_back(related_at_effect(analysis, part, "the branch goes on into this one"));
         }

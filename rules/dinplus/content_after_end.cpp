@@ -66,7 +66,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (kind == nullptr || kind->role != SectionKind::Role::end) continue;
         const Span first = first_behind(analysis.file(), section.heading);
         if (first.end == 0) return;
-        reporter.report(analysis.file(), first, "plain",
+        reporter.report({analysis, first}, first, "plain",
                         {quoted(program, first), quoted(program, section.heading),
                          line_number(analysis.file(), section.heading.begin)});
         return;

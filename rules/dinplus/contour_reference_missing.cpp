@@ -107,7 +107,7 @@ void report(const ProgramFile& file, const Program& program, const BlockUser& us
         elsewhere = block.section->name;
     }
     const Span span = program.effects[user.effect].span;
-    reporter.report(file, span, elsewhere.empty() ? "missing" : "elsewhere",
+    reporter.report({file, span}, span, elsewhere.empty() ? "missing" : "elsewhere",
                     {quoted(program, span), std::to_string(user.number), elsewhere});
 }
 

@@ -78,7 +78,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             std::ranges::any_of(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
                 return store.variable == counter->variable && !loop.holds(store.node);
             });
-        Finding& finding = reporter.report(analysis.file(), span, sometimes ? "some-paths" : "plain",
+        Finding& finding = reporter.report({analysis, test}, span, sometimes ? "some-paths" : "plain",
                                            {program.spell(counter->variable)});
         finding.path = steps_along(analysis, *path);
         finding.path.push_back({analysis.source(), span, "the loop begins, and nothing has set its counter"});

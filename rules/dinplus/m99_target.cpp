@@ -58,7 +58,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         }
         if (found) continue;
         const Span span = program.effects[user.effect].span;
-        reporter.report(analysis.file(), span, elsewhere.empty() ? "missing" : "elsewhere",
+        reporter.report({analysis, user.effect}, span, elsewhere.empty() ? "missing" : "elsewhere",
                         {quoted(program, span), std::to_string(user.number), elsewhere});
     }
 }

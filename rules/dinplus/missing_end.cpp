@@ -62,7 +62,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         return kind.role == SectionKind::Role::machining && has_section(program, kind);
     });
     if (!runs || is_cut_off(program) || end == kinds.end() || has_section(program, *end)) return;
-    reporter.report(analysis.file(), last_block(program)->span, "plain", {std::string(end->name)});
+    const Span last = last_block(program)->span;
+    reporter.report({analysis, last}, last, "plain", {std::string(end->name)});
 }
 
 } // namespace

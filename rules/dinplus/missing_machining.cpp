@@ -44,7 +44,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!is_whole_main_program(program)) return;
     for (const SectionKind& kind : analysis.control().sections) {
         if (!kind.required || kind.role == SectionKind::Role::end || has_section(program, kind)) continue;
-        reporter.report(analysis.file(), first_heading(program), "plain", {std::string(kind.name)});
+        const Span first = first_heading(program);
+        reporter.report({analysis, first}, first, "plain", {std::string(kind.name)});
     }
 }
 

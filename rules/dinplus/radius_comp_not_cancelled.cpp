@@ -105,7 +105,7 @@ void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const datafl
     auto words = words_of(analysis, group, *own_code(analysis, part));
     words.push_back(quoted(analysis.program(), there));
     words.push_back(line_number(analysis.file(), there.begin));
-    Finding& finding = reporter.report(analysis.file(), span, "tool", std::move(words));
+    Finding& finding = reporter.report(cause_at(analysis, part.origin), span, "tool", std::move(words));
     const flow::NodeId set = node_of(analysis, part.origin);
     trace(finding, analysis, set, "the compensation is switched on here");
     report_path_on(finding, analysis, set, change.node);

@@ -118,7 +118,8 @@ void report(const ProgramAnalysis& analysis, const dataflow::Read& read, const C
     const Span span = program.expressions[test != nullptr ? test->expression : read.expression].span;
     std::string variable = "line " + line_number(calling.file(), call.begin);
     if (&calling.file() != &analysis.file()) variable += " of " + calling.program().name;
-    Finding& finding = reporter.report(analysis.file(), span, test != nullptr ? "zero-test" : "unchecked",
+    Finding& finding = reporter.report(test != nullptr ? Cause{analysis, *test} : Cause{analysis, read}, span,
+                                       test != nullptr ? "zero-test" : "unchecked",
                                        {program.spell(read.variable), variable, quoted(program, span)});
     finding.path.push_back(related_at_effect(calling, caller.effect,
                                              "this call leaves " + program.spell(read.variable) + " out"));

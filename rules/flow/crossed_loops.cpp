@@ -58,7 +58,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::crossed)) {
         const Span span = analysis.program().effects[fault.effect].span;
         Finding& finding = reporter.report(
-            analysis.file(), span, "plain",
+            {analysis, fault.effect}, span, "plain",
             {quoted(analysis.program(), span),
              fault.other ? quoted(analysis.program(), analysis.program().effects[*fault.other].span)
                          : std::string()});

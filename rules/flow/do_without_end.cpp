@@ -49,12 +49,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Program& program = analysis.program();
         const Span span = program.effects[fault.effect].span;
         if (!fault.other) {
-            reporter.report(analysis.file(), span, "plain", {quoted(program, span)});
+            reporter.report({analysis, fault.effect}, span, "plain", {quoted(program, span)});
             continue;
         }
         const Span stray = program.effects[*fault.other].span;
         Finding& finding = reporter.report(
-            analysis.file(), span, "other-number",
+            {analysis, fault.effect}, span, "other-number",
             {quoted(program, span), quoted(program, stray), line_number(analysis.file(), stray.begin)});
         finding.related.push_back(related_at_effect(analysis, *fault.other, "this closes no loop"));
     }

@@ -52,7 +52,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (region.region_kind != RegionKind::endless_loop) continue;
         const Span span = analysis.program().effects[region.open].span;
         Finding& finding =
-            reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});
+            reporter.report({analysis, region.open}, span, "plain", {quoted(analysis.program(), span)});
         trace_round(finding, analysis, cycle, "no condition ends the loop");
     }
 }

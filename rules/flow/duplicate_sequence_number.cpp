@@ -94,7 +94,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, std::int64_t nu
         words.push_back(line_number(analysis.file(), taken->span.begin));
         message = taken->span.begin > span.begin ? "after" : "from-the-top";
     }
-    Finding& finding = reporter.report(analysis.file(), blocks[1], message, std::move(words));
+    Finding& finding = reporter.report({analysis, blocks[1]}, blocks[1], message, std::move(words));
     for (std::size_t i = 0; i < blocks.size(); ++i)
         if (i != 1) finding.related.push_back({analysis.source(), blocks[i], "the same number stands here"});
     finding.related.push_back(related_at_effect(analysis, user, "this leads to it"));

@@ -44,7 +44,7 @@ namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::never_opened)) {
         const Span span = analysis.program().effects[fault.effect].span;
-        reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});
+        reporter.report({analysis, fault.effect}, span, "plain", {quoted(analysis.program(), span)});
     }
 }
 

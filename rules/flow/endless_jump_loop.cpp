@@ -54,7 +54,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (cycle.region || !jump || !cycle.exit_edges.empty()) continue;
         const Span span = analysis.program().effects[*jump].span;
         Finding& finding =
-            reporter.report(analysis.file(), span, "plain",
+            reporter.report({analysis, *jump}, span, "plain",
                             {quoted(analysis.program(), span),
                              line_number(analysis.file(), graph.nodes[cycle.head].part.begin)});
         trace_round(finding, analysis, cycle, "jumps back");

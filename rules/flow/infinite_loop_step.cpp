@@ -125,13 +125,13 @@ Finding& report(const ProgramAnalysis& analysis, Reporter& reporter, const dataf
     const std::string text = quoted(program, span);
     if (fault == Fault::vacant) {
         const std::string name = name_of_vacancy_origin(analysis, *store.step);
-        Finding& finding = reporter.report(analysis.file(), span, "vacant", {text, name});
+        Finding& finding = reporter.report({analysis, store.effect}, span, "vacant", {text, name});
         trace(finding, analysis, store.step->amount.vacancy_origin, name + " may be vacant from here on",
               store.node, "a vacant " + name + " counts as 0 in arithmetic");
         return finding;
     }
     Finding& finding =
-        reporter.report(analysis.file(), span, fault == Fault::zero ? "zero" : "wrong-sign", {text});
+        reporter.report({analysis, store.effect}, span, fault == Fault::zero ? "zero" : "wrong-sign", {text});
     trace(finding, analysis, store.node, "the counter is changed here");
     return finding;
 }

@@ -130,11 +130,9 @@ std::string list(const Program& program, const std::vector<Variable>& variables)
 }
 
 /// WHILE … DO, DO, or the jump that closes the loop.
-Span variable_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
-    const auto& effects = analysis.program().effects;
-    if (loop.region) return effects[analysis.regions().all[*loop.region].open].span;
-    const flow::Edge& back = analysis.graph().edges[loop.back];
-    return back.jump ? effects[*back.jump].span : analysis.graph().nodes[loop.latch].part;
+std::optional<EffectId> repeated_by(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    if (loop.region) return analysis.regions().all[*loop.region].open;
+    return analysis.graph().edges[loop.back].jump;
 }
 
 /// MAC336 tells of cycles of jumps that nothing leaves, once for all paths back.
@@ -159,11 +157,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!deciders.fixed) continue;
         // MAC718 tells of a condition without variables, where nothing but the condition can end a loop.
         if (deciders.variables.empty() && !analysis.control().loops_left_by_jump) continue;
-        const Span span = variable_of(analysis, loop);
+        const auto by = repeated_by(analysis, loop);
+        const Span span = by ? analysis.program().effects[*by].span : analysis.graph().nodes[loop.latch].part;
+        const Cause cause = by ? Cause{analysis, *by} : Cause{analysis, span};
         const std::string text = quoted(analysis.program(), span);
         Finding& finding = deciders.variables.empty()
-                               ? reporter.report(analysis.file(), span, "no-exit", {text})
-                               : reporter.report(analysis.file(), span, "unchanged",
+                               ? reporter.report(cause, span, "no-exit", {text})
+                               : reporter.report(cause, span, "unchanged",
                                                  {text, list(analysis.program(), deciders.variables)});
         trace_round(finding, analysis, loop, "and nothing has changed");
     }

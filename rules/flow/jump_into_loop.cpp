@@ -76,7 +76,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!loop) continue;
         const Span open = program.effects[analysis.regions().all[*loop].open].span;
         Finding& finding = reporter.report(
-            analysis.file(), span, "plain",
+            {analysis, jump.jump}, span, "plain",
             {quoted(program, span), quoted(program, open), line_number(analysis.file(), open.begin)});
         for (const flow::LabelledBlock& target : targets)
             finding.related.push_back(

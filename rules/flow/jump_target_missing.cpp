@@ -74,7 +74,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto missing = [&](flow::NodeId node, EffectId jump, std::string_view message, std::string number) {
         const Span span = program.effects[jump].span;
         Finding& finding =
-            reporter.report(analysis.file(), span, message, {quoted(program, span), std::move(number)});
+            reporter.report({analysis, jump}, span, message, {quoted(program, span), std::move(number)});
         trace(finding, analysis, node, "there is no such sequence number");
     };
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {

@@ -47,7 +47,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::RegionFault& fault :
          numbered_loop_faults(analysis, flow::Imbalance::number_out_of_range)) {
         const Span span = analysis.program().effects[fault.effect].span;
-        reporter.report(analysis.file(), span, "plain",
+        reporter.report({analysis, fault.effect}, span, "plain",
                         {quoted(analysis.program(), span),
                          std::to_string(analysis.control().limits.first_loop_number),
                          std::to_string(analysis.control().limits.last_loop_number)});

@@ -55,7 +55,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::number_reused)) {
         const Span span = analysis.program().effects[fault.effect].span;
         Finding& finding =
-            reporter.report(analysis.file(), span, "plain", {quoted(analysis.program(), span)});
+            reporter.report({analysis, fault.effect}, span, "plain", {quoted(analysis.program(), span)});
         if (fault.other)
             finding.related.push_back(
                 related_at_effect(analysis, *fault.other, "the loop with this number is open since here"));

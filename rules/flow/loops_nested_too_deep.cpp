@@ -70,7 +70,7 @@ namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::nested_too_deep)) {
         const Span span = analysis.program().effects[fault.effect].span;
-        reporter.report(analysis.file(), span, "plain",
+        reporter.report({analysis, fault.effect}, span, "plain",
                         {quoted(analysis.program(), span),
                          std::to_string(analysis.control().limits.loop_levels + 1),
                          std::to_string(analysis.control().limits.loop_levels)});

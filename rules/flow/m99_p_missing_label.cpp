@@ -79,7 +79,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!number) continue;
         if (is_called_by_nobody(analysis) && !analysis.graph().has_label(*number)) {
             Finding& finding = reporter.report(
-                analysis.file(), effect.span, "uncalled",
+                {analysis, *exit.exit.effect}, effect.span, "uncalled",
                 {quoted(program, effect.span), quoted(program, program.expressions[*label].span)});
             trace(finding, analysis, exit.exit.node, "there is no such sequence number");
         }
@@ -87,7 +87,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (caller == nullptr) continue;
         const ProgramAnalysis& calling = analysis.workspace().programs()[caller->program];
         Finding& finding =
-            reporter.report(analysis.file(), effect.span, "plain",
+            reporter.report({analysis, *exit.exit.effect}, effect.span, "plain",
                             {quoted(program, effect.span), quoted(program, program.expressions[*label].span),
                              calling.program().name});
         finding.path.push_back(related_at_effect(calling, caller->effect, "calls " + program.name));

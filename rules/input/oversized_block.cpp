@@ -44,7 +44,7 @@ namespace {
 void check(const ProgramFile& file, Reporter& reporter) {
     for (const SyntaxError& syntax_error : file.syntax_errors)
         if (syntax_error.kind == SyntaxErrorKind::oversized_block)
-            reporter.report(file, syntax_error.span, "oversized", {});
+            reporter.report({file, syntax_error.span}, syntax_error.span, "oversized", {});
 }
 
 } // namespace

@@ -102,7 +102,7 @@ void check(const WordsOfBlock& block, Reporter& reporter) {
     const std::string before = quoted(program, first->span);
     const std::string after = quoted(program, last->span);
     const auto report = [&](std::string_view message, std::vector<std::string> arguments) -> Finding& {
-        return reporter.report(block.analysis.file(), last->span, message, std::move(arguments));
+        return reporter.report({block.analysis, last->span}, last->span, message, std::move(arguments));
     };
     Finding& finding = repeated.size() > 1 ? report("several", {addresses})
                        : before == after   ? report("same", {addresses, after})

@@ -124,8 +124,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!calculation) continue;
         const auto name = code_name(analysis, {read.expression, read.group, nullptr});
         if (!name) continue;
-        Finding& finding = reporter.report(analysis.file(), program.expressions[*calculation].span, "direct",
-                                           {text(*calculation), text(read.expression), *name});
+        Finding& finding =
+            reporter.report({analysis, read.effect, *calculation}, program.expressions[*calculation].span,
+                            "direct", {text(*calculation), text(read.expression), *name});
         trace(finding, analysis, read.node, "the G code is used as a number here");
     }
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
@@ -135,7 +136,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto name = source ? code_name(analysis, *source) : std::nullopt;
         if (!name) continue;
         Finding& finding = reporter.report(
-            analysis.file(), program.expressions[*calculation].span, "copy",
+            {analysis, read.effect, *calculation}, program.expressions[*calculation].span, "copy",
             {text(*calculation), program.spell(read.variable), text(source->expression), *name});
         trace(finding, analysis, store_of(analysis, read.value)->node,
               {analysis.source(), program.expressions[source->expression].span, "the G code is read here"},

@@ -78,7 +78,7 @@ void check(const WordsOfBlock& block, Reporter& reporter) {
         if (before->code == found->code) continue; // the same code once more changes nothing
         if (has_alternatives(block)) return;
         const Program& program = block.analysis.program();
-        Finding& finding = reporter.report(block.analysis.file(), word.span, "plain",
+        Finding& finding = reporter.report({block.analysis, word.span}, word.span, "plain",
                                            {quoted(program, before->word->span), quoted(program, word.span),
                                             std::string(control.groups[found->group].name)});
         finding.related.push_back({block.analysis.source(), before->word->span, "the other one stands here"});

@@ -113,8 +113,8 @@ void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const Moda
 
 void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const ModalLeak& leak,
                  std::string_view message_id, std::vector<std::string> arguments) {
-    Finding& finding =
-        reporter.report(analysis.file(), span_of(analysis, leak), message_id, std::move(arguments));
+    Finding& finding = reporter.report(cause_at(analysis, leak.part.origin), span_of(analysis, leak),
+                                       message_id, std::move(arguments));
     const flow::NodeId set = node_of(analysis, leak.part.origin);
     const flow::Exit& exit = leak.exit->exit;
     trace(finding, analysis, set,

@@ -76,10 +76,10 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         Finding& finding =
             write.stated
                 ? reporter.report(
-                      analysis.file(), span, "value",
+                      {analysis, write.effect}, span, "value",
                       {text, quoted(program, read), std::string(analysis.control().groups[*write.group].name),
                        analysis.control().variable_of(*write.group).value_or("the right variable")})
-                : reporter.report(analysis.file(), span, "code", {text, quoted(program, read)});
+                : reporter.report({analysis, write.effect}, span, "code", {text, quoted(program, read)});
         const dataflow::Store* store = store_of(analysis, write.value);
         trace(finding, analysis, store != nullptr ? store->node : write.node,
               {analysis.source(), read, "the value comes from here"}, write.node, "and is put back here");

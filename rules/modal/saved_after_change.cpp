@@ -92,7 +92,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
     const Program& program = analysis.program();
     const Span span = program.effects[store.effect].span;
     Finding& finding = reporter.report(
-        analysis.file(), span, "own",
+        {analysis, store.effect}, span, "own",
         {quoted(program, span), std::string(analysis.control().groups[group].name),
          word_of(analysis, group, part), quoted(program, program.effects[restore.effect].span)});
     trace(finding, analysis, part.origin, "the program changes it here", store.node, "and saves it here");

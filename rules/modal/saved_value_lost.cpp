@@ -99,7 +99,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (is_put_back(analysis, *variable, saved->source.expression)) continue;
         const Span span = program.effects[store->effect].span;
         const Span word = program.effects[write.effect].span;
-        Finding& finding = reporter.report(analysis.file(), span, "overwritten",
+        Finding& finding = reporter.report({analysis, store->effect}, span, "overwritten",
                                            {quoted(program, span),
                                             std::string(analysis.control().groups[*saved->source.group].name),
                                             program.spell(*variable), quoted(program, word)});

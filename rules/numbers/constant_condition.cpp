@@ -176,7 +176,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!deliberate) deliberate.emplace(analysis);
         if (!is_defect(analysis, condition, *deliberate)) continue;
         const Span span = program.expressions[condition.expression].span;
-        Finding& finding = reporter.report(analysis.file(), span, truth.can_hold ? "always" : "never",
+        Finding& finding = reporter.report({analysis, condition}, span, truth.can_hold ? "always" : "never",
                                            {quoted(program, span)});
         trace(finding, analysis, condition.node, truth.can_hold ? "it is always true" : "it is never true");
     }

@@ -150,13 +150,13 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
     const std::string side = quoted(program, program.expressions[inexact.side].span);
     const bool equal = comparison.operation == Operation::equal;
     if (inexact.sum == nullptr) {
-        Finding& finding = reporter.report(analysis.file(), span, equal ? "equal" : "not-equal",
+        Finding& finding = reporter.report({analysis, comparison}, span, equal ? "equal" : "not-equal",
                                            {quoted(program, span), side});
         trace(finding, analysis, inexact.rounding, "the result is rounded here", comparison.node,
               "and compared here");
         return;
     }
-    Finding& finding = reporter.report(analysis.file(), span, equal ? "sum-equal" : "sum-not-equal",
+    Finding& finding = reporter.report({analysis, comparison}, span, equal ? "sum-equal" : "sum-not-equal",
                                        {quoted(program, span), side});
     trace(finding, analysis, inexact.sum->node,
           related_at_effect(analysis, inexact.sum->effect, "a step is added in every pass"), comparison.node,

@@ -78,8 +78,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const dataflow::Store& step = *counter.step;
         const Span span = program.effects[step.effect].span;
         const Span decides = program.expressions[counter.decisive->comparison->expression].span;
-        Finding& finding = reporter.report(analysis.file(), span, counter.must_meet() ? "never-met" : "step",
-                                           {quoted(program, span), quoted(program, decides)});
+        Finding& finding =
+            reporter.report({analysis, step.effect}, span, counter.must_meet() ? "never-met" : "step",
+                            {quoted(program, span), quoted(program, decides)});
         if (step.step->amount.rounding != 0)
             trace(finding, analysis, step.step->amount.rounding, "the step is rounded here", step.node,
                   "and added in every pass");

@@ -66,7 +66,8 @@ void check(const ProgramFile& file, Reporter& reporter) {
     report_syntax_error(file, SyntaxErrorKind::unknown_keyword, reporter);
     for (const SyntaxError& syntax_error : file.syntax_errors)
         if (syntax_error.kind == SyntaxErrorKind::missing_construct)
-            reporter.report(file, syntax_error.span, "construct", {syntax_error.subject, syntax_error.cure});
+            reporter.report({file, syntax_error.span}, syntax_error.span, "construct",
+                            {syntax_error.subject, syntax_error.cure});
 }
 
 } // namespace

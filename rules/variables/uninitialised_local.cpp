@@ -178,7 +178,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         tried->second = most_attempts; // once a variable
         const Span span = program.expressions[read.expression].span;
         const std::string name = as_written(program, span);
-        Finding& finding = reporter.report(analysis.file(), span, message_for(analysis, read), {name});
+        Finding& finding = reporter.report({analysis, read}, span, message_for(analysis, read), {name});
         finding.path.push_back(
             related_at(analysis, read.value.vacancy_origin, name + " has no value when the program begins"));
         for (RelatedLocation& step :

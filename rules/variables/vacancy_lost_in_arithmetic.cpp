@@ -56,8 +56,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto* apply = std::get_if<Apply>(&operand.node);
         if (apply == nullptr || apply->operation == Operation::unknown) continue;
         const Span span = program.expressions[comparison.expression].span;
-        Finding& finding = reporter.report(analysis.file(), span, vacant ? "never-vacant" : "always-set",
-                                           {quoted(program, span), quoted(program, operand.span)});
+        Finding& finding =
+            reporter.report({analysis, comparison}, span, vacant ? "never-vacant" : "always-set",
+                            {quoted(program, span), quoted(program, operand.span)});
         trace(finding, analysis, comparison.node, "the result of arithmetic is tested for vacancy");
     }
 }

@@ -72,8 +72,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             continue;
         const Span span = program.expressions[comparison.expression].span;
         const std::string name = program.spell(*variable);
-        Finding& finding = reporter.report(analysis.file(), span, vacant ? "never-vacant" : "always-set",
-                                           {quoted(program, span), name});
+        Finding& finding =
+            reporter.report({analysis, comparison}, span, vacant ? "never-vacant" : "always-set",
+                            {quoted(program, span), name});
         const std::string ends = name + " is tested for vacancy";
         if (const dataflow::Store* store = last_store_before(analysis, *variable, comparison.node))
             trace(finding, analysis, store->node,

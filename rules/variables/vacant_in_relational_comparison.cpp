@@ -87,7 +87,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         known.push_back(*variable);
         const Span span = program.expressions[comparison.expression].span;
         const std::string name = program.spell(*variable);
-        Finding& finding = reporter.report(analysis.file(), span, "passes", {quoted(program, span), name});
+        Finding& finding =
+            reporter.report({analysis, comparison}, span, "passes", {quoted(program, span), name});
         trace(finding, analysis, value.vacancy_origin, name + " may be vacant from here on", comparison.node,
               "a vacant " + name + " counts as 0");
         finding.related.push_back({analysis.source(), program.expressions[use->expression].span,

@@ -94,7 +94,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             continue;
         const Span span = program.expressions[comparison.expression].span;
         const std::string name = program.spell(*variable);
-        Finding& finding = reporter.report(analysis.file(), span,
+        Finding& finding = reporter.report({analysis, comparison}, span,
                                            comparison.operation == Operation::equal ? "equal" : "not-equal",
                                            {quoted(program, span), name});
         trace(finding, analysis, value.vacancy_origin, name + " may be vacant from here on", comparison.node,

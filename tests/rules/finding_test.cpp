@@ -1,5 +1,8 @@
-//! What a finding takes as its fix.
-#include "rules/finding.hpp"
+//! What a finding takes as its fix, and when two have one cause.
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/program/model.hpp"
+#include "rules/rule.hpp"
+#include "tests/support/analysed.hpp"
 
 #include <string>
 #include <utility>
@@ -17,7 +20,9 @@ std::shared_ptr<const Source> source(std::string path) {
 
 /// The spans that the finding keeps of a fix with these; none when it refuses it.
 std::vector<std::pair<Offset, Offset>> kept(std::vector<Edit> edits) {
-    Finding finding{};
+    const ProgramFile file{};
+    Reporter reporter(*find_rule("MAC002"));
+    Finding& finding = reporter.report({file, {}}, {}, "unknown", {"X"});
     finding.offer({"Change it", Applicability::safe, std::move(edits)});
     std::vector<std::pair<Offset, Offset>> spans;
     if (finding.fix)
@@ -48,6 +53,36 @@ TEST(Fix, EditsOfTheSameBytesAreRefused) {
 }
 
 TEST(Fix, OneThatChangesNothingIsNone) { EXPECT_THAT(kept({}), IsEmpty()); }
+
+TEST(Cause, IsTheSameEffectOrAnExpressionInIt) {
+    const auto workspace = test::analyse_fanuc("O0001\n#1=#2+#3\n#4=#5\nM30\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    const Cause whole{analysis, EffectId{0}};
+    const Cause one{analysis, EffectId{0}, ExpressionId{0}};
+    const Cause other{analysis, EffectId{0}, ExpressionId{1}};
+    const Cause another{analysis, EffectId{1}};
+    EXPECT_TRUE(whole.is_same(whole));
+    EXPECT_TRUE(whole.is_same(one));
+    EXPECT_TRUE(one.is_same(whole));
+    EXPECT_FALSE(one.is_same(other));
+    EXPECT_FALSE(whole.is_same(another));
+    const auto& read = analysis.facts().all<dataflow::Read>().back();
+    EXPECT_EQ(Cause(analysis, read).effect, EffectId{1});
+    EXPECT_EQ(Cause(analysis, read).expression, read.expression);
+}
+
+TEST(Cause, OfTextIsTheSameText) {
+    const auto workspace = test::analyse_fanuc("O0001\nG1X1\nM30\nO0002\nM99\n");
+    const ProgramAnalysis& first = workspace->programs()[0];
+    const ProgramAnalysis& second = workspace->programs()[1];
+    const Span word{6, 8};
+    EXPECT_TRUE(Cause(first, word).is_same({first, word}));
+    EXPECT_FALSE(Cause(first, word).is_same({first, {8, 10}}));
+    EXPECT_FALSE(Cause(first, word).is_same({second, word}));
+    EXPECT_FALSE(Cause(first, word).is_same({first.file(), word}));
+    EXPECT_TRUE(Cause(first.file(), word).is_same({second.file(), word}));
+    EXPECT_FALSE(Cause(first, first.program().effects[0].span).is_same({first, EffectId{0}}));
+}
 
 } // namespace
 } // namespace maclint
