@@ -106,23 +106,23 @@ bool equal_without_case(std::string_view a, std::string_view b) {
         a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-bool is_alias(std::string_view aliases, std::string_view code) {
-    for (std::size_t begin = 0; begin < aliases.size();) {
-        const std::size_t end = std::min(aliases.find(' ', begin), aliases.size());
-        if (equal_without_case(aliases.substr(begin, end - begin), code)) return true;
+} // namespace
+
+std::span<const Rule* const> all_rules() { return list; }
+
+bool lists_code(std::string_view codes, std::string_view code) {
+    for (std::size_t begin = 0; begin < codes.size();) {
+        const std::size_t end = std::min(codes.find(' ', begin), codes.size());
+        if (equal_without_case(codes.substr(begin, end - begin), code)) return true;
         begin = end + 1;
     }
     return false;
 }
 
-} // namespace
-
-std::span<const Rule* const> all_rules() { return list; }
-
 const Rule* find_rule(std::string_view code_or_name) {
     const auto found = std::ranges::find_if(list, [&](const Rule* rule) {
         return equal_without_case(rule->code, code_or_name) || equal_without_case(rule->name, code_or_name) ||
-               is_alias(rule->aliases, code_or_name);
+               lists_code(rule->aliases, code_or_name);
     });
     return found == list.end() ? nullptr : *found;
 }

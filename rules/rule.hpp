@@ -83,6 +83,11 @@ struct Rule {
     Precision precision;
     bool on_by_default = true; ///< very_high and high are on, the others off, or `off_reason` says why not
     std::string_view off_reason = {};
+    /// Codes of rules, separated by blanks, that own what this one finds of the same cause: it is silent
+    /// where one of them is on and speaks. What an owner leaves to a third rule does not come back to this
+    /// one.
+    std::string_view yields_to = {};
+    std::string_view also = {}; ///< codes that the bad examples raise, too, under the default selection
     bool data_flow = false; ///< findings carry a path (SARIF codeFlows); a test demands it of the bad example
     std::vector<Message> messages;
     std::vector<Example> bad;  ///< raises exactly this rule
@@ -115,6 +120,9 @@ class Reporter {
 [[nodiscard]] std::span<const Rule* const> all_rules();
 /// The rule with this code, alias or name (any case), or nullptr.
 [[nodiscard]] const Rule* find_rule(std::string_view code_or_name);
+
+/// Whether the code (any case) is one of a list that is separated by blanks.
+[[nodiscard]] bool lists_code(std::string_view codes, std::string_view code);
 
 /// The rules that run.
 struct Selection {

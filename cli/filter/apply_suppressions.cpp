@@ -3,6 +3,7 @@
 
 #include "analyzer/program/model.hpp"
 #include "cli/filter/directive.hpp"
+#include "cli/filter/one_cause.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
@@ -169,6 +170,8 @@ class FileSuppressions {
         , suppressions_(directives_) {}
 
     std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings) {
+        // Before suppression: who allows what the owner says has not asked to hear the other one.
+        drop_yielding(findings, [this](const Rule& rule) { return rules_.of(rule).on; });
         report_faults(findings);
         take(std::move(findings));
         suppressions_.start_over();

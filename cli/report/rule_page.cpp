@@ -40,6 +40,8 @@ std::string facts_of(const Rule& rule) {
         if (!facts.ends_with('.')) facts += '.';
     }
     if (!rule.aliases.empty()) facts += " Also known as " + std::string(rule.aliases) + ".";
+    if (!rule.yields_to.empty())
+        facts += " Silent where one of these speaks of the same: " + std::string(rule.yields_to) + ".";
     return facts;
 }
 
