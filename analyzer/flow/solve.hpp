@@ -7,8 +7,8 @@
 
 #include <concepts>
 #include <cstdint>
-#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace maclint::flow {
