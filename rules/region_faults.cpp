@@ -11,8 +11,6 @@
 namespace maclint {
 namespace {
 
-bool have_numbers(const ProgramAnalysis& analysis) { return analysis.control().limits.last_loop_number != 0; }
-
 /// Loops of all kinds have one close.
 RegionKind family_of(RegionKind region_kind) {
     return is_loop(region_kind) ? RegionKind::while_loop : region_kind;
@@ -69,12 +67,11 @@ std::string_view message_for(flow::Imbalance kind) {
 } // namespace
 
 std::vector<flow::RegionFault> numbered_loop_faults(const ProgramAnalysis& analysis, flow::Imbalance kind) {
-    if (!have_numbers(analysis)) return {};
     return pick(analysis, RegionKind::while_loop, [kind](flow::Imbalance what) { return what == kind; });
 }
 
 std::vector<flow::RegionFault> nesting_faults(const ProgramAnalysis& analysis, RegionKind region_kind) {
-    if (is_loop(region_kind) && have_numbers(analysis)) return {};
+    if (is_loop(region_kind) && analysis.control().has(Capability::loop_numbers)) return {};
     auto faults = pick(analysis, family_of(region_kind), [](flow::Imbalance) { return true; });
     Strays strays(analysis.program());
     std::erase_if(faults, [&](const flow::RegionFault& fault) { return strays.is_reported(fault); });

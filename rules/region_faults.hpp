@@ -8,8 +8,8 @@
 
 namespace maclint {
 
-/// Faults of the kind in loops that carry numbers. A missing partner proves nothing in a program with a block
-/// that may open or close something and cannot be read: those faults are held back.
+/// Faults of the kind in loops that numbers pair (Capability::loop_numbers). A missing partner proves nothing
+/// in a program with a block that may open or close something and cannot be read: those faults are held back.
 [[nodiscard]] std::vector<flow::RegionFault> numbered_loop_faults(const ProgramAnalysis& analysis,
                                                                   flow::Imbalance kind);
 

@@ -110,6 +110,10 @@ bool equal_without_case(std::string_view a, std::string_view b) {
 
 std::span<const Rule* const> all_rules() { return list; }
 
+bool applies_to(const Rule& rule, const ControlModel& control) {
+    return std::ranges::all_of(rule.needs, [&](Capability capability) { return control.has(capability); });
+}
+
 bool lists_code(std::string_view codes, std::string_view code) {
     for (std::size_t begin = 0; begin < codes.size();) {
         const std::size_t end = std::min(codes.find(' ', begin), codes.size());

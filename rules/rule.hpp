@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program/syntax_error.hpp"
+#include "analyzer/program/tables.hpp"
 #include "rules/finding.hpp"
 
 #include <cstdint>
@@ -81,6 +82,7 @@ struct Rule {
     Severity severity;
     std::vector<OtherSeverity> severity_elsewhere = {};
     Precision precision;
+    std::vector<Capability> needs = {}; ///< of the language; in others it is not asked
     bool on_by_default = true; ///< very_high and high are on, the others off, or `off_reason` says why not
     std::string_view off_reason = {};
     /// Codes of rules, separated by blanks, that own what this one finds of the same cause: it is silent
@@ -121,6 +123,8 @@ class Reporter {
 /// The rule with this code, alias or name (any case), or nullptr.
 [[nodiscard]] const Rule* find_rule(std::string_view code_or_name);
 
+/// Whether programs for the control have what the rule speaks of.
+[[nodiscard]] bool applies_to(const Rule& rule, const ControlModel& control);
 /// Whether the code (any case) is one of a list that is separated by blanks.
 [[nodiscard]] bool lists_code(std::string_view codes, std::string_view code);
 

@@ -28,11 +28,15 @@ std::vector<Finding> check_words(const Selection& selection, const ProgramAnalys
     return check_words(program, selection.rules);
 }
 
+const ControlModel& control_of(const ProgramFile& file) { return *file.control; }
+const ControlModel& control_of(const ProgramAnalysis& program) { return program.control(); }
+
 /// Everything that the selected rules find in a file or a program.
 template<class Thing>
 std::vector<Finding> check(const Selection& selection, const Thing& thing) {
     std::vector<Finding> findings;
     for (const Rule* rule : selection.rules) {
+        if (!applies_to(*rule, control_of(thing))) continue;
         Reporter reporter(*rule);
         run_check(*rule, thing, reporter);
         std::ranges::move(reporter.take(), std::back_inserter(findings));

@@ -59,7 +59,8 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
     const Program& program = analysis.program();
     std::vector<Taking> taking;
     for (const Rule* rule : rules)
-        if (const auto* check = std::get_if<WordCheck>(&rule->check))
+        if (const auto* check = std::get_if<WordCheck>(&rule->check);
+            check != nullptr && applies_to(*rule, analysis.control()))
             taking.push_back({check, addresses_named(program, check->addresses), Reporter(*rule)});
     if (taking.empty()) return {};
     const bool modal_calls = has_modal_calls(program);

@@ -33,6 +33,15 @@ ControlModel checked(ControlModel control) {
     return control;
 }
 
+bool ControlModel::has(Capability capability) const {
+    switch (capability) {
+    case Capability::loop_numbers: return limits.last_loop_number != 0;
+    case Capability::sections: return !sections.empty();
+    case Capability::exclusive_words: return !repeatable.empty();
+    }
+    return false;
+}
+
 std::optional<GroupId> ControlModel::group_with(ModalRole role) const {
     return maclint::group_with(role, groups);
 }

@@ -237,6 +237,13 @@ struct Limits {
 /// What a control drives: words such as G90 mean different things on the two.
 enum class Machine : std::uint8_t { mill, lathe };
 
+/// What the language of a control has, where rules speak of nothing else.
+enum class Capability : std::uint8_t {
+    loop_numbers,    ///< DO m … END m, which a number pairs
+    sections,        ///< parts that words of their own begin
+    exclusive_words, ///< it is known which words exclude each other in a block
+};
+
 /// The analysis keeps a table with an entry for each space of a control: no control has more.
 inline constexpr std::size_t most_spaces = 16;
 
@@ -267,6 +274,7 @@ struct ControlModel {
     /// Addresses that a block may hold more than once, and those that it may where it calls a program.
     std::vector<std::string_view> repeatable = {}, repeatable_arguments = {};
 
+    [[nodiscard]] bool has(Capability capability) const;
     /// The group of that role, or nothing.
     [[nodiscard]] std::optional<GroupId> group_with(ModalRole role) const;
     /// The group that a code of `letter` sets, or nothing.

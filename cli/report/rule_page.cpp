@@ -29,6 +29,15 @@ constexpr std::array<FamilyRow, 10> families{{
     {"DIN", "DIN PLUS"},
 }};
 
+std::string_view words_for(Capability capability) {
+    switch (capability) {
+    case Capability::loop_numbers: return "loops have numbers";
+    case Capability::sections: return "programs have sections";
+    case Capability::exclusive_words: return "it is known which words exclude each other in a block";
+    }
+    return {};
+}
+
 std::string facts_of(const Rule& rule) {
     std::string severity(name_of(rule.severity));
     for (const OtherSeverity& other : rule.severity_elsewhere)
@@ -40,6 +49,7 @@ std::string facts_of(const Rule& rule) {
         if (!facts.ends_with('.')) facts += '.';
     }
     if (!rule.aliases.empty()) facts += " Also known as " + std::string(rule.aliases) + ".";
+    for (const Capability needed : rule.needs) facts += " Only where " + std::string(words_for(needed)) + ".";
     if (!rule.yields_to.empty())
         facts += " Silent where one of these speaks of the same: " + std::string(rule.yields_to) + ".";
     return facts;

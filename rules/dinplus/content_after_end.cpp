@@ -18,6 +18,7 @@ extern const Rule content_after_end{
     .why = "The control reads a program up to END: what stands after it never runs.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .needs = {Capability::sections},
     .messages = {{"plain",
                   "'{0}' stands after {1} in line {2} and never runs. Move it before, or remove it."}},
     .bad = {{"dinplus", R"nc(

@@ -21,6 +21,7 @@ extern const Rule missing_end{
            "have been cut off on its way.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .needs = {Capability::sections},
     .messages = {{"plain", "The program is not closed: {0} is missing after this block. Add it, or look for "
                            "the rest of the file."}},
     .bad = {{"dinplus", R"nc(

@@ -19,6 +19,7 @@ extern const Rule missing_machining{
            "without it the control has nothing to run.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .needs = {Capability::sections},
     .messages = {{"plain", "The program has no section {0}, so nothing of it is run. Add the word before the "
                            "first block of the machining."}},
     .bad = {{"dinplus", R"nc(

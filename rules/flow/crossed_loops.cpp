@@ -20,6 +20,7 @@ extern const Rule crossed_loops{
            " other blocks than the author meant.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::loop_numbers},
     .messages = {{"plain",
                   "'{0}' ends its loop while the loop of '{1}' inside it is still open. Exchange the "
                   "two ENDs."}},

@@ -18,6 +18,7 @@ extern const Rule do_without_end{
            " alarm.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::loop_numbers},
     .messages = {{"plain", "'{0}' has no END, and the control stops here. Add the END after the loop's last "
                            "block."},
                  {"other-number", "'{0}' has no END, and '{1}' in line {2} closes no loop. Give both the "

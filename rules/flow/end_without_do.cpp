@@ -17,6 +17,7 @@ extern const Rule end_without_do{
     .why = "The control stops with an alarm when it reaches the END.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::loop_numbers},
     .messages = {{"plain",
                   "'{0}' closes no loop, and the control stops here. Remove it, or correct its number."}},
     .bad = {{"fanuc", R"nc(

@@ -19,6 +19,7 @@ extern const Rule loop_number_out_of_range{
     .why = "The control stops with an alarm at the DO.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::loop_numbers},
     .messages = {{"plain", "'{0}' uses a loop number that the control does not have. Use {1} to {2}."}},
     .bad = {{"fanuc", R"nc(
 O9314(ROW)

@@ -18,6 +18,7 @@ extern const Rule loop_number_reuse_nested{
            "END closes both.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::loop_numbers},
     .messages = {{"plain", "'{0}' uses the number of a loop that is still open. Give the inner loop another "
                            "number."}},
     .bad = {{"fanuc", R"nc(

@@ -20,6 +20,7 @@ extern const Rule loops_nested_too_deep{
            "alarm, or the inner END closes the outer loop.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::loop_numbers},
     .messages = {{"plain", "'{0}' opens loop level {1}, and the control has {2}. Move the inner loop into a "
                            "macro of its own."}},
     .bad = {{"fanuc", R"nc(

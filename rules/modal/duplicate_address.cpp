@@ -26,6 +26,7 @@ extern const Rule duplicate_address{
         " move somewhere else than the first one says, others stop with an alarm. Often a line end was lost.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .needs = {Capability::exclusive_words},
     .messages =
         {{"twice",
           "Address {0} stands twice in one block: the control takes '{2}' and passes '{1}' over, or stops "
@@ -85,7 +86,6 @@ std::vector<Occurrence> occurrences_in(std::span<const Word> words) {
 
 void check(const WordsOfBlock& block, Reporter& reporter) {
     const auto& repeatable = block.analysis.control().repeatable;
-    if (repeatable.empty()) return; // it is unknown which words exclude each other
     std::vector<Occurrence> repeated = occurrences_in(block.words);
     std::erase_if(repeated, [&](const Occurrence& address) {
         return address.last == nullptr ||

@@ -25,6 +25,7 @@ extern const Rule modal_group_conflict{
         " that stand before it: G91 G28 Z0 G90 goes to Z0 at full height. Some controls stop with an alarm.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .needs = {Capability::exclusive_words},
     .messages =
         {{"plain",
           "Codes '{0}' and '{1}' are of one modal group ({2}): the whole block runs under '{1}', or stops "
@@ -65,8 +66,7 @@ std::optional<Member> member(const ControlModel& control, const Word& word) {
 
 void check(const WordsOfBlock& block, Reporter& reporter) {
     const ControlModel& control = block.analysis.control();
-    if (control.repeatable.empty()) return; // it is unknown which words exclude each other
-    std::vector<Member> members;            // one of each group
+    std::vector<Member> members; // one of each group
     for (const Word& word : block.words) {
         const auto found = member(control, word);
         if (!found) continue;

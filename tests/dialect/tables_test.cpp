@@ -23,6 +23,17 @@ TEST(Controls, HaveUniqueNamesAndEveryDialectsDefaultExists) {
     EXPECT_FALSE(find_control("fanuc-16i")->assumed);
 }
 
+TEST(Controls, HaveWhatTheirLanguageHas) {
+    const ControlModel& fanuc = *find_control("fanuc");
+    const ControlModel& dinplus = *find_control("dinplus");
+    EXPECT_TRUE(fanuc.has(Capability::loop_numbers));
+    EXPECT_FALSE(dinplus.has(Capability::loop_numbers));
+    EXPECT_FALSE(fanuc.has(Capability::sections));
+    EXPECT_TRUE(dinplus.has(Capability::sections));
+    EXPECT_TRUE(fanuc.has(Capability::exclusive_words));
+    EXPECT_FALSE(dinplus.has(Capability::exclusive_words));
+}
+
 TEST(Controls, VariableRangesAreSortedAndDoNotOverlap) {
     for (const ControlModel* control : controls()) {
         for (const VariableFamily& family : control->families) {

@@ -1,5 +1,6 @@
 //! What a finding takes as its fix, and when two have one cause.
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dialect/dialect.hpp"
 #include "analyzer/program/model.hpp"
 #include "rules/rule.hpp"
 #include "tests/support/analysed.hpp"
@@ -53,6 +54,19 @@ TEST(Fix, EditsOfTheSameBytesAreRefused) {
 }
 
 TEST(Fix, OneThatChangesNothingIsNone) { EXPECT_THAT(kept({}), IsEmpty()); }
+
+TEST(Needs, ARuleIsNotAskedWhereTheLanguageLacksWhatItSpeaksOf) {
+    const auto asked = [](std::string_view code, const char* control) {
+        return applies_to(*find_rule(code), *find_control(control));
+    };
+    EXPECT_TRUE(asked("MAC312", "fanuc")); // DO without END
+    EXPECT_FALSE(asked("MAC312", "dinplus"));
+    EXPECT_TRUE(asked("DIN102", "dinplus")); // no END
+    EXPECT_FALSE(asked("DIN102", "fanuc"));
+    EXPECT_TRUE(asked("MAC559", "fanuc-16i")); // an address twice
+    EXPECT_FALSE(asked("MAC559", "dinplus"));
+    EXPECT_TRUE(asked("MAC301", "dinplus"));
+}
 
 TEST(Cause, IsTheSameEffectOrAnExpressionInIt) {
     const auto workspace = test::analyse_fanuc("O0001\n#1=#2+#3\n#4=#5\nM30\n");
