@@ -136,10 +136,10 @@ RelatedLocation related_at_effect(const ProgramAnalysis& analysis, EffectId effe
     return {analysis.source(), analysis.program().effects[effect].span, std::move(text)};
 }
 
-Cause cause_at(const ProgramAnalysis& analysis, dataflow::OriginId id) {
-    const dataflow::Origin& origin = analysis.data().origin(id);
-    if (origin.kind == dataflow::Origin::Kind::effect) return {analysis, origin.id};
-    return {analysis, span_of(analysis, origin)};
+Cause cause_at(const ProgramAnalysis& analysis, dataflow::OriginId origin) {
+    const dataflow::Origin& from = analysis.data().origin(origin);
+    if (from.kind == dataflow::Origin::Kind::effect) return {analysis, from.id};
+    return {analysis, span_of(analysis, from)};
 }
 
 std::string quoted(const Program& program, Span span) {

@@ -45,6 +45,7 @@
     RULE(subprogram_calls_nested_too_deep)      /* MAC411 */ \
     RULE(recursive_call)                        /* MAC412 */ \
     RULE(g66_not_cancelled)                     /* MAC413 */ \
+    RULE(missing_m99)                           /* MAC456 */ \
     RULE(duplicate_sequence_number)             /* MAC462 */ \
     RULE(modal_state_not_restored)              /* MAC501 */ \
     RULE(compensation_or_transform_left_active) /* MAC502 */ \
@@ -59,6 +60,7 @@
     RULE(duplicate_address)                     /* MAC559 */ \
     RULE(modal_code_as_number)                  /* MAC574 */ \
     RULE(bracket_depth)                         /* MAC701 */ \
+    RULE(division_by_zero)                      /* MAC702 */ \
     RULE(float_equality)                        /* MAC710 */ \
     RULE(float_loop_counter)                    /* MAC711 */ \
     RULE(constant_condition)                    /* MAC718 */ \

@@ -1,6 +1,7 @@
 //! Turns syntax errors into findings.
 #include "rules/syntax_errors.hpp"
 
+#include "analyzer/program/model.hpp"
 #include "analyzer/source/encoding.hpp"
 
 namespace maclint {

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/arithmetic.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>
@@ -212,6 +213,27 @@ bool asks_for_vacancy(const Program& program, const Facts& facts, flow::NodeId f
         if (is_vacancy_test(test->operation) && plain_variable(program, test->left_expression) == variable)
             return true;
     return false;
+}
+
+namespace {
+
+bool stands_in_later_part(const Program& program, ExpressionId condition, Span expression) {
+    const Apply* apply = as_apply(program, condition);
+    if (apply == nullptr) return false;
+    const auto operands = program.operands_of(*apply);
+    const bool chain = apply->operation == Operation::all_of || apply->operation == Operation::any_of;
+    for (std::size_t i = 0; i < operands.size(); ++i)
+        if (program.expressions[operands[i]].span.covers(expression))
+            return (chain && i > 0) || stands_in_later_part(program, operands[i], expression);
+    return false;
+}
+
+} // namespace
+
+bool may_be_left_out(const Program& program, const Facts& facts, EffectId effect, ExpressionId expression) {
+    return std::ranges::any_of(facts.at<Condition>(effect), [&](const Condition& condition) {
+        return stands_in_later_part(program, condition.expression, program.expressions[expression].span);
+    });
 }
 
 bool tests_any_vacancy(const Program& program, ExpressionId expression) {

@@ -33,6 +33,11 @@ struct ReadSet {
 [[nodiscard]] bool asks_for_vacancy(const Program& program, const Facts& facts, flow::NodeId first,
                                     flow::NodeId last, Variable variable);
 
+/// Whether the expression stands in a later part of a condition of AND or OR: nobody knows whether a control
+/// still computes it once an earlier part has decided.
+[[nodiscard]] bool may_be_left_out(const Program& program, const Facts& facts, EffectId effect,
+                                   ExpressionId expression);
+
 /// How a condition turned out on a path.
 struct Decision {
     ExpressionId condition;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/facts.hpp"
+#include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/dataflow/facts/call_made.hpp"
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
@@ -64,7 +65,7 @@ class ListsOf {
 };
 
 /// Every type of fact: what stands here is recorded and can be asked for.
-using FactLists = ListsOf<Comparison, Condition, Read, ModalRead, Store, Clobber, CallMade, ModalWrite,
-                          ComputedJump, BeforeToolChange, BeforeWatchedWord, ExitState>;
+using FactLists = ListsOf<Application, Comparison, Condition, Read, ModalRead, Store, Clobber, CallMade,
+                          ModalWrite, ComputedJump, BeforeToolChange, BeforeWatchedWord, ExitState>;
 
 } // namespace maclint::dataflow

@@ -67,6 +67,8 @@ Content Stepper::apply(ExpressionId id, const Apply& apply) {
     // Conditions give no value [SINHA-EXP].
     const bool is_value = !is_comparison(apply.operation) && !is_logic(apply.operation) &&
                           !semantics::is_vacancy_test(apply.operation);
+    if (is_value && (contents.size() == 1 || contents.size() == 2))
+        report(Applied{id, contents.front(), contents.back()});
     const semantics::Result result =
         is_value ? semantics::compute(apply.operation, std::span<const Content>(contents))
                  : semantics::NotModelled{};

@@ -34,6 +34,11 @@ struct GroupRead {
     GroupId group;
     double code;
 };
+/// An operator or function of one or two operands, before it is computed; one operand: it is on both sides.
+struct Applied {
+    ExpressionId expression;
+    Content left, right;
+};
 /// Comparisons and vacancy tests; those have the same content on both sides.
 struct Compared {
     ExpressionId expression;
@@ -88,8 +93,9 @@ struct ProgramLeft {
     std::optional<double> label;    ///< of a return to a sequence number of the caller
 };
 
-using Event = std::variant<ProgramBegins, BlockBegins, EffectBegins, VariableRead, GroupRead, Compared,
-                           Decided, Stored, GroupSet, JumpComputed, CallBegins, CallEnds, ProgramLeft>;
+using Event =
+    std::variant<ProgramBegins, BlockBegins, EffectBegins, VariableRead, GroupRead, Applied, Compared,
+                 Decided, Stored, GroupSet, JumpComputed, CallBegins, CallEnds, ProgramLeft>;
 
 class Stepper;
 using Observer = std::function<void(Stepper&, const Event&)>;

@@ -256,7 +256,8 @@ struct ControlModel {
     Machine machine = Machine::mill;
     const ControlModel* lathe = nullptr; ///< of a mill: the same control on a lathe, for texts that are
                                          ///< written for one; nullptr: there is none, or nobody wants it
-    bool assumed; ///< nobody named the control: messages say that its limits are assumed
+    bool assumed;                 ///< nobody named the control: messages say that its limits are assumed
+    std::string_view return_word; ///< leads back to the caller: "M99"
     Limits limits;
     std::vector<VariableSpace> spaces;
     std::vector<VariableFamily> families;

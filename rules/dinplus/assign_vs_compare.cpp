@@ -1,4 +1,5 @@
 //! DIN326: = in a condition, == in an assignment.
+#include "analyzer/program/model.hpp"
 #include "rules/rule.hpp"
 
 #include <string_view>

@@ -1,4 +1,5 @@
 //! MAC004: a block that is too long to be read.
+#include "analyzer/program/model.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {

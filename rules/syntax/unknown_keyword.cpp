@@ -1,4 +1,5 @@
 //! MAC118: a word that the control does not know.
+#include "analyzer/program/model.hpp"
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
 

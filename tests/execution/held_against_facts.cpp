@@ -1,6 +1,7 @@
 //! One function a kind of event: which facts speak of it, and whether they allow it.
 #include "tests/execution/held_against_facts.hpp"
 
+#include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/dataflow/facts/call_made.hpp"
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
@@ -321,6 +322,18 @@ void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::GroupRea
                   allows(read.value, event.code),
               "modal reads",
               stepper.program().control().groups[event.group].name.data() + (" is " + spell(event.code)));
+}
+
+void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::Applied& event) {
+    const EffectId effect = *stepper.effect();
+    bool recorded = std::holds_alternative<Return>(stepper.program().program().effects[effect].what);
+    for (const dataflow::Application& fact :
+         about<dataflow::Application>(facts(), effect, event.expression)) {
+        recorded = true;
+        claim(allows(fact.left, event.left), "left operands", "it is " + spell(event.left));
+        claim(allows(fact.right, event.right), "right operands", "it is " + spell(event.right));
+    }
+    claim(recorded, "applications recorded", "an operator is applied");
 }
 
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::Compared& event) {

@@ -53,6 +53,7 @@ class HeldAgainstFacts {
     void on(execution::Stepper& stepper, const execution::EffectBegins& event);
     void on(execution::Stepper& stepper, const execution::VariableRead& event);
     void on(execution::Stepper& stepper, const execution::GroupRead& event);
+    void on(execution::Stepper& stepper, const execution::Applied& event);
     void on(execution::Stepper& stepper, const execution::Compared& event);
     void on(execution::Stepper& stepper, const execution::Decided& event);
     void on(execution::Stepper& stepper, const execution::Stored& event);

@@ -283,5 +283,29 @@ TEST(Severity, FollowsTheLanguage) {
     EXPECT_EQ(found("dinplus", called("L\"S\"\n", "L\"S\"\n")), Severity::warning);
 }
 
+TEST(MissingReturn, IsDemandedOfEverySubprogramThatEndDoesNotClose) {
+    const auto raised = [](const std::string& text) {
+        const auto workspace = test::analyse_files(
+            {{"MAIN.nc", "MACHINING\nN1 L\"SUB\" V1\nN2 M30\nEND\n"}, {"SUB.ncs", text}}, {false, 1});
+        return lines_in(*workspace, "DIN506");
+    };
+    EXPECT_THAT(raised("%SUB.ncs\nMACHINING\nN10 G0 X5\n"), ElementsAre(3));
+    EXPECT_THAT(raised("%SUB.ncs\nMACHINING\nN10 G0 X5\nRETURN\n"), IsEmpty());
+    EXPECT_THAT(raised("%SUB.ncs\nMACHINING\nN10 G0 X5\nN20 M30\n"), IsEmpty());
+    EXPECT_THAT(raised("%SUB.ncs\nMACHINING\nN10 G0 X5\nEND\n"), IsEmpty());
+    const std::string main = "MACHINING\nN1 L\"SUB\"\nN2 M30\n";
+    EXPECT_THAT(
+        messages("DIN506", main + "SUBPROGRAM \"SUB\"\nN3 IF #c1>0\nN4 THEN\nN5 G0 X1\nN6 ENDIF\nEND\n"),
+        ElementsAre(HasSubstr("without RETURN")));
+}
+
+TEST(DivisionByZero, ByWhatIsUndefinedIsNotCertain) {
+    EXPECT_THAT(lines("MAC702", "MACHINING\nN1 #l1=0\nN2 #l2=5/#l1\nN3 M30\nEND\n"), ElementsAre(3));
+    EXPECT_THAT(lines("MAC702", "MACHINING\nN2 #l2=5/#l1\nN3 M30\nEND\n"), IsEmpty());
+    EXPECT_THAT(
+        lines("MAC702", "%S.ncs\nMACHINING\nN1 IF NDEF(__la)\nN2 THEN\nN3 #l2=5/#__la\nN4 ENDIF\nRETURN\n"),
+        IsEmpty());
+}
+
 } // namespace
 } // namespace maclint

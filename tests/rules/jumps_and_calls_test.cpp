@@ -1,5 +1,5 @@
 //! Rules about jumps and calls in corner cases: MAC301, MAC303, MAC312, MAC313, MAC319, MAC336, MAC410,
-//! MAC413, MAC462.
+//! MAC413, MAC456, MAC462.
 #include "tests/rules/raised.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -10,6 +10,7 @@ namespace {
 
 using test::lines_raised;
 using test::messages_raised;
+using test::path_raised;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -70,6 +71,49 @@ TEST(ModalCall, ThatACalledProgramLeavesActiveIsThatPrograms) {
 
 TEST(ModalCall, ThatAnUnknownProgramMayHaveEndedIsLeftAlone) {
     EXPECT_THAT(lines_raised("MAC413", "O1\nG66 P3\nX1.\nG65 P9999\nM30\nO3\nG4 X1.\nM99\n"), IsEmpty());
+}
+
+TEST(MissingReturn, IsReportedWhereAPathRunsOffTheCalledProgram) {
+    EXPECT_THAT(lines_raised("MAC456", "O1\nM98 P2\nM30\nO2\nG0 X1.\nG0 X2.\n"), ElementsAre(6));
+    EXPECT_THAT(
+        lines_raised("MAC456", "O1\nG66 P2\nX1.\nG67\nM30\nO2\n#1=0\nWHILE[#1LT3]DO1\n#1=#1+1\nEND1\n%\n"),
+        ElementsAre(10));
+    EXPECT_THAT(path_raised("MAC456", "O1\nG65 P2 A1.\nM30\nO2\nIF[#1GT5]GOTO9\nM99\nN9 G0 X2.\n"),
+                ElementsAre(5, 7));
+    EXPECT_THAT(messages_raised("MAC456", "O1\nM98 P2\nM30\nO2\nG0 X1.\n"),
+                ElementsAre(HasSubstr("O1 calls O2")));
+}
+
+TEST(MissingReturn, OfAProgramThatIsLeftOtherwiseOrThatNobodyCallsIsNone) {
+    for (const std::string_view called :
+         {"G0 X1.\nM30\n", "G0 X1.\nM99\n", "N1 G0 X1.\nGOTO1\n", "#3000=1(NO)\n",
+          "IF[1EQ1]GOTO1\nN1 M99\nG0 X1.\n", "G0 X1.\n/M99\n", "G0 X1.\nM99]\n"})
+        EXPECT_THAT(lines_raised("MAC456", "O1\nM98 P2\nM30\nO2\n" + std::string(called)), IsEmpty())
+            << called;
+    EXPECT_THAT(lines_raised("MAC456", "O1\nM30\nO2\nG0 X1.\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC456", "O1\nM30\nM98 P2\nO2\nG0 X1.\n"), IsEmpty()); // never called
+    EXPECT_THAT(lines_raised("MAC456", "O2\nM98 P2\n"), IsEmpty());                  // MAC412's
+}
+
+TEST(MissingReturn, OfAProgramInAFolderBesideTheCallersNeedsACompleteWorkspace) {
+    const auto raised = [](const std::string& path, bool complete) {
+        const auto workspace =
+            test::analyse_files({{"a/O1.nc", "O1\nG65 P2\nM30\n"}, {path, "O2\nG0 X1.\n"}}, {complete, 1});
+        return run_rules(*workspace, {{find_rule("MAC456")}}, 1).size();
+    };
+    EXPECT_EQ(raised("b/O2.nc", false), 0U);
+    EXPECT_EQ(raised("b/O2.nc", true), 1U);
+    EXPECT_EQ(raised("a/b/O2.nc", false), 1U);
+    EXPECT_EQ(raised("O2.nc", false), 1U);
+}
+
+TEST(MissingReturn, IsToldWithTheCallOfAnotherFile) {
+    const auto workspace =
+        test::analyse_files({{"O1.nc", "O1\nG65 P2\nM30\n"}, {"O2.nc", "O2\nG0 X1.\n"}}, {false, 1});
+    const auto findings = run_rules(*workspace, {{find_rule("MAC456")}}, 1);
+    ASSERT_EQ(findings.size(), 1U);
+    ASSERT_EQ(findings[0].related.size(), 1U);
+    EXPECT_EQ(findings[0].related[0].source->path(), "O1.nc");
 }
 
 TEST(SequenceNumber, ThatOnlyAComputedJumpCanFindIsReportedWhenItStandsTwice) {

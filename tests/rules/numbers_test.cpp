@@ -1,4 +1,4 @@
-//! Rules about numbers: MAC710, MAC718.
+//! Rules about numbers: MAC702, MAC710, MAC718.
 #include "tests/rules/raised.hpp"
 
 #include <gmock/gmock.h>
@@ -7,8 +7,53 @@ namespace maclint {
 namespace {
 
 using test::lines_raised;
+using test::messages_raised;
+using test::path_raised;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
+
+TEST(DivisionByZero, OfALiteralOrAStoredZeroIsReported) {
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#5=#2/0\nX[5/0.0]\nM99\n"), ElementsAre(2, 3));
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\n#5=#2/#1\nM99\n"), ElementsAre(3));
+    EXPECT_THAT(path_raised("MAC702", "O9001\n#1=0\nIF[#2GT5]GOTO1\nM99\nN1 #5=#2/#1\nM99\n"),
+                ElementsAre(2, 3, 5));
+    EXPECT_THAT(lines_raised("MAC702", "O9001\nIF[#1NE0]GOTO1\n#5=1\nN1 #5=#2/[#1-#1]\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC702", "O9001\nIF[#1NE0]GOTO1\n#5=#2/#1\nN1 M99\n"), ElementsAre(3));
+}
+
+TEST(DivisionByZero, ThatOneOfTwoPathsEscapesIsNotCertain) {
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\nIF[#2EQ1]THEN#1=3\n#5=#2/#1\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\nIF[#1EQ0]GOTO9\n#5=#2/#1\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#5=#2/#1\n#6=#2/#3003\nM99\n"), IsEmpty());
+}
+
+TEST(DivisionByZero, OfOneStoreIsOneFinding) {
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\n#5=#2/#1\n#6=#3/#1\nM99\n"), ElementsAre(3));
+}
+
+TEST(DivisionByZero, ByVacantIsReportedWhereNobodyElseReportsIt) {
+    EXPECT_THAT(messages_raised("MAC702", "O9001\n#5=#2/#0\nM99\n"), ElementsAre(HasSubstr("vacant")));
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=#0\n#5=#2/#1\nM99\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC702", "O9001\nIF[#6NE#0]GOTO1\n#5=#2/#6\nN1 M99\n"), ElementsAre(3));
+    for (const std::string_view divided :
+         {"#5=5/#33", "#1=#33\n#5=5/#1", "#5=5/[#33*2]", "#5=5/[#33+#32]", "#1=#33+#32\n#4=#1\n#5=5/#4"}) {
+        const std::string text = "O1\n" + std::string(divided) + "\nG0 X#5\nM30\n";
+        EXPECT_THAT(lines_raised("MAC702", text), IsEmpty()) << text;
+        EXPECT_THAT(lines_raised("MAC209", text), Not(IsEmpty())) << text;
+    }
+}
+
+TEST(DivisionByZero, InALaterPartOfAConditionMayNeverBeComputed) {
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\nIF[[#1GT0]AND[[#2/#1]GT5]]GOTO9\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\nIF[[[#2/#1]GT5]AND[#1GT0]]GOTO9\nN9 M99\n"),
+                ElementsAre(3));
+}
+
+TEST(DivisionByZero, IsNoAngleOfTwoSidesAndNoRemainder) {
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#5=ATAN[1]/[0]\n#6=#2 MOD 0\nM99\n"), IsEmpty());
+}
 
 TEST(FloatEquality, OfARoundedResultIsReported) {
     EXPECT_THAT(lines_raised("MAC710", "O9001\n#33=#1/3\nIF[#33EQ#2]GOTO9\nN9 M99\n"), ElementsAre(3));

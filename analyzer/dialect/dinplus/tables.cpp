@@ -49,6 +49,7 @@ ControlModel make() {
     control.description = "HEIDENHAIN DIN PLUS";
     control.machine = Machine::lathe; // CNC PILOT, MANUALplus
     control.assumed = false;
+    control.return_word = "RETURN"; // l.2949, l.19944
     // "Chained at most six times" is read as six levels below the main program. No limit of loops is
     // printed; "max. 6 characters" in l.18887 can only mean levels of brackets.
     control.limits = {.macro_calls = 0,

@@ -57,6 +57,7 @@ ControlModel make(const ControlRow& row, Machine machine) {
         control.description += ", lathe with G code system A";
     }
     control.assumed = row.assumed;
+    control.return_word = "M99"; // SEED-001:642
     control.limits = row.limits;
     control.spaces = variable_spaces();
     control.groups = machine == Machine::lathe ? lathe_groups() : mill_groups();

@@ -1,0 +1,21 @@
+//! An operator or function that is applied to values.
+#pragma once
+
+#include "analyzer/dataflow/value.hpp"
+#include "analyzer/flow/graph.hpp"
+
+namespace maclint::dataflow {
+
+/// An operator or function of one or two operands that can be reached; comparisons have facts of their own.
+struct Application {
+    flow::NodeId node;
+    EffectId effect;
+    ExpressionId expression;
+    Operation operation;
+    ExpressionId left_expression;
+    ExpressionId right_expression; ///< one operand: the same as left
+    Value left;
+    Value right; ///< one operand: the same as left
+};
+
+} // namespace maclint::dataflow

@@ -1,0 +1,130 @@
+//! MAC456: a called program that runs past its last block.
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/dinplus/sections.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule missing_m99{
+    .code = "MAC456",
+    .name = "missing-m99",
+    .aliases = "DIN506",
+    .summary = "A path through a called program ends without M99 (RETURN in DIN PLUS)",
+    .why =
+        "Only M99 leads back to the caller. Without it a FANUC control stops with an alarm at the program's "
+        "end. The manual of DIN PLUS demands RETURN at the end of every subprogram.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .data_flow = true,
+    .messages = {{"plain", "{0} calls {1}, and a path through {1} ends after this block without {2}, so that "
+                           "the program does not return. Add {2}."}},
+    .bad = {{"fanuc", R"nc(
+O0001(MAIN)
+G65P9456Z-5.
+M30
+O9456(DRILL)
+IF[#26EQ#0]GOTO9
+G90 G1 Z#26 F100.
+M99
+N9 G0 Z50.
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 L"CHAMFER" LA50
+N20 M30
+SUBPROGRAM "CHAMFER"
+N30 G0 X#__la
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O0001(MAIN)
+G65P9456Z-5.
+M30
+O9456(DRILL)
+IF[#26EQ#0]GOTO9
+G90 G1 Z#26 F100.
+N9 M99
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 L"CHAMFER" LA50
+N20 M30
+SUBPROGRAM "CHAMFER"
+N30 G0 X#__la
+RETURN
+END
+)nc"}},
+    .alarms = {{"FANUC 16i/18i/21i", "5010", "END OF RECORD"}, {"FANUC 30i/0i-D", "5010", "END OF RECORD"}},
+    .sources = {"SEED-001:642", "SEED-003:2949", "SEED-003:19944", "T: the alarm"},
+    .check = &check,
+};
+
+namespace {
+
+std::string_view folder_of(const ProgramAnalysis& analysis) {
+    const std::string_view path = analysis.source()->path();
+    return path.substr(0, path.rfind('/') + 1);
+}
+
+/// A call from another program that is reached. The folder beside this one may be another machine's.
+const Caller* find_caller(const ProgramAnalysis& analysis) {
+    const auto found = std::ranges::find_if(analysis.callers(), [&](const Caller& caller) {
+        const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
+        const auto node = calling.graph().node_of(caller.effect);
+        const bool one_control = analysis.workspace().complete() ||
+                                 folder_of(analysis).starts_with(folder_of(calling)) ||
+                                 folder_of(calling).starts_with(folder_of(analysis));
+        return caller.program != analysis.index() && one_control && node && calling.data().reached(*node);
+    });
+    return found == analysis.callers().end() ? nullptr : &*found;
+}
+
+/// By a block that is skipped or unreadable; whether END closes a called file the manual does not say.
+bool may_return_otherwise(const Program& program, const BlockView& last) {
+    const auto& kinds = program.control->sections;
+    const auto end = std::ranges::find(kinds, SectionKind::Role::end, &SectionKind::role);
+    bool may = last.skip_levels != 0 || (!program.local && end != kinds.end() && has_section(program, *end));
+    for_each_effect(program, [&](EffectId id) {
+        const auto* block = std::get_if<UnreadableBlock>(&program.effects[id].what);
+        may |= block != nullptr && block->may_call_or_return;
+    });
+    return may;
+}
+
+/// The block after which the program ends: the last one of those that run in a row.
+Span last_block_in(const Program& program, const flow::Node& node, const BlockView& last) {
+    if (!node.is_run) return node.part.empty() ? last.span : node.part;
+    Span span;
+    for_each_block(program, node.stretch(), [&](const BlockView& block) { span = block.span; });
+    return span;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    const auto exits = analysis.facts().all<dataflow::ExitState>();
+    const auto exit = std::ranges::find(exits, flow::ExitKind::runs_off,
+                                        [](const dataflow::ExitState& e) { return e.exit.kind; });
+    const Caller* caller = exit == exits.end() ? nullptr : find_caller(analysis);
+    const auto last = last_block(program);
+    if (caller == nullptr || !last || may_return_otherwise(program, *last)) return;
+    const ProgramAnalysis& calling = analysis.workspace().programs()[caller->program];
+    const Span span = last_block_in(program, analysis.graph().nodes[exit->exit.node], *last);
+    Finding& finding =
+        reporter.report({analysis, span}, span, "plain",
+                        {calling.program().name, program.name, std::string(analysis.control().return_word)});
+    finding.related.push_back(related_at_effect(calling, caller->effect, "calls " + program.name));
+    trace(finding, analysis, exit->exit.node, "the program ends after this block");
+}
+
+} // namespace
+} // namespace maclint::rules

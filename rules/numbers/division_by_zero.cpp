@@ -1,0 +1,130 @@
+//! MAC702: a division whose divisor is 0.
+#include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/facts/application.hpp"
+#include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/saved_state.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule division_by_zero{
+    .code = "MAC702",
+    .name = "division-by-zero",
+    .summary = "The divisor of a division is 0 whenever the program comes there",
+    .why = "A FANUC control stops with an alarm, with the tool where it happens to be; vacant counts as 0 "
+           "there. "
+           "The manual of DIN PLUS does not say what comes out of such a division.",
+    .severity = Severity::error,
+    .severity_elsewhere = {{"dinplus", Severity::warning}},
+    .precision = Precision::very_high,
+    .data_flow = true,
+    .messages = {{"zero",
+                  "'{0}' divides by '{1}', which is always 0 here. Correct the divisor, or divide only "
+                  "where it is not 0."},
+                 {"number", "'{0}' divides by 0. Correct the divisor."},
+                 {"vacant",
+                  "'{0}' divides by '{1}', which is always vacant here and counts as 0. Correct the "
+                  "divisor, or divide only where it is set and not 0."}},
+    .bad = {{"fanuc", R"nc(
+O9702(HOLES ON A CIRCLE, A NUMBER)
+#5=0
+G90 G0 X[360/#5]
+M99
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 #l1=0
+N20 #l2=46/#l1
+N40 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9702(HOLES ON A CIRCLE, A NUMBER)
+IF[ABS[#1]LE0]THEN#3000=1(A MISSING)
+G90 G0 X[360/#1]
+M99
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 #l1=2
+N20 #l2=46/#l1
+N40 M30
+END
+)nc"}},
+    .alarms = {{"FANUC 16i/18i/21i", "112", "DIVIDED BY ZERO"}, {"FANUC 30i/0i-D", "112", "ZERO DIVIDE"}},
+    .sources = {"CNCWIKI-MACB", "GH-ALM"},
+    .check = &check,
+};
+
+namespace {
+
+/// A variable that nothing has set is MAC209's, and what is undefined only may read as 0.
+bool lacks_a_value(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    using dataflow::Vacancy;
+    if (read.value.vacancy != Vacancy::vacant && read.value.vacancy != Vacancy::maybe) return false;
+    if (!dataflow::may_hold_vacant(analysis.program(), read.variable)) return true;
+    const dataflow::Origin& why = analysis.data().origin(read.value.vacancy_origin);
+    return why.kind == dataflow::Origin::Kind::entry &&
+           analysis.data().is_vacant_at_entry(
+               {static_cast<SpaceId>(why.node), static_cast<std::int32_t>(why.id)});
+}
+
+/// Whether the number is 0 for want of a value, here or where it was computed and stored.
+bool is_owed_to_lack(const ProgramAnalysis& analysis, EffectId effect, ExpressionId number,
+                     std::set<EffectId>& seen) {
+    if (!seen.insert(effect).second) return false;
+    const auto& expressions = analysis.program().expressions;
+    return std::ranges::any_of(analysis.facts().at<dataflow::Read>(effect), [&](const dataflow::Read& read) {
+        if (!expressions[number].span.covers(expressions[read.expression].span)) return false;
+        if (lacks_a_value(analysis, read)) return true;
+        const dataflow::Store* store = store_of(analysis, read.value);
+        return store != nullptr && is_owed_to_lack(analysis, store->effect, store->expression, seen);
+    });
+}
+
+/// What to say of the division; nothing where it is not certain, or somebody else's.
+std::optional<std::string_view> message_for(const ProgramAnalysis& analysis,
+                                            const dataflow::Application& division) {
+    const dataflow::Value& divisor = division.right;
+    if (division.operation != Operation::divide || divisor.low != 0 || divisor.high != 0) return std::nullopt;
+    std::set<EffectId> seen;
+    if (is_owed_to_lack(analysis, division.effect, division.right_expression, seen) ||
+        dataflow::may_be_left_out(analysis.program(), analysis.facts(), division.effect, division.expression))
+        return std::nullopt;
+    if (divisor.vacancy == dataflow::Vacancy::vacant) return "vacant";
+    const auto& node = analysis.program().expressions[division.right_expression].node;
+    return std::holds_alternative<Literal>(node) ? "number" : "zero";
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    std::set<dataflow::OriginId> said; // one store, one finding
+    for (const dataflow::Application& division : analysis.facts().all<dataflow::Application>()) {
+        const auto message = message_for(analysis, division);
+        const dataflow::OriginId stored = division.right.origin;
+        if (!message || (stored != 0 && !said.insert(stored).second)) continue;
+        const Span span = program.expressions[division.expression].span;
+        const std::string divisor = quoted(program, program.expressions[division.right_expression].span);
+        Finding& finding =
+            reporter.report({analysis, division}, span, *message, {quoted(program, span), divisor});
+        if (stored == 0)
+            trace(finding, analysis, division.node, "the divisor is 0");
+        else
+            trace(finding, analysis, stored, "this value is 0", division.node, "it is the divisor");
+    }
+}
+
+} // namespace
+} // namespace maclint::rules
