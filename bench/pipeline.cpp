@@ -28,7 +28,7 @@ void check_values(const WordsOfBlock& block, Reporter& reporter) {
     for (const Word& word : block.words) {
         const auto* value = std::get_if<Literal>(&word.value);
         if (value != nullptr && value->value >= said_by_nobody)
-            reporter.report(block.analysis.file(), word.span, "", {});
+            reporter.report({block.analysis, word.span}, word.span, "", {});
     }
 }
 
