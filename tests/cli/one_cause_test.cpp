@@ -1,6 +1,6 @@
 //! Who is silent where two rules speak of one cause.
-#include "analyzer/program/model.hpp"
 #include "cli/filter/one_cause.hpp"
+#include "tests/support/program_file.hpp"
 
 #include <algorithm>
 #include <string>
@@ -36,11 +36,11 @@ const Rule owner = rule("X1", ""), second = rule("X2", "X3 X1"), third = rule("X
 /// The findings that are left of those of these rules at these bytes of one file.
 std::vector<std::string> left(const std::vector<std::pair<const Rule*, Offset>>& raised,
                               const Rule* off = nullptr) {
-    const ProgramFile file{};
+    const auto file = test::file_of(std::make_shared<const Source>(Source::from_bytes("O1.nc", "")));
     std::vector<Finding> findings;
     for (const auto& [by, at] : raised) {
         Reporter reporter(*by);
-        reporter.report({file, {at, at + 1}}, {at, at + 1}, "plain", {});
+        reporter.report({*file, {at, at + 1}}, {at, at + 1}, "plain", {});
         findings.push_back(reporter.take().front());
     }
     cli::drop_yielding(findings, [&](const Rule& asked) { return &asked != off; });

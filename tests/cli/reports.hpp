@@ -18,7 +18,7 @@ class HandMade {
   public:
     HandMade(std::string path, std::string text);
 
-    [[nodiscard]] const std::shared_ptr<const Source>& source() const;
+    [[nodiscard]] const std::shared_ptr<const Source>& source() const { return source_; }
     /// The first place of `part` in the text.
     [[nodiscard]] Span place_of(std::string_view part) const;
     /// Puts a finding at the first place of `part` into the report: MAC002, "There is no rule 'part'. …".
@@ -26,6 +26,7 @@ class HandMade {
     [[nodiscard]] cli::Report& report() { return report_; }
 
   private:
+    std::shared_ptr<const Source> source_;
     std::shared_ptr<const ProgramFile> file_;
     cli::Report report_;
 };
