@@ -326,7 +326,10 @@ void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::GroupRea
 
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::Applied& event) {
     const EffectId effect = *stepper.effect();
-    bool recorded = std::holds_alternative<Return>(stepper.program().program().effects[effect].what);
+    const Program& program = stepper.program().program();
+    const auto& apply = std::get<Apply>(program.expressions[event.expression].node);
+    bool recorded = std::holds_alternative<Return>(program.effects[effect].what) ||
+                    !dataflow::may_have_no_value(apply.operation);
     for (const dataflow::Application& fact :
          about<dataflow::Application>(facts(), effect, event.expression)) {
         recorded = true;
