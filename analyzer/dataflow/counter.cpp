@@ -91,13 +91,9 @@ class CounterSearch {
     }
 
     bool add_test(const flow::Edge& edge) {
-        auto found = std::ranges::lower_bound(facts_.all<Comparison>(), edge.from, {}, &Comparison::node);
-        while (found != facts_.all<Comparison>().end() && found->node == edge.from &&
-               found->expression != *edge.condition)
-            ++found;
-        if (found == facts_.all<Comparison>().end() || found->node != edge.from ||
-            !is_comparison(found->operation))
-            return false;
+        const auto comparisons = facts_.in<Comparison>(edge.from);
+        const auto found = std::ranges::find(comparisons, *edge.condition, &Comparison::expression);
+        if (found == comparisons.end() || !is_comparison(found->operation)) return false;
         // The exit is taken when the comparison `holds`; the loop goes on otherwise.
         Operation stays = edge.holds ? opposite(found->operation) : found->operation;
         ExpressionId bound = found->right_expression;

@@ -111,7 +111,8 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
                 }
                 for (std::size_t i = 0; i < operands.size(); ++i)
                     values[i] = evaluate(state, operands[i], Use::arithmetic);
-                if (facts_ != nullptr && may_have_no_value(apply.operation) && operands.size() <= 2)
+                if (facts_ != nullptr && semantics::may_have_no_value(apply.operation) &&
+                    operands.size() <= 2)
                     facts_->add(Application{node_, effect_, id, apply.operation, operands.front(),
                                             operands.back(), values[0], values[operands.size() - 1]});
                 return compute(states_.table(), apply.operation, std::span(values).first(operands.size()),

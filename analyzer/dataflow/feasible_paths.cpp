@@ -194,8 +194,7 @@ class FeasiblePathSearch {
         Unsure unsure;
         for (const flow::NodeId node : rounds_before(edge)) {
             for (const Store& store : stores_in(node)) unsure.add(store.variable);
-            for (const Clobber& change :
-                 std::ranges::equal_range(analysis_.facts().all<Clobber>(), node, {}, &Clobber::node))
+            for (const Clobber& change : analysis_.facts().in<Clobber>(node))
                 if (change.variable)
                     unsure.add(*change.variable);
                 else

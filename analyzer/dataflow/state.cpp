@@ -105,8 +105,7 @@ Value States::typed(const Value& value, Variable variable) {
 
 Value States::entry_value(Variable variable) {
     const VariableSpace& space = program_.control->spaces[variable.space];
-    const OriginId origin =
-        table_.origins({Origin::Kind::entry, static_cast<std::uint32_t>(variable.number), variable.space});
+    const OriginId origin = table_.origins(Origin::at_entry(variable));
     Value value;
     value.symbol = table_.symbols({Symbol::Kind::entry, key_of(variable), 0, 0});
     if (space.scope == Scope::frame) {

@@ -33,6 +33,15 @@ struct Origin {
     std::uint32_t id; ///< effect or expression; entry: the number of the variable; run: the modal group that
                       ///< a plain block set
     std::uint32_t node; ///< flow node; entry: the space of the variable
+
+    [[nodiscard]] static constexpr Origin at_entry(Variable variable) {
+        return {Kind::entry, static_cast<std::uint32_t>(variable.number), variable.space};
+    }
+    /// The variable whose value at the program's start is meant; nothing for other kinds.
+    [[nodiscard]] constexpr std::optional<Variable> entry_variable() const {
+        if (kind != Kind::entry) return std::nullopt;
+        return Variable{static_cast<SpaceId>(node), static_cast<std::int32_t>(id)};
+    }
     friend bool operator==(const Origin&, const Origin&) = default;
 };
 

@@ -40,6 +40,22 @@ using Result = std::variant<double, DomainError, NotModelled>;
     return operation == Operation::is_vacant || operation == Operation::is_set;
 }
 
+/// Whether there are operands for which the operation has no value.
+[[nodiscard]] constexpr bool may_have_no_value(Operation operation) {
+    switch (operation) {
+    case Operation::divide:
+    case Operation::modulo:
+    case Operation::power:
+    case Operation::tangent:
+    case Operation::arc_sine:
+    case Operation::arc_cosine:
+    case Operation::arc_tangent_of_two:
+    case Operation::square_root:
+    case Operation::logarithm: return true;
+    default: return false;
+    }
+}
+
 /// The number of a variable that an index means: a fraction is rounded [SINHA-INT].
 [[nodiscard]] std::optional<std::int32_t> variable_number(double index);
 

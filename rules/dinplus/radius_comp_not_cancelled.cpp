@@ -75,16 +75,16 @@ constexpr ModalRole compensation = ModalRole::cutter_compensation;
 
 /// Whether the word sets another plane than the one that is in force on every path.
 bool changes_plane(const ProgramAnalysis& analysis, const dataflow::PointState& point) {
-    const auto& writes = analysis.facts().all<dataflow::ModalWrite>();
-    const auto write = std::ranges::find(writes, point.effect, &dataflow::ModalWrite::effect);
-    if (write == writes.end() || analysis.control().groups[*write->group].role != ModalRole::plane)
+    const auto writes = analysis.facts().at<dataflow::ModalWrite>(point.effect);
+    if (writes.empty() || analysis.control().groups[*writes.front().group].role != ModalRole::plane)
         return false;
-    const dataflow::ModalValue value = analysis.data().modal(point, *write->group);
+    const dataflow::ModalWrite& write = writes.front();
+    const dataflow::ModalValue value = analysis.data().modal(point, *write.group);
     const auto& table = analysis.data().table();
-    return !value.unknown && !value.parts.empty() && write->value.constant() &&
+    return !value.unknown && !value.parts.empty() && write.value.constant() &&
            std::ranges::all_of(value.parts, [&](const auto& part) {
                const auto code = table.number_of(part.symbol);
-               return code && *code != *write->value.constant();
+               return code && *code != *write.value.constant();
            });
 }
 

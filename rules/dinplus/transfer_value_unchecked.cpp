@@ -98,8 +98,7 @@ bool is_unchecked(const ProgramAnalysis& analysis, const dataflow::Read& read) {
 
 /// The comparison with 0 that the read is a side of.
 const dataflow::Comparison* zero_test_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
-        if (comparison.node != read.node) continue;
+    for (const dataflow::Comparison& comparison : analysis.facts().in<dataflow::Comparison>(read.node)) {
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
         const bool left = comparison.left_expression == read.expression;

@@ -98,11 +98,8 @@ Fault fault_of(const ProgramAnalysis& analysis, const dataflow::Counter& counter
     const dataflow::Value& amount = step.amount;
     if (amount.vacancy_origin != 0 && amount.can_be(0)) {
         // A local that nothing can have set is MAC209's.
-        const dataflow::Origin& vacancy_origin = analysis.data().origin(amount.vacancy_origin);
-        if (vacancy_origin.kind != dataflow::Origin::Kind::entry) return Fault::vacant;
-        const Variable variable{static_cast<SpaceId>(vacancy_origin.node),
-                                static_cast<std::int32_t>(vacancy_origin.id)};
-        return analysis.data().is_vacant_at_entry(variable) ? Fault::none : Fault::vacant;
+        const auto variable = analysis.data().origin(amount.vacancy_origin).entry_variable();
+        return variable && analysis.data().is_vacant_at_entry(*variable) ? Fault::none : Fault::vacant;
     }
     const auto constant = amount.constant();
     if (!constant) return Fault::none;
@@ -111,10 +108,8 @@ Fault fault_of(const ProgramAnalysis& analysis, const dataflow::Counter& counter
 }
 
 std::string name_of_vacancy_origin(const ProgramAnalysis& analysis, const dataflow::Step& step) {
-    const dataflow::Origin& vacancy_origin = analysis.data().origin(step.amount.vacancy_origin);
-    if (vacancy_origin.kind == dataflow::Origin::Kind::entry)
-        return analysis.program().spell(
-            {static_cast<SpaceId>(vacancy_origin.node), static_cast<std::int32_t>(vacancy_origin.id)});
+    const auto variable = analysis.data().origin(step.amount.vacancy_origin).entry_variable();
+    if (variable) return analysis.program().spell(*variable);
     return "'" + quoted(analysis.program(), analysis.program().expressions[step.expression].span) + "'";
 }
 

@@ -8,11 +8,8 @@ namespace maclint::rules {
 const dataflow::Store* store_of(const ProgramAnalysis& analysis, const dataflow::Value& value) {
     const dataflow::Origin& origin = analysis.data().origin(value.origin);
     if (origin.kind != dataflow::Origin::Kind::effect) return nullptr;
-    const auto& stores = analysis.facts().all<dataflow::Store>();
-    // Stores are in the order of their nodes.
-    auto store = std::ranges::lower_bound(stores, origin.node, {}, &dataflow::Store::node);
-    while (store != stores.end() && store->node == origin.node && store->effect != origin.id) ++store;
-    return store != stores.end() && store->node == origin.node ? &*store : nullptr;
+    const auto stores = analysis.facts().at<dataflow::Store>(origin.id);
+    return stores.empty() ? nullptr : &stores.front();
 }
 
 std::optional<CopySource> copy_source(const ProgramAnalysis& analysis, ExpressionId expression,

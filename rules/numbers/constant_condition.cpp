@@ -125,13 +125,9 @@ struct Sides {
 
 Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     Sides sides;
-    const auto& comparisons = analysis.facts().all<dataflow::Comparison>();
-    for (auto comparison =
-             std::ranges::lower_bound(comparisons, condition.node, {}, &dataflow::Comparison::node);
-         comparison != comparisons.end() && comparison->node == condition.node; ++comparison) {
-        if (comparison->effect != condition.effect) continue;
-        sides.open &= comparison->truth.can_hold && comparison->truth.can_fail;
-        for (const dataflow::Value* value : {&comparison->left, &comparison->right}) {
+    for (const auto& comparison : analysis.facts().at<dataflow::Comparison>(condition.effect)) {
+        sides.open &= comparison.truth.can_hold && comparison.truth.can_fail;
+        for (const dataflow::Value* value : {&comparison.left, &comparison.right}) {
             sides.constant &= value->constant().has_value();
             sides.vacant |= value->vacancy == dataflow::Vacancy::vacant;
         }

@@ -75,10 +75,8 @@ bool lacks_a_value(const ProgramAnalysis& analysis, const dataflow::Read& read) 
     using dataflow::Vacancy;
     if (read.value.vacancy != Vacancy::vacant && read.value.vacancy != Vacancy::maybe) return false;
     if (!dataflow::may_hold_vacant(analysis.program(), read.variable)) return true;
-    const dataflow::Origin& why = analysis.data().origin(read.value.vacancy_origin);
-    return why.kind == dataflow::Origin::Kind::entry &&
-           analysis.data().is_vacant_at_entry(
-               {static_cast<SpaceId>(why.node), static_cast<std::int32_t>(why.id)});
+    const auto variable = analysis.data().origin(read.value.vacancy_origin).entry_variable();
+    return variable && analysis.data().is_vacant_at_entry(*variable);
 }
 
 /// Whether the number is 0 for want of a value, here or where it was computed and stored.

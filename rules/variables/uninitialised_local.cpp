@@ -131,11 +131,9 @@ std::optional<std::vector<flow::EdgeId>> path_to(const ProgramAnalysis& analysis
 /// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
 bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     if (!dataflow::may_hold_vacant(analysis.program(), read.variable)) return false;
-    const auto& stores = analysis.facts().all<dataflow::Store>();
-    for (auto store = std::ranges::lower_bound(stores, read.node, {}, &dataflow::Store::node);
-         store != stores.end() && store->node == read.node; ++store)
-        if (store->effect == read.effect && store->variable == read.variable && store->step) return true;
-    return false;
+    return std::ranges::any_of(
+        analysis.facts().at<dataflow::Store>(read.effect),
+        [&](const dataflow::Store& store) { return store.variable == read.variable && store.step; });
 }
 
 std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Read& read) {

@@ -92,6 +92,23 @@ TEST(Sarif, CarriesRelatedPlacesPathFixAndFingerprints) {
     EXPECT_TRUE(result["partialFingerprints"].contains("maclint/v1"));
 }
 
+TEST(Sarif, PutsTheEditsOfOneFileTogether) {
+    HandMade made("O1.nc", "O1\nGOTO 9\nN9\nM30\n");
+    const auto other = std::make_shared<const Source>(Source::from_bytes("O2.nc", "O2\nM99\n"));
+    made.add("GOTO 9", Severity::warning)
+        .offer({"Rename it",
+                Applicability::unsafe,
+                {{made.source(), made.place_of("N9"), "N8"},
+                 {other, {0, 2}, "O3"},
+                 {made.source(), made.place_of("GOTO 9"), "GOTO 8"}}});
+    const json changes = first_result(made)["fixes"][0]["artifactChanges"];
+    ASSERT_EQ(changes.size(), 2U);
+    ASSERT_EQ(changes[0]["replacements"].size(), 2U);
+    EXPECT_EQ(changes[0]["replacements"][0]["insertedContent"]["text"], "GOTO 8");
+    EXPECT_EQ(changes[1]["artifactLocation"]["uri"], "O2.nc");
+    EXPECT_EQ(changes[1]["replacements"][0]["insertedContent"]["text"], "O3");
+}
+
 TEST(Sarif, MarksSuppressedResults) {
     HandMade made("O1.nc", "O1\nM30 (OK)\n");
     made.add("M30", Severity::error);

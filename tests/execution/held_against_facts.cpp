@@ -329,7 +329,7 @@ void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::Applied&
     const Program& program = stepper.program().program();
     const auto& apply = std::get<Apply>(program.expressions[event.expression].node);
     bool recorded = std::holds_alternative<Return>(program.effects[effect].what) ||
-                    !dataflow::may_have_no_value(apply.operation);
+                    !semantics::may_have_no_value(apply.operation);
     for (const dataflow::Application& fact :
          about<dataflow::Application>(facts(), effect, event.expression)) {
         recorded = true;

@@ -68,6 +68,15 @@ TEST(Needs, ARuleIsNotAskedWhereTheLanguageLacksWhatItSpeaksOf) {
     EXPECT_TRUE(asked("MAC301", "dinplus"));
 }
 
+TEST(Needs, OfARuleAreAskedBeforeItRuns) {
+    const auto found = [](const std::string& blocks, std::string_view code) {
+        const auto workspace = test::analyse_text("dinplus", "MACHINING\n" + blocks + "M30\n");
+        return run_rules(*workspace, {{find_rule(code)}}, 1).size();
+    };
+    EXPECT_EQ(found("WHILE #l1<5\n", "MAC312"), 0U); // DIN PLUS has its own rule
+    EXPECT_EQ(found("G1 X1 X2\n", "MAC559"), 0U);    // nobody knows whether it may
+}
+
 TEST(Cause, IsTheSameEffectOrAnExpressionInIt) {
     const auto workspace = test::analyse_fanuc("O0001\n#1=#2+#3\n#4=#5\nM30\n");
     const ProgramAnalysis& analysis = workspace->programs().front();
