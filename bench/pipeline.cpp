@@ -54,9 +54,10 @@ std::size_t lint_with(const std::vector<std::string>& files, std::string_view di
         auto source = std::make_shared<const Source>(
             Source::from_bytes("bench/" + std::to_string(i) + ".nc", files[i]));
         workspace.push_back(
-            {std::make_shared<const ProgramFile>(dialect.read(std::move(source), control)), true});
+            {std::make_shared<const ProgramFile>(dialect.read(std::move(source), control, Extent::whole)),
+             true});
     }
-    const auto analysed = Workspace::analyse(std::move(workspace), {.complete = false, .jobs = 1});
+    const auto analysed = Workspace::analyse(std::move(workspace), {.jobs = 1});
     Selection selection;
     std::ranges::copy_if(all_rules(), std::back_inserter(selection.rules), &Rule::on_by_default);
     selection.rules.insert(selection.rules.end(), more.begin(), more.end());

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/dialect.hpp"
 #include "analyzer/dialect/error_throttle.hpp"
 #include "analyzer/dialect/raw_block.hpp"
 #include "analyzer/program/model.hpp"
+#include "analyzer/source/line_index.hpp"
 #include "analyzer/syntax/parse_cache.hpp"
 
 #include <algorithm>
@@ -50,6 +52,10 @@ concept BlockDialect = requires(Dialect dialect, Offset at, RawBlock& raw, const
     /// Adds the block to its program: a tree without errors, or nothing that could be read.
     {dialect.lower(tree, block)};
     {dialect.add_unreadable(block)};
+    /// Whether a block with this text may call a program or begin one, other than by its head.
+    { Dialect::may_call(text) } -> std::same_as<bool>;
+    /// The block belongs to its program, but what it says is not asked for.
+    {dialect.pass_over(block)};
     /// At the end of the file.
     {dialect.close()};
 };
@@ -57,8 +63,9 @@ concept BlockDialect = requires(Dialect dialect, Offset at, RawBlock& raw, const
 template<BlockDialect Dialect>
 class BlockReader {
   public:
-    BlockReader(std::shared_ptr<const Source> source, const ControlModel& control)
+    BlockReader(std::shared_ptr<const Source> source, const ControlModel& control, Extent extent)
         : text_(source->bytes())
+        , extent_(extent)
         , dialect_(*source, control, file_) {
         file_.source = std::move(source);
         file_.control = &control;
@@ -90,9 +97,14 @@ class BlockReader {
         if (raw_.open_comment) report_open_comment();
         if (raw_.code != 0) {
             precede_comments(raw_.span);
-            if (!dialect_.take_head(raw_)) read_code();
+            if (!dialect_.take_head(raw_)) is_asked_for() ? read_code() : dialect_.pass_over(raw_);
         }
         record_comments();
+    }
+
+    [[nodiscard]] bool is_asked_for() const {
+        return extent_ == Extent::whole ||
+               Dialect::may_call(text_.substr(raw_.span.begin, raw_.span.length()));
     }
 
     void read_code() {
@@ -133,7 +145,7 @@ class BlockReader {
 
     void report_open_comment() {
         const Offset begin = raw_.comments.back().begin;
-        const auto line_end = static_cast<Offset>(std::min(text_.find_first_of("\r\n", begin), text_.size()));
+        const auto line_end = static_cast<Offset>(find_line_end(text_, begin));
         report(SyntaxErrorKind::unterminated_comment, {begin, std::min(raw_.comments.back().end, line_end)},
                std::string(Dialect::comment_end));
     }
@@ -166,6 +178,7 @@ class BlockReader {
     }
 
     std::string_view text_;
+    Extent extent_;
     ProgramFile file_;
     Dialect dialect_;
     RawBlock raw_{};

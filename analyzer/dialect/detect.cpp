@@ -59,7 +59,7 @@ struct Survey {
     Evidence evidence;
     std::size_t filled = 0, blocks = 0; ///< lines
     bool nct_head = false;
-    std::size_t nct_line = 0; ///< with the first form of NCT, or 0
+    std::size_t nct_line = 0; ///< after such a head, with the first form of NCT, or 0
 
     [[nodiscard]] bool is_nc_text() const { return blocks * 3 >= filled; }
 };
@@ -69,13 +69,14 @@ Survey survey(std::string_view text, std::string_view extension) {
     Line line;
     std::size_t number = 1;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        const std::size_t end = find_line_end(text, at);
         line.read(text.substr(at, end - at));
         if (!line.whole().empty()) {
             if (++result.filled == 1) result.nct_head = has_nct_head(line.whole());
             result.blocks += detect::looks_like_block(line.whole()) ? 1U : 0U;
             result.evidence.add(line, number);
-            if (result.nct_line == 0 && has_nct_form(line.code())) result.nct_line = number;
+            if (result.nct_head && result.nct_line == 0 && has_nct_form(line.code()))
+                result.nct_line = number;
         }
         at = end == text.size() ? end : after_line_end(text, static_cast<Offset>(end));
         ++number;
@@ -107,7 +108,7 @@ Detection judge(Content content, std::string_view text, const std::string& exten
     if (language == Language::din_plus)
         return {find_dialect("dinplus"), found.evidence.reason(language), false, certain};
     if (language != Language::fanuc) return foreign(found.evidence, language);
-    if (found.nct_head && found.nct_line != 0)
+    if (found.nct_line != 0)
         return {find_dialect("nct"), "an NCT form in line " + std::to_string(found.nct_line), false, certain};
     return {fanuc, extension.empty() ? std::string("content") : "extension ." + extension + " and content",
             false, certain};

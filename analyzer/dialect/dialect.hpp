@@ -4,6 +4,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/source/source.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -13,13 +14,20 @@ namespace maclint {
 
 struct ProgramFile;
 
+/// How much of a text is read.
+enum class Extent : std::uint8_t {
+    whole,
+    names_and_calls, ///< blocks that neither name nor call a program are passed over: enough to tell which
+                     ///< programs belong together
+};
+
 /// One dialect: how its files are recognised and turned into programs.
 struct Dialect {
     std::string_view name; ///< what --dialect takes
     std::string_view description;
     std::string_view default_control;             ///< the control assumed when nobody names one
     std::string_view comment_open, comment_close; ///< for suppressions and examples
-    ProgramFile (*read)(std::shared_ptr<const Source>, const ControlModel&);
+    ProgramFile (*read)(std::shared_ptr<const Source>, const ControlModel&, Extent);
 };
 
 [[nodiscard]] std::span<const Dialect> dialects();

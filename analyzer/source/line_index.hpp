@@ -21,6 +21,12 @@ struct Position {
 
 constexpr bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
+/// The first line end at or after `offset`, or the end of the text.
+[[nodiscard]] constexpr std::size_t find_line_end(std::string_view bytes, std::size_t offset) {
+    while (offset < bytes.size() && !is_line_end(bytes[offset])) ++offset;
+    return offset;
+}
+
 /// The offset after the line end that begins at `offset`: LF, CRLF, CR, or on tape LF CR and LF CR CR.
 /// `bytes[offset]` is CR or LF.
 [[nodiscard]] Offset after_line_end(std::string_view bytes, Offset offset);

@@ -35,8 +35,8 @@ std::vector<flow::LabelledBlock> ProgramAnalysis::targets_of(const flow::Resolve
 
 std::vector<Caller> ProgramAnalysis::possible_callers() const {
     std::vector<Caller> callers;
-    for (const auto& same_name : same_name_)
-        callers.insert(callers.end(), same_name->callers.begin(), same_name->callers.end());
+    for (const auto& calls : undecided_)
+        callers.insert(callers.end(), calls->callers.begin(), calls->callers.end());
     return callers;
 }
 

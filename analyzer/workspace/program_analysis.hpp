@@ -8,6 +8,7 @@
 #include "analyzer/flow/regions.hpp"
 #include "analyzer/flow/shortest_paths.hpp"
 #include "analyzer/program/model.hpp"
+#include "analyzer/workspace/resolve.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
 #include <memory>
@@ -17,16 +18,13 @@
 
 namespace maclint {
 
-using ProgramIndex = std::uint32_t; ///< place in Workspace::programs()
-
 struct Caller {
     ProgramIndex program;
     EffectId effect;
 };
 
-/// Programs of one number or name that are equally near to every call that may mean any of them.
-struct Candidates {
-    std::vector<ProgramIndex> programs;
+/// The calls that may mean any of several programs of one number or name, equally near.
+struct UndecidedCalls {
     std::vector<Caller> callers;
     std::vector<Variable> passed; ///< by some caller; sorted
     bool locals_shared = false;   ///< some caller shares its locals
@@ -40,8 +38,6 @@ struct CallSite {
     bool closes_cycle;                  ///< it calls a program from which its own program was called
     std::size_t candidates;             ///< programs of that number or name in the workspace
     std::vector<dataflow::PassedReference> references; ///< of the target
-    /// Without a target: those that it may mean. Calls share the lists.
-    std::vector<std::shared_ptr<Candidates>> equally_near;
 };
 
 /// How often each limit is used up on a chain of calls.
@@ -64,6 +60,8 @@ class ProgramAnalysis {
     [[nodiscard]] const ProgramFile& file() const { return *file_->file; }
     [[nodiscard]] const std::shared_ptr<const Source>& source() const { return file_->file->source; }
     [[nodiscard]] bool asked() const { return file_->asked; }
+    /// Every program of its control is in the workspace, or meant by no call of it.
+    [[nodiscard]] bool complete() const { return file_->complete; }
     [[nodiscard]] const Program& program() const { return *program_; }
     [[nodiscard]] const ControlModel& control() const { return *program_->control; }
     [[nodiscard]] const flow::Regions& regions() const { return regions_; }
@@ -128,7 +126,7 @@ class ProgramAnalysis {
     mutable std::optional<dataflow::Liveness> liveness_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;
-    std::vector<std::shared_ptr<const Candidates>> same_name_; ///< lists with it that some call may mean
+    std::vector<std::shared_ptr<const UndecidedCalls>> undecided_; ///< that may mean it
     bool is_macro_ = false;
     bool locals_are_callers_ = false; ///< some caller shares its own with it, or may
     bool recursive_ = false;

@@ -1,49 +1,69 @@
 //! Finds the program that a call means: the nearest one wins, several equally near mean unknown.
 #pragma once
 
-#include "analyzer/program/model.hpp"
-#include "analyzer/workspace/program_analysis.hpp"
+#include "analyzer/workspace/outline.hpp"
 
-#include <deque>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace maclint {
 
+using ProgramIndex = std::uint32_t; ///< place among the programs of all files, in the order of the files
+
+/// Programs of one number or name that are equally near to every call that may mean any of them.
+using NamesakeList = std::vector<ProgramIndex>;
+
+/// What a call may mean.
+struct Namesakes {
+    /// The nearest ones. Calls share the lists; more than one where lists of several places are equally near.
+    std::vector<std::shared_ptr<const NamesakeList>> nearest;
+    std::size_t all = 0; ///< programs of that number or name, near or far
+
+    /// The only program that is nearest.
+    [[nodiscard]] std::optional<ProgramIndex> only() const;
+};
+
 class CallResolver {
   public:
-    explicit CallResolver(const std::deque<ProgramAnalysis>& programs);
-    [[nodiscard]] CallSite resolve(const ProgramAnalysis& caller, EffectId effect) const;
-
-    /// Whether only the running program knows which program it calls.
-    [[nodiscard]] static bool is_computed(const Program& program, const Call& call);
+    /// The outlines have to outlive it.
+    explicit CallResolver(std::span<const FileOutline> files);
+    /// What a call of a program in the file may mean.
+    [[nodiscard]] Namesakes resolve(std::size_t file, const ProgramOutline& caller,
+                                    const CallOutline& call) const;
 
   private:
     /// The nearest programs, seen from somewhere.
     struct Nearest {
         std::size_t steps = static_cast<std::size_t>(-1);
         std::size_t all = 0; ///< programs looked at, near or far
-        std::shared_ptr<Candidates> programs;
+        std::shared_ptr<NamesakeList> programs;
 
         void consider(ProgramIndex program, std::size_t steps_to_it);
     };
     /// All programs of a number or a name.
     struct ProgramsByName {
         std::unordered_map<std::string_view, Nearest> below; ///< a folder, as seen from it; no local programs
-        std::unordered_map<const ProgramFile*, Nearest> in_file, local; ///< only the file sees local ones
+        std::unordered_map<std::size_t, Nearest> in_file, local; ///< only the file sees local ones
     };
     template<class Name>
     using Index = std::map<std::pair<std::string_view, Name>, ProgramsByName>; // by language too
 
-    void add(ProgramsByName& programs_by_name, const ProgramAnalysis& analysis);
-    [[nodiscard]] const ProgramsByName* programs_named(const ProgramAnalysis& caller, const Call& call) const;
+    void add(ProgramsByName& programs_by_name, std::size_t file, const ProgramOutline& program,
+             ProgramIndex index);
+    [[nodiscard]] const ProgramsByName* programs_named(const ProgramOutline& caller,
+                                                       const CallOutline& call) const;
 
+    std::span<const FileOutline> files_;
     Index<std::int64_t> by_number_;
-    Index<std::string> by_name_;
+    Index<std::string_view> by_name_;
 };
 
 } // namespace maclint

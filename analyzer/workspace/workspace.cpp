@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -38,41 +39,58 @@ class WorkspaceBuilder {
 
   private:
     void resolve_calls() {
-        const CallResolver resolver(programs_);
-        for_each_parallel(programs_.size(), jobs_, [&](std::size_t i) {
-            ProgramAnalysis& analysis = programs_[i];
-            for_each_effect(analysis.program(), [&](EffectId id) {
-                if (std::holds_alternative<Call>(analysis.program().effects[id].what))
-                    analysis.calls_.push_back(resolver.resolve(analysis, id));
-            });
-            std::ranges::sort(analysis.calls_, {}, &CallSite::effect);
+        const auto files = workspace_.files();
+        std::vector<FileOutline> outlines(files.size());
+        for_each_parallel(files.size(), jobs_,
+                          [&](std::size_t i) { outlines[i] = outline_of(*files[i].file); });
+        const CallResolver resolver(outlines);
+        ProgramIndex index = 0;
+        for (std::size_t file = 0; file < outlines.size(); ++file)
+            for (const ProgramOutline& program : outlines[file].programs)
+                resolve_calls(resolver, file, program, programs_[index++]);
+        for (UndecidedCalls* calls : undecided_) {
+            calls->passed = passed_by(calls->callers, nullptr);
+            calls->locals_shared = some_share_locals(calls->callers);
+        }
+    }
+
+    void resolve_calls(const CallResolver& resolver, std::size_t file, const ProgramOutline& outline,
+                       ProgramAnalysis& analysis) {
+        std::vector<std::pair<EffectId, const CallOutline*>> calls;
+        for_each_effect(analysis.program(), [&](EffectId id) {
+            if (std::holds_alternative<Call>(analysis.program().effects[id].what))
+                calls.emplace_back(id, &outline.calls[calls.size()]);
         });
-        std::vector<Candidates*> called;
-        for (ProgramAnalysis& analysis : programs_) {
-            for (CallSite& site : analysis.calls_) {
-                const Caller caller{analysis.index(), site.effect};
-                for (const auto& same_name : site.equally_near) {
-                    if (same_name->callers.empty()) {
-                        called.push_back(same_name.get());
-                        for (const ProgramIndex possible : same_name->programs)
-                            programs_[possible].same_name_.push_back(same_name);
-                    }
-                    same_name->callers.push_back(caller);
-                }
-                if (CallResolver::is_computed(analysis.program(), call_of(caller)))
-                    computing_.insert(analysis.control().language);
-                if (!site.target) continue;
-                site.references =
-                    references_of(analysis.program(), call_of(caller), programs_[*site.target].program());
-                adjacency_.add(*site.target);
-                programs_[*site.target].callers_.push_back(caller);
-            }
-            adjacency_.end_list();
+        std::ranges::sort(calls);
+        for (const auto& [effect, call] : calls) {
+            const Namesakes meant = resolver.resolve(file, outline, *call);
+            const auto target = meant.only();
+            analysis.calls_.push_back({effect, target, false, false, meant.all, {}});
+            if (call->is_computed()) computing_.insert(outline.language);
+            const Caller caller{analysis.index(), effect};
+            if (target)
+                bind(analysis, caller, analysis.calls_.back());
+            else
+                for (const auto& namesakes : meant.nearest) add_undecided(namesakes, caller);
         }
-        for (Candidates* same_name : called) {
-            same_name->passed = passed_by(same_name->callers, nullptr);
-            same_name->locals_shared = some_share_locals(same_name->callers);
+        adjacency_.end_list();
+    }
+
+    void bind(const ProgramAnalysis& calling, Caller caller, CallSite& site) {
+        ProgramAnalysis& called = programs_[*site.target];
+        site.references = references_of(calling.program(), call_of(caller), called.program());
+        adjacency_.add(called.index());
+        called.callers_.push_back(caller);
+    }
+
+    void add_undecided(const std::shared_ptr<const NamesakeList>& namesakes, Caller caller) {
+        auto& calls = undecided_by_list_[namesakes];
+        if (calls == nullptr) {
+            calls = std::make_shared<UndecidedCalls>();
+            undecided_.push_back(calls.get());
+            for (const ProgramIndex possible : *namesakes) programs_[possible].undecided_.push_back(calls);
         }
+        calls->callers.push_back(caller);
     }
 
     /// What some of the callers pass to the program, sorted; without a program what letters pass to any.
@@ -165,8 +183,9 @@ class WorkspaceBuilder {
             return flow::ReturnTargets{summary.returns, labels_in(program, summary.resume_labels)};
         });
         const bool main = runs_on_its_own(analysis);
-        analysis.locals_are_callers_ = some_share_locals(analysis.callers_) ||
-                                       std::ranges::any_of(analysis.same_name_, &Candidates::locals_shared);
+        analysis.locals_are_callers_ =
+            some_share_locals(analysis.callers_) ||
+            std::ranges::any_of(analysis.undecided_, &UndecidedCalls::locals_shared);
         analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
         if (const auto cycles = dataflow::find_cycles(analysis.graph_, *analysis.data_)) {
             analysis.loops_ =
@@ -225,22 +244,27 @@ class WorkspaceBuilder {
         passed = passed_by(analysis.callers_, &analysis.program());
         entry.ambiguous_names = workspace_.ambiguous_names_;
         entry.locals_are_callers = analysis.locals_are_callers_;
-        for (const auto& same_name : analysis.same_name_) {
-            passed.insert(passed.end(), same_name->passed.begin(), same_name->passed.end());
+        for (const auto& calls : analysis.undecided_) {
+            passed.insert(passed.end(), calls->passed.begin(), calls->passed.end());
             if (analysis.program().formals.empty()) continue;
-            const auto by_position = passed_by(same_name->callers, &analysis.program());
+            const auto by_position = passed_by(calls->callers, &analysis.program());
             passed.insert(passed.end(), by_position.begin(), by_position.end());
         }
         sort(passed);
-        if (!analysis.callers_.empty() && analysis.same_name_.empty() &&
-            !computing_.contains(analysis.control().language)) {
-            if (workspace_.complete())
+        if (!analysis.callers_.empty() && analysis.undecided_.empty() && !may_be_computed(analysis)) {
+            if (analysis.complete())
                 entry.arguments = what_all_pass(analysis);
             else if (analysis.program().local)
                 entry.arguments = what_callers_in_the_file_pass(analysis);
         }
         entry.handed_down = handed_down_to(analysis);
         return entry;
+    }
+
+    /// Whether a call whose program only the running program knows may mean it.
+    [[nodiscard]] bool may_be_computed(const ProgramAnalysis& analysis) const {
+        const bool elsewhere = analysis.file_->called_from_elsewhere && !analysis.program().local;
+        return elsewhere || computing_.contains(analysis.control().language);
     }
 
     /// All callers of a local program are there. What they leave out may still be asked for in it: such
@@ -412,6 +436,8 @@ class WorkspaceBuilder {
     flow::Adjacency adjacency_;
     flow::Components components_;
     std::set<std::string_view> computing_; ///< languages with a call that may mean any of their programs
+    std::map<std::shared_ptr<const NamesakeList>, std::shared_ptr<UndecidedCalls>> undecided_by_list_;
+    std::vector<UndecidedCalls*> undecided_; ///< all of them, in the order of the first call
 };
 
 const CallSite* ProgramAnalysis::call_at(EffectId effect) const {
@@ -462,7 +488,6 @@ std::unique_ptr<Workspace> Workspace::analyse(std::vector<WorkspaceFile> files,
                                               const WorkspaceOptions& options) {
     std::unique_ptr<Workspace> workspace(new Workspace);
     workspace->files_ = std::move(files);
-    workspace->complete_ = options.complete;
     WorkspaceBuilder(*workspace, *workspace->programs_, options.jobs).run();
     return workspace;
 }

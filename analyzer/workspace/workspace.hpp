@@ -16,10 +16,15 @@ class ProgramAnalysis;
 struct WorkspaceFile {
     std::shared_ptr<const ProgramFile> file;
     bool asked; ///< findings are wanted; otherwise it is there only for callers and callees
+    /// The configuration declares that every program of its control is there: in the workspace, or meant by
+    /// no call of a program in it.
+    bool complete = false;
+    /// Some file that is not in the workspace has a call whose program only the running program knows: it
+    /// may be one of this file.
+    bool called_from_elsewhere = false;
 };
 
 struct WorkspaceOptions {
-    bool complete; ///< the configuration declares that every program of the control is there
     unsigned jobs; ///< threads to use, at least 1
 };
 
@@ -37,7 +42,6 @@ class Workspace {
     [[nodiscard]] std::span<const WorkspaceFile> files() const { return files_; }
     /// One analysis a program, in the order of files and programs. References stay valid.
     [[nodiscard]] const std::deque<ProgramAnalysis>& programs() const;
-    [[nodiscard]] bool complete() const { return complete_; }
 
   private:
     friend class WorkspaceBuilder;
@@ -45,7 +49,6 @@ class Workspace {
     std::vector<WorkspaceFile> files_;
     std::unique_ptr<std::deque<ProgramAnalysis>> programs_;
     std::vector<std::int32_t> ambiguous_names_; ///< numbers that several shared names have; sorted
-    bool complete_ = false;
 };
 
 } // namespace maclint

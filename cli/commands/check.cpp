@@ -1,9 +1,9 @@
 //! `maclint check`: find files, read, lint, report.
-#include "analyzer/program/model.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/report_target.hpp"
 #include "cli/commands/show_config.hpp"
-#include "cli/lint.hpp"
+#include "cli/engine/engine.hpp"
+#include "cli/report/report.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
 
@@ -48,27 +48,16 @@ std::optional<Notice> refuse_settings(const Overrides& overrides, Settings& sett
                       did_you_mean(overrides.control, known, "Known are " + enumerate(known) + ".")};
 }
 
-/// The files that were asked for, and with single files those around them.
+/// The files that were asked for, and those around them that may call them or be called.
 std::vector<InputFile> inputs_of(const CheckRequest& request, Settings& settings,
                                  std::vector<Notice>& notices) {
     Discovered found = discover(request.paths, request.stdin_name, settings);
     std::ranges::move(found.notices, std::back_inserter(notices));
-    const bool only_files =
-        !found.files.empty() &&
-        std::ranges::all_of(found.files, [](const InputFile& file) { return file.named; });
-    if (!only_files) return std::move(found.files);
-    Discovered around = discover_context(found.files, settings);
+    Discovered around = discover_context(found.files, request.paths, settings);
     std::ranges::move(around.notices, std::back_inserter(notices));
     std::ranges::move(around.files, std::back_inserter(found.files));
     std::ranges::stable_sort(found.files, {}, &InputFile::path);
     return std::move(found.files);
-}
-
-/// What was not asked for is nobody's concern.
-void collect_notices(const std::vector<ReadFile>& files, std::vector<Notice>& notices) {
-    for (const ReadFile& file : files)
-        if (file.notice && file.input.asked) notices.push_back(*file.notice);
-    std::ranges::stable_sort(notices, {}, &Notice::path);
 }
 
 bool fails(const Report& report, std::optional<Severity> fail_on) {
@@ -86,13 +75,11 @@ void cut(Report& report, std::size_t most) {
     }
 }
 
-Report report_of(const CheckRequest& request, const std::vector<ReadFile>& files, LintResult& result,
-                 std::vector<Notice> notices) {
+Report report_of(const CheckRequest& request, Result result, std::vector<Notice> notices) {
     Report report;
     report.findings = std::move(result.findings);
     report.notices = std::move(notices);
-    for (const ReadFile& file : files)
-        if (file.file && file.input.asked) report.files.push_back(file.file->source);
+    report.files = std::move(result.sources);
     if (fails(report, request.fail_on)) report.exit_status = exit_findings;
     if (std::ranges::any_of(report.notices, &Notice::is_error)) report.exit_status = exit_error;
     if (request.max_findings) cut(report, *request.max_findings);
@@ -139,25 +126,28 @@ int run_check(const CheckRequest& request) {
     std::optional<Progress> progress(std::in_place,
                                      watched ? Progress::Shown::when_long : Progress::Shown::never);
     std::vector<Notice> notices;
-    auto inputs = inputs_of(request, settings, notices);
-    const auto files = read_files(std::move(inputs), settings, request.jobs, *progress);
-    if (const auto refused = refuse_targets(request.sinks, files, settings)) {
+    const auto inputs = inputs_of(request, settings, notices);
+    const Snapshot snapshot = snapshot_of(inputs, settings);
+    if (const auto refused = refuse_targets(request.sinks, inputs, settings)) {
         progress.reset();
         print_notice(*refused);
         return exit_error;
     }
-    LintResult result;
-    if (request.show_config == ShowConfig::no) result = lint(files, request.jobs, *progress);
     std::ranges::move(settings.take_notices(), std::back_inserter(notices));
-    collect_notices(files, notices);
+    ShownConfig config;
+    Result result;
+    if (request.show_config == ShowConfig::yes)
+        config = show_config(snapshot);
+    else
+        result = Engine({.jobs = request.jobs}, *progress).analyse(snapshot);
+    for (auto* more : {&config.notices, &result.notices})
+        std::ranges::move(*more, std::back_inserter(notices));
+    std::ranges::stable_sort(notices, {}, &Notice::path);
     progress.reset();
     for (const Notice& notice : notices)
         if (notice.is_error() || !request.quiet) print_notice(notice);
-    Report report = report_of(request, files, result, std::move(notices));
-    if (request.show_config == ShowConfig::yes) {
-        const int printed = print_text(show_config(files));
-        return std::max(printed, report.exit_status);
-    }
+    Report report = report_of(request, std::move(result), std::move(notices));
+    if (request.show_config == ShowConfig::yes) return std::max(print_text(config.text), report.exit_status);
     if (request.timestamps) report.times = RunTimes{begin, utc_now()};
     return deliver(request, std::move(report));
 }

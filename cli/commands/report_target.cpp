@@ -19,9 +19,9 @@ bool are_same_file(const std::string& one, const std::string& other) {
     return fs::equivalent(one, other, none);
 }
 
-bool was_named(const std::vector<ReadFile>& files, const std::string& path) {
-    return std::ranges::any_of(files, [&](const ReadFile& file) {
-        return file.input.named && !file.input.standard_input && are_same_file(file.input.path, path);
+bool was_named(const std::vector<InputFile>& files, const std::string& path) {
+    return std::ranges::any_of(files, [&](const InputFile& file) {
+        return file.named && !file.standard_input && are_same_file(file.path, path);
     });
 }
 
@@ -62,7 +62,7 @@ Notice refusal(const std::string& path, std::string_view what) {
 
 } // namespace
 
-std::optional<Notice> refuse_targets(const std::vector<Sink>& sinks, const std::vector<ReadFile>& files,
+std::optional<Notice> refuse_targets(const std::vector<Sink>& sinks, const std::vector<InputFile>& files,
                                      const Settings& settings) {
     for (const auto& [format, path] : sinks) {
         if (path == "-") continue;

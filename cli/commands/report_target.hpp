@@ -2,7 +2,8 @@
 #pragma once
 
 #include "cli/command_line.hpp"
-#include "cli/input/read.hpp"
+#include "cli/config/settings.hpp"
+#include "cli/input/discover.hpp"
 #include "cli/notice.hpp"
 
 #include <optional>
@@ -13,6 +14,6 @@ namespace maclint::cli {
 /// Why one of the reports must not be written: its file is a program or a configuration, or it is named like
 /// a program and would be read as one by the next run.
 [[nodiscard]] std::optional<Notice>
-refuse_targets(const std::vector<Sink>& sinks, const std::vector<ReadFile>& files, const Settings& settings);
+refuse_targets(const std::vector<Sink>& sinks, const std::vector<InputFile>& files, const Settings& settings);
 
 } // namespace maclint::cli

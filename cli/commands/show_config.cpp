@@ -2,6 +2,7 @@
 #include "cli/commands/show_config.hpp"
 
 #include "analyzer/program/model.hpp"
+#include "cli/engine/read.hpp"
 #include "cli/suggest.hpp"
 
 #include <map>
@@ -19,12 +20,11 @@ std::string with_reason(std::string_view value, const std::string& reason) {
     return shown(value) + (reason.empty() ? "" : " (" + shown(reason) + ")");
 }
 
-std::string control_line(const ReadFile& file) {
-    const ControlModel& control = *file.file->control;
-    const NamedControl* named = control_for(*file.dialect, file.settings.controls);
+std::string control_line(const SnapshotFile& file, const ReadFile& read) {
+    const ControlModel& control = *read.file->control;
+    const NamedControl* named = control_for(*read.dialect, file.settings.controls);
     std::string reason = named == nullptr ? "assumed for the dialect" : named->reason;
-    if (&control != (named == nullptr ? find_control(file.dialect->default_control) : named->control))
-        reason += "; the text is written for a lathe";
+    if (&control != read.control) reason += "; the text is written for a lathe";
     return line("control", with_reason(control.name + ", " + control.description, reason));
 }
 
@@ -54,25 +54,36 @@ std::string rules_lines(const RuleStates& rules) {
            changed_rules(rules);
 }
 
+ReadFile read(const SnapshotFile& file) {
+    auto opened = open_file(file);
+    if (auto* notice = std::get_if<Notice>(&opened)) return ReadFile{.notice = std::move(*notice)};
+    auto source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
+    return read_source(file, std::move(source), Extent::names_and_calls);
+}
+
+std::string paragraph(const SnapshotFile& file, const ReadFile& read) {
+    std::string out = shown(file.input.path) + "\n";
+    const auto& configuration = file.settings.configuration;
+    out += line("configuration", configuration ? shown(configuration->path) : "none");
+    if (read.dialect == nullptr)
+        return out + line("dialect", with_reason("none, not linted", read.dialect_reason));
+    out += line("dialect", with_reason(read.dialect->name, read.dialect_reason));
+    out += control_line(file, read);
+    out += line("encoding", read.source->encoding() == Encoding::utf8 ? "utf-8" : "windows-1252");
+    return out + rules_lines(*file.settings.rules);
+}
+
 } // namespace
 
-std::string show_config(const std::vector<ReadFile>& files) {
-    std::string out;
-    for (const ReadFile& file : files) {
+ShownConfig show_config(const Snapshot& snapshot) {
+    ShownConfig config;
+    for (const SnapshotFile& file : snapshot.files) {
         if (!file.input.asked) continue;
-        out += shown(file.input.path) + "\n";
-        const auto& configuration = file.settings.configuration;
-        out += line("configuration", configuration ? shown(configuration->path) : "none");
-        if (file.dialect == nullptr) {
-            out += line("dialect", with_reason("none, not linted", file.dialect_reason));
-            continue;
-        }
-        out += line("dialect", with_reason(file.dialect->name, file.dialect_reason));
-        out += control_line(file);
-        out += line("encoding", file.file->source->encoding() == Encoding::utf8 ? "utf-8" : "windows-1252");
-        out += rules_lines(*file.settings.rules);
+        ReadFile found = read(file);
+        config.text += paragraph(file, found);
+        if (found.notice) config.notices.push_back(*std::move(found.notice));
     }
-    return out;
+    return config;
 }
 
 } // namespace maclint::cli

@@ -1,13 +1,18 @@
 //! `maclint check --show-config`: what holds for each file, and why.
 #pragma once
 
-#include "cli/input/read.hpp"
+#include "cli/engine/snapshot.hpp"
 
 #include <string>
-#include <vector>
 
 namespace maclint::cli {
 
-[[nodiscard]] std::string show_config(const std::vector<ReadFile>& files);
+struct ShownConfig {
+    std::string text;
+    std::vector<Notice> notices; ///< on files that cannot be read or are not linted
+};
+
+/// Of the files that were asked for.
+[[nodiscard]] ShownConfig show_config(const Snapshot& snapshot);
 
 } // namespace maclint::cli

@@ -26,7 +26,7 @@ struct Bounds {
     std::size_t files = std::numeric_limits<std::size_t>::max();
     std::uintmax_t bytes = std::numeric_limits<std::uintmax_t>::max();
 };
-constexpr Bounds context_bounds{100'000, 10'000, 64ULL * 1024 * 1024};
+constexpr Bounds context_bounds{200'000, 50'000, 256ULL * 1024 * 1024};
 
 enum class Depth : std::uint8_t { this_folder, all_below };
 
@@ -77,8 +77,9 @@ class Walk {
         while (!pending.empty() && !full_) {
             const fs::path folder = std::move(pending.back());
             pending.pop_back();
-            if (!folders_.insert(identity(folder)).second) continue;
-            auto below = visit(folder, asked);
+            const std::string real = identity(folder);
+            if (!folders_.insert(real).second) continue;
+            auto below = visit(folder, real, asked);
             if (depth == Depth::this_folder) break;
             std::ranges::move(below.rbegin(), below.rend(), std::back_inserter(pending));
         }
@@ -94,8 +95,9 @@ class Walk {
     }
 
   private:
-    /// Takes the files of one folder; gives the folders in it, both in the order of their names.
-    std::vector<fs::path> visit(const fs::path& folder, bool asked) {
+    /// Takes the files of one folder, which is `real` after all links; gives the folders in it, both in the
+    /// order of their names.
+    std::vector<fs::path> visit(const fs::path& folder, const std::string& real, bool asked) {
         std::error_code error;
         std::vector<fs::directory_entry> entries;
         for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
@@ -118,7 +120,7 @@ class Walk {
             if (entry.is_directory(ignored)) {
                 if (!is_passed_over(entry.path().filename().string())) folders.push_back(entry.path());
             } else if (is_wanted(configuration, entry)) {
-                take_file(entry, asked);
+                take_file(entry, real, asked);
             }
         }
         return folders;
@@ -138,10 +140,12 @@ class Walk {
         return configuration != nullptr && takes_any(configuration->include, entry.path());
     }
 
-    void take_file(const fs::directory_entry& entry, bool asked) {
+    void take_file(const fs::directory_entry& entry, const std::string& folder, bool asked) {
         ++wanted_;
-        if (!seen_.insert(identity(entry.path())).second) return;
         std::error_code error;
+        const bool link = entry.is_symlink(error);
+        const std::string name = entry.path().filename().string();
+        if (!seen_.insert(link ? identity(entry.path()) : (fs::path(folder) / name).string()).second) return;
         const auto size = entry.file_size(error);
         if (!error) bytes_ += size;
         if (found_.files.size() >= bounds_.files || bytes_ > bounds_.bytes) {
@@ -168,13 +172,40 @@ struct Home {
     friend auto operator<=>(const Home&, const Home&) = default;
 };
 
-Home home_of(const std::string& file, Settings& settings) {
+/// Where a file in the folder looks for others; nothing when those that were found with it have to do.
+std::optional<Home> home_of(const fs::path& folder, bool named, Settings& settings) {
+    const auto loaded = settings.for_folder(folder.string());
+    const Configuration* configuration = loaded ? loaded->get() : nullptr;
+    if (configuration != nullptr && (named || configuration->complete))
+        return Home{configuration->folder, Depth::all_below};
+    if (!named) return std::nullopt;
+    if (auto repository = repository_around(folder)) return Home{*std::move(repository), Depth::all_below};
+    return Home{folder, Depth::this_folder};
+}
+
+/// Of all files, without the folders that have been searched already.
+std::set<Home> homes_of(const std::vector<InputFile>& files, const std::vector<std::string>& searched,
+                        Settings& settings) {
+    std::set<std::pair<std::string, bool>> seen;
+    std::set<Home> homes;
     std::error_code ignored;
-    const fs::path beside = fs::absolute(file, ignored).lexically_normal().parent_path();
-    if (const auto configuration = settings.for_folder(beside.string()); configuration && *configuration)
-        return {(*configuration)->folder, Depth::all_below};
-    if (auto repository = repository_around(beside)) return {*std::move(repository), Depth::all_below};
-    return {beside, Depth::this_folder};
+    for (const InputFile& file : files) {
+        const fs::path folder = fs::path(file.path).parent_path();
+        if (!seen.emplace(folder.string(), file.named).second) continue;
+        const fs::path absolute = fs::absolute(folder.empty() ? "." : folder, ignored).lexically_normal();
+        const bool has_slash = !absolute.has_filename();
+        if (auto home = home_of(has_slash ? absolute.parent_path() : absolute, file.named, settings))
+            homes.insert(*std::move(home));
+    }
+    for (const std::string& path : searched) {
+        if (path == "-" || !fs::is_directory(path, ignored)) continue;
+        const std::string above = identity(path);
+        std::erase_if(homes, [&](const Home& home) {
+            const std::string real = identity(home.folder);
+            return real == above || real.starts_with(above.ends_with('/') ? above : above + "/");
+        });
+    }
+    return homes;
 }
 
 } // namespace
@@ -204,13 +235,12 @@ Discovered discover(const std::vector<std::string>& paths, const std::string& st
     return walk.take();
 }
 
-Discovered discover_context(const std::vector<InputFile>& asked, Settings& settings) {
+Discovered discover_context(const std::vector<InputFile>& asked, const std::vector<std::string>& paths,
+                            Settings& settings) {
+    const auto homes = homes_of(asked, paths, settings);
+    if (homes.empty()) return {};
     Walk walk(settings, context_bounds);
-    std::set<Home> homes;
-    for (const InputFile& file : asked) {
-        walk.pass_over(file.path);
-        homes.insert(home_of(file.path, settings));
-    }
+    for (const InputFile& file : asked) walk.pass_over(file.path);
     std::error_code ignored;
     const fs::path here = fs::current_path(ignored);
     for (const Home& home : homes) {

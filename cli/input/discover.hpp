@@ -28,8 +28,10 @@ struct Discovered {
 [[nodiscard]] Discovered discover(const std::vector<std::string>& paths, const std::string& stdin_name,
                                   Settings& settings);
 
-/// When only single files were named: the other programs that may call them or be called, with `asked` false.
-/// Those in the folder of the nearest configuration, else in the repository, else beside the file.
-[[nodiscard]] Discovered discover_context(const std::vector<InputFile>& asked, Settings& settings);
+/// The other programs that may call those that were asked for or be called, with `asked` false: for a file
+/// that was named, those in the folder of the nearest configuration, else in the repository, else beside the
+/// file; for one that was found in one of `paths`, those of a configuration that says they are complete.
+[[nodiscard]] Discovered discover_context(const std::vector<InputFile>& asked,
+                                          const std::vector<std::string>& paths, Settings& settings);
 
 } // namespace maclint::cli

@@ -81,8 +81,7 @@ const Caller* find_caller(const ProgramAnalysis& analysis) {
     const auto found = std::ranges::find_if(analysis.callers(), [&](const Caller& caller) {
         const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
         const auto node = calling.graph().node_of(caller.effect);
-        const bool one_control = analysis.workspace().complete() ||
-                                 folder_of(analysis).starts_with(folder_of(calling)) ||
+        const bool one_control = analysis.complete() || folder_of(analysis).starts_with(folder_of(calling)) ||
                                  folder_of(calling).starts_with(folder_of(analysis));
         return caller.program != analysis.index() && one_control && node && calling.data().reached(*node);
     });

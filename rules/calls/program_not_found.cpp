@@ -72,7 +72,7 @@ bool is_closed(const ProgramAnalysis& analysis) {
 /// Whether all programs that the call may mean are there.
 bool knows_all(const ProgramAnalysis& analysis, const Call& call) {
     const bool in_file = analysis.control().calls[call.kind].lookup == LookupScope::same_file;
-    return analysis.workspace().complete() || (in_file && is_closed(analysis));
+    return analysis.complete() || (in_file && is_closed(analysis));
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

@@ -64,8 +64,7 @@ const Caller* caller_without(const ProgramAnalysis& analysis, std::int64_t numbe
 
 /// Whether all programs are known, and none of them can have called this one.
 bool is_called_by_nobody(const ProgramAnalysis& analysis) {
-    return analysis.workspace().complete() && analysis.callers().empty() &&
-           analysis.possible_callers().empty();
+    return analysis.complete() && analysis.callers().empty() && analysis.possible_callers().empty();
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

@@ -195,7 +195,7 @@ TEST(Conditions, WithDifferentNamesDiffer) {
     test::HandBuilt built("MAIN.MPF", "M30\n");
     const ExpressionId here = built.name("HERE"), there = built.name("THERE"), zero = built.number(0);
     built.block({Stop{}});
-    const auto workspace = Workspace::analyse({built.finish()}, {.complete = true, .jobs = 1});
+    const auto workspace = test::analyse({built.finish()}, {.complete = true, .jobs = 1});
     const Program& program = workspace->programs().front().program();
     EXPECT_TRUE(dataflow::same_expression(program, here, here));
     EXPECT_FALSE(dataflow::same_expression(program, here, there));

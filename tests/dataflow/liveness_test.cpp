@@ -126,7 +126,7 @@ TEST(Liveness, AParameterByReferenceIsTheCallersVariable) {
     test::HandBuilt main("MAIN.MPF", "P\nM30\n");
     main.block({main.call("P", {})});
     main.block({Stop{Stop::Kind::end, std::nullopt}});
-    EXPECT_THAT(live_stores(*Workspace::analyse({built.finish(), main.finish()}, {true, 1})),
+    EXPECT_THAT(live_stores(*test::analyse({built.finish(), main.finish()}, {.complete = true, .jobs = 1})),
                 ElementsAre(false, true));
 }
 
@@ -136,7 +136,8 @@ TEST(Liveness, ANameThatProgramsShareMayMeanAnotherVariable) {
     built.block({Assign{one, built.number(1)}});
     built.block({Assign{one, built.number(2)}});
     built.block({Stop{Stop::Kind::end, std::nullopt}});
-    EXPECT_THAT(live_stores(*Workspace::analyse({built.finish()}, {true, 1})), ElementsAre(true, true));
+    EXPECT_THAT(live_stores(*test::analyse({built.finish()}, {.complete = true, .jobs = 1})),
+                ElementsAre(true, true));
 }
 
 TEST(Liveness, WhatIsNotNamedMayBeRead) {

@@ -146,7 +146,7 @@ Value stored_in(VariableType type, double largest) {
     built.block({Stop{Stop::Kind::end, std::nullopt}});
     std::vector<WorkspaceFile> files;
     files.push_back(built.finish());
-    const auto workspace = Workspace::analyse(std::move(files), {.complete = true, .jobs = 1});
+    const auto workspace = test::analyse(std::move(files), {.complete = true, .jobs = 1});
     return workspace->programs().front().facts().all<dataflow::Read>().back().value;
 }
 
@@ -181,7 +181,7 @@ Value at_entry(VariableType type) {
     built.block({Return{}});
     std::vector<WorkspaceFile> files;
     files.push_back(built.finish());
-    const auto workspace = Workspace::analyse(std::move(files), {.complete = false, .jobs = 1});
+    const auto workspace = test::analyse(std::move(files), {.complete = false, .jobs = 1});
     return workspace->programs().front().facts().all<dataflow::Read>().back().value;
 }
 

@@ -14,7 +14,7 @@ namespace maclint::test {
 inline ProgramFile read_as(std::string_view control, std::string path, std::string_view text) {
     auto source = std::make_shared<const Source>(Source::from_bytes(std::move(path), std::string(text)));
     const ControlModel& model = *find_control(control);
-    return find_dialect(model.language)->read(std::move(source), model);
+    return find_dialect(model.language)->read(std::move(source), model, Extent::whole);
 }
 
 inline ProgramFile read(std::string_view text) { return read_as("fanuc", "O1.nc", text); }

@@ -90,9 +90,9 @@ class RandomEnvironment {
 };
 
 /// Whether a run may begin with the program: by hand, or by a caller that is not in the workspace.
-bool may_be_started(const Workspace& workspace, const ProgramAnalysis& analysis) {
+bool may_be_started(const ProgramAnalysis& analysis) {
     return analysis.is_main() || analysis.callers().empty() ||
-           (!workspace.complete() && !analysis.program().local);
+           (!analysis.complete() && !analysis.program().local);
 }
 
 execution::Start start_of(const ProgramAnalysis& analysis, RandomEnvironment& world) {
@@ -113,7 +113,7 @@ std::optional<std::string> refuted(const std::vector<NamedText>& files, Dice& di
     RandomEnvironment world(dice);
     constexpr int runs = 10;
     for (const ProgramAnalysis& analysis : workspace->programs()) {
-        if (!may_be_started(*workspace, analysis)) continue;
+        if (!may_be_started(analysis)) continue;
         for (int i = 0; i < runs && !claims.refuted(); ++i) {
             const execution::Environment environment =
                 world.in_front_of(analysis.control(), analysis.is_main());

@@ -221,7 +221,7 @@ TEST(LoopsOfManyKinds, AreNotOneLoopWithOneNumber) {
     mark(RegionKind::until_loop, RegionMark::Part::close);
     mark(RegionKind::while_loop, RegionMark::Part::close);
     built.block({Stop{Stop::Kind::end, std::nullopt}});
-    const auto workspace = Workspace::analyse({built.finish()}, {.complete = true, .jobs = 1});
+    const auto workspace = test::analyse({built.finish()}, {.complete = true, .jobs = 1});
     const ProgramAnalysis& main = workspace->programs().front();
     ASSERT_EQ(main.regions().faults.size(), 1U);
     const flow::RegionFault& fault = main.regions().faults.front();

@@ -1,6 +1,6 @@
 //! Every program in corpus/ raises exactly the findings that its (EXPECT …) comments name on their lines.
 #include "analyzer/program/model.hpp"
-#include "cli/lint.hpp"
+#include "cli/engine/engine.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -65,12 +65,13 @@ TEST_P(Corpus, RaisesWhatItsCommentsExpectAndNothingElse) {
     cli::Settings settings({});
     cli::Progress progress(cli::Progress::Shown::never);
     auto found = cli::discover({(corpus() / GetParam()).string()}, "stdin.nc", settings);
-    const auto files = cli::read_files(std::move(found.files), settings, 2, progress);
-    const auto result = cli::lint(files, 2, progress);
+    const auto snapshot = cli::snapshot_of(std::move(found.files), settings);
+    const auto result = cli::Engine({.jobs = 2}, progress).analyse(snapshot);
+    ASSERT_THAT(result.notices, testing::IsEmpty()) << result.notices.front().message;
+    ASSERT_EQ(result.sources.size(), snapshot.files.size());
     Lines expected;
-    for (const cli::ReadFile& file : files) {
-        ASSERT_TRUE(file.file) << file.input.path << (file.notice ? file.notice->message : "");
-        const Lines own = expected_in(*file.file->source);
+    for (const auto& source : result.sources) {
+        const Lines own = expected_in(*source);
         expected.insert(expected.end(), own.begin(), own.end());
     }
     Lines raised;

@@ -23,7 +23,7 @@ class RuleExamples : public testing::TestWithParam<const Rule*> {};
 
 std::string name_of(const testing::TestParamInfo<const Rule*>& info) { return std::string(info.param->code); }
 
-cli::LintResult lint_example(const Example& example, const std::vector<std::string>& select) {
+cli::Result lint_example(const Example& example, const std::vector<std::string>& select) {
     cli::Overrides overrides;
     overrides.dialect = find_dialect(example.dialect);
     overrides.select = select;
@@ -31,7 +31,7 @@ cli::LintResult lint_example(const Example& example, const std::vector<std::stri
     return lint_texts({{"example.nc", std::string(example.text)}}, std::move(overrides));
 }
 
-std::string reported(const cli::LintResult& result) {
+std::string reported(const cli::Result& result) {
     std::string text;
     for (const auto& [finding, suppressed] : result.findings)
         text += "line " + std::to_string(finding.source->position(finding.span.begin).line) + ": " +

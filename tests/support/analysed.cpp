@@ -13,23 +13,28 @@ WorkspaceFile read_as(std::string_view dialect_name, std::string path, std::stri
     const Dialect& dialect = *find_dialect(dialect_name);
     auto source = std::make_shared<const Source>(Source::from_bytes(std::move(path), std::move(text)));
     return {std::make_shared<const ProgramFile>(
-                dialect.read(std::move(source), *find_control(dialect.default_control))),
+                dialect.read(std::move(source), *find_control(dialect.default_control), Extent::whole)),
             true};
 }
 
 } // namespace
 
-std::unique_ptr<Workspace> analyse_text(std::string_view dialect, std::string text) {
-    return Workspace::analyse({read_as(dialect, "test.nc", std::move(text))}, {.complete = false, .jobs = 1});
+std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files, FolderOptions options) {
+    for (WorkspaceFile& file : files) file.complete = options.complete;
+    return Workspace::analyse(std::move(files), {.jobs = options.jobs});
 }
 
-std::unique_ptr<Workspace> analyse_files(const std::vector<NamedText>& files, WorkspaceOptions options) {
+std::unique_ptr<Workspace> analyse_text(std::string_view dialect, std::string text) {
+    return analyse({read_as(dialect, "test.nc", std::move(text))}, {.complete = false, .jobs = 1});
+}
+
+std::unique_ptr<Workspace> analyse_files(const std::vector<NamedText>& files, FolderOptions options) {
     std::vector<WorkspaceFile> read;
     for (const auto& [path, text] : files) {
         const bool din = path.ends_with(".ncs") || text.find("MACHINING") != std::string::npos;
         read.push_back(read_as(din ? "dinplus" : "fanuc", path, text));
     }
-    return Workspace::analyse(std::move(read), options);
+    return analyse(std::move(read), options);
 }
 
 std::unique_ptr<Workspace> analyse_fanuc(std::string text) { return analyse_text("fanuc", std::move(text)); }

@@ -15,12 +15,17 @@ namespace maclint::test {
 /// A file of a test workspace: path and text.
 using NamedText = std::pair<std::string, std::string>;
 
+struct FolderOptions {
+    bool complete; ///< no other program is on the control
+    unsigned jobs;
+};
+
+[[nodiscard]] std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files, FolderOptions options);
 /// One program text of the dialect as a workspace of its own.
 [[nodiscard]] std::unique_ptr<Workspace> analyse_text(std::string_view dialect, std::string text);
-/// Several Fanuc or DIN PLUS files, the latter known by MACHINING or .ncs; `complete` declares that no other
-/// program is on the control.
+/// Several Fanuc or DIN PLUS files, the latter known by MACHINING or .ncs.
 [[nodiscard]] std::unique_ptr<Workspace> analyse_files(const std::vector<NamedText>& files,
-                                                       WorkspaceOptions options);
+                                                       FolderOptions options);
 /// The only program of a Fanuc text.
 [[nodiscard]] std::unique_ptr<Workspace> analyse_fanuc(std::string text);
 

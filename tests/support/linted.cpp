@@ -5,23 +5,24 @@
 
 namespace maclint::test {
 
-cli::LintResult lint_texts(const std::vector<LintedText>& texts, cli::Overrides overrides) {
+cli::Result lint_texts(const std::vector<LintedText>& texts, cli::Overrides overrides) {
     overrides.isolated = true;
     for (const auto* words : {&overrides.select, &overrides.ignore})
         for (const std::string& word : *words)
             if (cli::rules_named(word).empty()) throw std::invalid_argument("no rule " + word);
     cli::Settings settings(std::move(overrides));
-    std::vector<cli::ReadFile> files;
+    cli::Snapshot snapshot;
     for (const LintedText& text : texts)
-        files.push_back(cli::read_source({text.path, true, true, false}, *settings.for_file(text.path),
-                                         Source::from_bytes(text.path, text.text)));
+        snapshot.files.push_back({{text.path, true, true, false},
+                                  *settings.for_file(text.path),
+                                  Source::from_bytes(text.path, text.text)});
     cli::Progress progress(cli::Progress::Shown::never);
-    return cli::lint(files, 1, progress);
+    return cli::Engine({.jobs = 1}, progress).analyse(snapshot);
 }
 
-cli::LintResult lint_text(std::string_view text) { return lint_texts({{"O1.nc", std::string(text)}}, {}); }
+cli::Result lint_text(std::string_view text) { return lint_texts({{"O1.nc", std::string(text)}}, {}); }
 
-std::vector<std::string> codes(const cli::LintResult& result) {
+std::vector<std::string> codes(const cli::Result& result) {
     std::vector<std::string> all;
     for (const cli::FilteredFinding& evaluated : result.findings)
         if (!evaluated.suppressed) all.emplace_back(evaluated.finding.rule->code);

@@ -1,7 +1,7 @@
 //! Lints texts without files: the whole path from bytes to judged findings.
 #pragma once
 
-#include "cli/lint.hpp"
+#include "cli/engine/engine.hpp"
 
 #include <string>
 #include <string_view>
@@ -15,12 +15,12 @@ struct LintedText {
 };
 
 /// All texts as one workspace, isolated from any configuration. Rule words are checked.
-[[nodiscard]] cli::LintResult lint_texts(const std::vector<LintedText>& texts, cli::Overrides overrides);
+[[nodiscard]] cli::Result lint_texts(const std::vector<LintedText>& texts, cli::Overrides overrides);
 
 /// The same for one text under the default selection.
-[[nodiscard]] cli::LintResult lint_text(std::string_view text);
+[[nodiscard]] cli::Result lint_text(std::string_view text);
 
 /// "MAC303", one a finding, in the order of reports; suppressed ones left out.
-[[nodiscard]] std::vector<std::string> codes(const cli::LintResult& result);
+[[nodiscard]] std::vector<std::string> codes(const cli::Result& result);
 
 } // namespace maclint::test

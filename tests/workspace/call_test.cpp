@@ -7,7 +7,7 @@
 namespace maclint {
 namespace {
 
-constexpr WorkspaceOptions open_workspace{.complete = false, .jobs = 2};
+constexpr test::FolderOptions open_workspace{.complete = false, .jobs = 2};
 
 const ProgramAnalysis& program(const Workspace& workspace, std::string_view name, std::string_view path) {
     for (const ProgramAnalysis& analysis : workspace.programs())

@@ -15,7 +15,7 @@ namespace {
 
 using test::program;
 
-constexpr WorkspaceOptions closed_workspace{.complete = true, .jobs = 1};
+constexpr test::FolderOptions closed_workspace{.complete = true, .jobs = 1};
 
 /// The name and file that the only call of a program means; empty: unknown.
 std::string called_by(const Workspace& workspace, std::string_view caller) {

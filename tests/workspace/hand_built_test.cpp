@@ -28,7 +28,7 @@ using Mark = RegionMark;
 using Part = RegionMark::Part;
 
 std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files) {
-    return Workspace::analyse(std::move(files), {.complete = true, .jobs = 1});
+    return test::analyse(std::move(files), {.complete = true, .jobs = 1});
 }
 
 /// What a read of the variable on the line (from 1) is known to be.

@@ -122,7 +122,7 @@ bool matters_to_call_in(Section::Executed executed) {
     called.block({SetModal{test::rows::diameter, called.number(2), 'G'}});
     called.block({Return{}});
     const auto workspace =
-        Workspace::analyse({{std::move(file), true}, called.finish()}, {.complete = true, .jobs = 1});
+        test::analyse({{std::move(file), true}, called.finish()}, {.complete = true, .jobs = 1});
     return leak_use_of(workspace->programs().back(), test::rows::diameter).matters;
 }
 

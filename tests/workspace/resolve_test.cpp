@@ -1,4 +1,5 @@
 //! Which program a call means: the nearest one of its name, seen from the file of the call.
+#include "analyzer/dialect/fanuc/tables.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <stdexcept>
@@ -11,7 +12,7 @@
 namespace maclint {
 namespace {
 
-constexpr WorkspaceOptions open_workspace{.complete = false, .jobs = 1};
+constexpr test::FolderOptions open_workspace{.complete = false, .jobs = 1};
 
 struct Meant {
     std::string program; ///< "SUB in a/SUB.ncs"; empty: unknown
@@ -102,21 +103,18 @@ TEST(Resolve, UnknownCallsKnowTheirCandidates) {
     EXPECT_EQ(callers_of("main.nc"), 0U);
     const ProgramAnalysis& main = workspace->programs().front();
     EXPECT_EQ(main.calls().front().candidates, 3U);
-    ASSERT_EQ(main.calls().front().equally_near.size(), 1U);
-    EXPECT_EQ(main.calls().front().equally_near.front()->programs.size(), 2U);
 }
 
-TEST(Resolve, WhatSomeUnknownCallPassesIsListedOnce) {
+TEST(Resolve, WhatSomeUnknownCallPassesMayBeThere) {
     const auto workspace = test::analyse_files({{"main.nc", "O1\nG65P2B1.A1.\nG65P2A2.\nM30\n"},
                                                 {"a/sub.nc", "O2\nM99\n"},
                                                 {"b/sub.nc", "O2\nM99\n"}},
-                                               open_workspace);
-    const CallSite& site = workspace->programs().front().calls().front();
-    ASSERT_EQ(site.equally_near.size(), 1U);
-    std::vector<std::int32_t> numbers;
-    for (const Variable variable : site.equally_near.front()->passed) numbers.push_back(variable.number);
-    EXPECT_EQ(numbers, (std::vector<std::int32_t>{1, 2}));
-    EXPECT_FALSE(site.equally_near.front()->locals_shared);
+                                               {.complete = true, .jobs = 1});
+    const dataflow::Analysis& sub = workspace->programs()[1].data();
+    const auto local = [](std::int32_t number) { return Variable{fanuc::spaces::local, number}; };
+    EXPECT_FALSE(sub.is_vacant_at_entry(local(1)));
+    EXPECT_FALSE(sub.is_vacant_at_entry(local(2)));
+    EXPECT_TRUE(sub.is_vacant_at_entry(local(10)));
 }
 
 } // namespace

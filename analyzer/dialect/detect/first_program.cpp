@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/detect/line.hpp"
 #include "analyzer/dialect/detect/shapes.hpp"
+#include "analyzer/source/line_index.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -23,7 +24,7 @@ template<class Step>
 std::string_view cut_by(std::string_view text, const Step& step) {
     Line line;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        const std::size_t end = find_line_end(text, at);
         line.read(text.substr(at, end - at));
         at = end + 1;
         if (line.whole().empty()) continue;

@@ -110,14 +110,14 @@ bool looks_like_block(std::string_view whole) {
     const std::string_view code = after_number(whole);
     constexpr std::string_view code_beginnings = "#(/;";
     if (code.empty() || code_beginnings.find(code.front()) != std::string_view::npos) return true;
-    static constexpr std::string_view keywords[] = {"IF[",   "IF [",  "WHILE", "GOTO",  "END",  "DO",
-                                                    "POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"};
-    if (starts_with_any(code, keywords)) return true;
     if (code.front() == '[') return trim(code.substr(1)).starts_with('#'); // [#_NAME]=1
     if (!is_capital(code.front())) return false;
     const std::string_view value = trim(code.substr(1));
     constexpr std::string_view values = "0123456789+-.#[<";
-    return value.empty() || values.find(value.front()) != std::string_view::npos;
+    if (value.empty() || values.find(value.front()) != std::string_view::npos) return true;
+    static constexpr std::string_view keywords[] = {"IF[",   "IF [",  "WHILE", "GOTO",  "END",  "DO",
+                                                    "POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"};
+    return starts_with_any(code, keywords);
 }
 
 } // namespace maclint::detect

@@ -2,6 +2,7 @@
 #include "analyzer/dialect/detect/other_text.hpp"
 
 #include "analyzer/dialect/detect/line.hpp"
+#include "analyzer/source/line_index.hpp"
 
 #include <algorithm>
 
@@ -11,13 +12,15 @@ namespace {
 bool is_c_source(std::string_view text) {
     static constexpr std::string_view heads[] = {"#include", "#define",  "#ifndef",    "#ifdef", "#pragma",
                                                  "int main", "typedef ", "namespace ", "/*"};
+    constexpr std::string_view beginnings = "#itn/"; // of these heads
     constexpr int most_lines = 200;
     int signs = 0;
     int lines = 0;
     for (std::size_t at = 0; at < text.size() && lines < most_lines; ++lines) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        const std::size_t end = find_line_end(text, at);
         const std::string_view line = trim(text.substr(at, end - at));
-        if (starts_with_any(line, heads) || line.ends_with("{")) ++signs;
+        const bool may_be_head = !line.empty() && beginnings.find(line.front()) != std::string_view::npos;
+        if ((may_be_head && starts_with_any(line, heads)) || line.ends_with("{")) ++signs;
         at = end + 1;
     }
     return signs >= 2;

@@ -113,6 +113,7 @@ bool klartext_line(const Line& line) {
     static constexpr std::string_view heads[] = {"L X", "L Y",  "L Z", "L IX", "L IY",  "L IZ",
                                                  "L +", "CC X", "C X", "CR X", "LP PR", "CP IPA"};
     const std::string_view code = line.code();
+    if (code.empty() || (code.front() != 'L' && code.front() != 'C')) return false;
     if (!starts_with_any(code, heads)) return false;
     return code.find_first_of("+-") != std::string_view::npos;
 }

@@ -95,12 +95,13 @@ bool address_of_two_letters(const Line& line) {
     static constexpr std::string_view addresses[] = {"XK", "YK", "XE", "XS", "ZE", "ZS", "NS", "AN",
                                                      "BR", "BE", "BF", "BD", "FP", "WB", "RB", "CY"};
     const std::string_view code = line.code();
-    return std::ranges::any_of(addresses, [&](std::string_view address) {
-        return anywhere(code, address[0], [&](std::string_view text, std::size_t at) {
-            if (at + 1 >= text.size() || text[at] != address[1] || !begins_number(text[at + 1])) return false;
-            return at < 2 || !is_capital(text[at - 2]);
-        });
-    });
+    for (std::size_t at = 0; at + 2 < code.size(); ++at) {
+        if (!begins_number(code[at + 2]) || !is_capital(code[at + 1]) || !is_capital(code[at])) continue;
+        const bool whole_word = at == 0 || !is_capital(code[at - 1]);
+        if (whole_word && std::ranges::find(addresses, code.substr(at, 2)) != std::end(addresses))
+            return true;
+    }
+    return false;
 }
 
 bool unknown_coordinate(const Line& line) {

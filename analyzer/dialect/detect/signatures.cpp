@@ -175,6 +175,41 @@ constexpr Signature signatures[] = {
 };
 // clang-format on
 
+/// Characters without which a line has none of the shape, in capitals: asked first, for it is cheap.
+struct Needed {
+    bool (*shape)(const Line&);
+    std::string_view characters;
+};
+constexpr Needed needed[] = {
+    {macro_call, "G6P"},
+    {goto_after_condition, "IFT"},
+    {loop, "WHILEDO["},
+    {variable_with_letter, "#"},
+    {named_variable, "#_"},
+    {incremental_address, "I"},
+    {unknown_coordinate, "?"},
+    {slide, "$"},
+    {bracketed_remark, "["},
+    {elided_number, "N."},
+    {ends_in_star, "*"},
+    {klartext_function, "FN:"},
+    {array_element, "[]="},
+    {r_parameter, "R="},
+    {o_word, "O"},
+    {setting, "$"},
+    {osp_file_name, "$.MIN%"},
+    {osp_variable, "VC="},
+    {condition_row, "="},
+};
+
+/// Which characters a text holds, as bits of their last six bits: what a text lacks it does not hold.
+constexpr std::uint64_t characters_of(std::string_view text) {
+    constexpr unsigned last_bits = 63;
+    std::uint64_t bits = 0;
+    for (const char c : text) bits |= std::uint64_t{1} << (static_cast<unsigned char>(c) & last_bits);
+    return bits;
+}
+
 constexpr std::size_t places = static_cast<std::size_t>(In::remark) + 1;
 using Rows = std::array<std::uint8_t, std::size(signatures)>;
 
@@ -183,11 +218,17 @@ using Rows = std::array<std::uint8_t, std::size(signatures)>;
 struct Index {
     std::array<Rows, places> rows{};
     std::array<std::size_t, places> counts{};
+    std::array<std::uint64_t, std::size(signatures)> characters{}; ///< that the line must hold
 
     constexpr Index() {
         for (std::size_t i = 0; i < std::size(signatures); ++i) {
             const auto place = static_cast<std::size_t>(signatures[i].in);
             rows[place][counts[place]++] = static_cast<std::uint8_t>(i);
+            const bool in_code = signatures[i].in == In::head || signatures[i].in == In::inside;
+            if (in_code) characters[i] = characters_of(signatures[i].text);
+            if (signatures[i].in != In::code) continue;
+            for (const Needed& row : needed)
+                if (row.shape == signatures[i].shape) characters[i] = characters_of(row.characters);
         }
     }
 };
@@ -266,9 +307,11 @@ Evidence::Evidence(std::string_view extension)
 }
 
 void Evidence::add(const Line& line, std::size_t number) {
+    const std::uint64_t present = characters_of(line.whole());
     for (std::size_t place = 0; place < places; ++place) {
         if (!concerns(static_cast<In>(place), line)) continue;
         for (const std::uint8_t row : std::span(by_place.rows[place]).first(by_place.counts[place])) {
+            if ((by_place.characters[row] & ~present) != 0) continue;
             Sighting& sighting = sightings_[row];
             if (sighting.times == signatures[row].most || !holds(signatures[row], line)) continue;
             if (sighting.times++ == 0) sighting.line = static_cast<std::uint32_t>(number);

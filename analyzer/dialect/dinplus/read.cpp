@@ -88,6 +88,20 @@ class Language {
         lowering_.add_unreadable(unreadable_head(raw), programs_.current());
     }
 
+    /// An L calls, and a word of three letters or more may begin a section after a block number.
+    static bool may_call(std::string_view block) {
+        for (std::size_t at = 0; at < block.size();) {
+            std::size_t end = at;
+            while (end < block.size() && is_letter(block[end])) ++end;
+            if (end - at >= 3 || (end - at == 1 && block[at] == 'L')) return true;
+            at = std::max(end, at + 1);
+        }
+        return false;
+    }
+
+    /// The program is there although none of its blocks says anything.
+    void pass_over(const RawBlock& /*raw*/) { static_cast<void>(programs_.current()); }
+
     void close() {
         programs_.close();
         index_block_numbers(file_);
@@ -199,8 +213,8 @@ class Language {
 
 } // namespace
 
-ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control) {
-    return BlockReader<Language>(std::move(source), control).run();
+ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control, Extent extent) {
+    return BlockReader<Language>(std::move(source), control, extent).run();
 }
 
 } // namespace maclint::dinplus

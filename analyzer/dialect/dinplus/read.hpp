@@ -1,6 +1,7 @@
 //! Reads a DIN PLUS file into programs.
 #pragma once
 
+#include "analyzer/dialect/dialect.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <memory>
@@ -8,6 +9,7 @@
 namespace maclint::dinplus {
 
 /// The main part is one program, every SUBPROGRAM section another.
-[[nodiscard]] ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control);
+[[nodiscard]] ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control,
+                               Extent extent);
 
 } // namespace maclint::dinplus

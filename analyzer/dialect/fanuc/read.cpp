@@ -96,6 +96,19 @@ class Family {
         program.end_block(unreadable_head(raw.span));
     }
 
+    /// A call names its program by P or `<name>`.
+    static bool may_call(std::string_view block) {
+        return block.find_first_of("Pp<") != std::string_view::npos;
+    }
+
+    /// The program is one with blocks, and so named after its file, too.
+    void pass_over(const RawBlock& raw) {
+        ProgramBuilder& program = this->program();
+        if (!program.program().items.empty()) return;
+        program.begin_block();
+        program.end_block(unreadable_head(raw.span));
+    }
+
     void close() { close_program(); }
 
   private:
@@ -194,9 +207,9 @@ class Family {
 
 } // namespace
 
-ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control) {
+ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control, Extent extent) {
     const ControlModel& actual = control_for(control, source->bytes());
-    return BlockReader<Family>(std::move(source), actual).run();
+    return BlockReader<Family>(std::move(source), actual, extent).run();
 }
 
 } // namespace maclint::fanuc

@@ -1,0 +1,48 @@
+//! What has to be known of a program to tell which others it belongs with: its names and its calls.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace maclint {
+
+/// Only the running program knows which program it calls.
+struct ComputedName {
+    friend bool operator==(ComputedName, ComputedName) = default;
+};
+
+struct CallOutline {
+    /// The number or name in capitals; monostate: the text does not say.
+    std::variant<std::monostate, ComputedName, std::int64_t, std::string> program;
+    LookupScope lookup = LookupScope::everywhere;
+
+    [[nodiscard]] bool is_computed() const { return std::holds_alternative<ComputedName>(program); }
+    friend bool operator==(const CallOutline&, const CallOutline&) = default;
+};
+
+struct ProgramOutline {
+    std::string_view language; ///< of the control, which has to outlive the outline
+    std::optional<std::int64_t> number;
+    std::vector<std::string> names; ///< in capitals, sorted, each once
+    bool local = false;             ///< only programs of its own file can call it
+    bool started_by_hand = false;
+    std::vector<CallOutline> calls; ///< in the order of for_each_effect
+    friend bool operator==(const ProgramOutline&, const ProgramOutline&) = default;
+};
+
+struct FileOutline {
+    std::string path;
+    std::vector<ProgramOutline> programs;
+    friend bool operator==(const FileOutline&, const FileOutline&) = default;
+};
+
+/// Of a file that was read whole, or only its names and calls.
+[[nodiscard]] FileOutline outline_of(const ProgramFile& file);
+
+} // namespace maclint

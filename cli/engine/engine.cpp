@@ -1,0 +1,205 @@
+//! First all names and calls, then one group of connected files after the other.
+#include "cli/engine/engine.hpp"
+
+#include "analyzer/program/model.hpp"
+#include "analyzer/workspace/groups.hpp"
+#include "analyzer/workspace/parallel.hpp"
+#include "analyzer/workspace/workspace.hpp"
+#include "cli/engine/computed_calls.hpp"
+#include "cli/engine/read.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace maclint::cli {
+namespace {
+
+/// A text as long as this is mostly rows of plain blocks, whose programs are small: reading it once is worth
+/// more than letting it go in between. Bytes.
+constexpr std::size_t long_text = 256UL * 1024;
+
+/// A file after the first look at it.
+struct SeenFile {
+    ReadFile read; ///< `file` only where it was read whole and kept
+    FileOutline outline;
+};
+
+using Group = std::vector<std::size_t>; ///< places in the snapshot
+
+/// The work on one snapshot.
+class Run {
+  public:
+    Run(const Snapshot& snapshot, const EngineOptions& options, Progress& progress, ProgramStore& store,
+        const std::stop_token& stop)
+        : snapshot_(snapshot)
+        , options_(options)
+        , progress_(progress)
+        , store_(store)
+        , stop_(stop)
+        , seen_(snapshot.files.size()) {}
+
+    Result run() {
+        progress_.begin("reading", seen_.size());
+        for_each(seen_.size(), options_.jobs, [&](std::size_t i) {
+            look_at(i);
+            progress_.step();
+        });
+        if (stop_.stop_requested()) return Result{.cancelled = true};
+        check_groups(groups_asked_for());
+        if (stop_.stop_requested()) return Result{.cancelled = true};
+        std::ranges::stable_sort(result_.findings, comes_before, &FilteredFinding::finding);
+        return std::move(result_);
+    }
+
+  private:
+    template<class Work>
+    void for_each(std::size_t count, unsigned jobs, const Work& work) const {
+        for_each_parallel(count, jobs, [&](std::size_t i) {
+            if (!stop_.stop_requested()) work(i);
+        });
+    }
+
+    /// Finds out what the file is, and which programs it names and calls.
+    void look_at(std::size_t place) {
+        const SnapshotFile& file = snapshot_.files[place];
+        SeenFile& seen = seen_[place];
+        auto opened = open_file(file);
+        if (auto* notice = std::get_if<Notice>(&opened)) {
+            seen.read.notice = std::move(*notice);
+            return;
+        }
+        auto source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
+        const bool at_once = seen_.size() == 1 || source->size() >= long_text;
+        seen.read = read_source(file, std::move(source), at_once ? Extent::whole : Extent::names_and_calls);
+        if (seen.read.file == nullptr || seen.read.not_nc) return;
+        seen.outline = outline_of(*seen.read.file);
+        if (!at_once) seen.read.file = nullptr;
+        if (!file.input.asked) seen.read.source = nullptr; // few of these will be asked for again
+    }
+
+    /// Those with a file that was asked for, the longest first, so that no thread is left with it at the end.
+    std::vector<Group> groups_asked_for() {
+        std::vector<FileOutline> outlines;
+        outlines.reserve(seen_.size());
+        for (SeenFile& seen : seen_) outlines.push_back(std::move(seen.outline));
+        computed_calls_ = ComputedCalls(snapshot_, outlines);
+        auto groups = groups_of(outlines);
+        std::erase_if(groups, [&](const Group& group) {
+            return std::ranges::none_of(
+                group, [&](std::size_t i) { return snapshot_.files[i].input.asked && is_linted(i); });
+        });
+        std::ranges::stable_sort(groups, std::ranges::greater(), &Group::size);
+        return groups;
+    }
+
+    [[nodiscard]] bool is_linted(std::size_t place) const { return seen_[place].read.dialect != nullptr; }
+
+    void check_groups(const std::vector<Group>& groups) {
+        std::size_t files = 0;
+        for (const Group& group : groups) files += group.size();
+        progress_.begin("checking", files);
+        // A group that is most of the work has all threads; the others share them.
+        const std::size_t share = files / (2UL * options_.jobs) + 1;
+        const auto large = static_cast<std::size_t>(
+            std::ranges::count_if(groups, [&](const Group& group) { return group.size() > share; }));
+        std::vector<std::vector<FilteredFinding>> findings(groups.size());
+        const auto check_one = [&](std::size_t i, unsigned jobs) {
+            findings[i] = check(groups[i], jobs);
+            for (std::size_t done = 0; done < groups[i].size(); ++done) progress_.step();
+        };
+        for_each(large, 1, [&](std::size_t i) { check_one(i, options_.jobs); });
+        for_each(groups.size() - large, options_.jobs, [&](std::size_t i) { check_one(large + i, 1); });
+        for (auto& part : findings) std::ranges::move(part, std::back_inserter(result_.findings));
+        for (std::size_t i = 0; i < seen_.size(); ++i) {
+            if (!snapshot_.files[i].input.asked) continue;
+            ReadFile& read = seen_[i].read;
+            if (read.notice) result_.notices.push_back(*std::move(read.notice));
+            if (read.dialect != nullptr) result_.sources.push_back(std::move(read.source));
+        }
+    }
+
+    /// What the rules find in the group's files that were asked for, judged by each file's own settings.
+    std::vector<FilteredFinding> check(const Group& group, unsigned jobs) {
+        std::vector<std::shared_ptr<const ProgramFile>> held;
+        std::vector<WorkspaceFile> members;
+        std::vector<FileRules> rules;
+        std::vector<Finding> findings;
+        for (const std::size_t i : group) {
+            const SnapshotFile& file = snapshot_.files[i];
+            const auto programs = held.emplace_back(programs_of(i));
+            if (programs == nullptr) continue;
+            if (file.input.asked) rules.push_back({programs.get(), file.settings.rules.get()});
+            if (seen_[i].read.not_nc)
+                std::ranges::move(not_nc(*programs, *seen_[i].read.not_nc), std::back_inserter(findings));
+            else
+                members.push_back({programs, file.input.asked, file.settings.complete,
+                                   computed_calls_.may_mean(file, programs->control->language)});
+        }
+        const auto workspace = Workspace::analyse(std::move(members), {.jobs = jobs});
+        std::ranges::move(run_rules(*workspace, selection_of(rules), jobs), std::back_inserter(findings));
+        return apply_suppressions(std::move(findings), rules);
+    }
+
+    /// The file's programs, whole; nullptr when it is not linted, or has gone in the meantime.
+    std::shared_ptr<const ProgramFile> programs_of(std::size_t place) {
+        ReadFile& read = seen_[place].read;
+        if (read.dialect == nullptr || read.file != nullptr) return std::exchange(read.file, nullptr);
+        const SnapshotFile& file = snapshot_.files[place];
+        std::shared_ptr<const Source> source = read.source;
+        if (source == nullptr) {
+            auto opened = open_file(file);
+            if (std::holds_alternative<Notice>(opened)) return nullptr;
+            source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
+        }
+        auto programs = store_.read(source, *read.dialect, *read.control, file.settings.configuration);
+        if (read.source != nullptr) read.source = programs->source; // that of the findings
+        return programs;
+    }
+
+    static std::vector<Finding> not_nc(const ProgramFile& file, const std::string& what_it_is) {
+        Reporter reporter(*find_rule("MAC003"));
+        reporter.report({file, {0, 0}}, {0, 0}, "not-nc", {what_it_is});
+        return reporter.take();
+    }
+
+    /// What any file wants, or needs to have its suppressions judged; each file drops what it did not want.
+    static Selection selection_of(const std::vector<FileRules>& files) {
+        const Rule& unused_suppression = *find_rule("MAC001");
+        std::vector<bool> wanted(all_rules().size());
+        std::vector<const RuleStates*> seen;
+        for (const FileRules& file : files) {
+            const RuleStates& states = *file.rules;
+            if (states.of(unused_suppression).on)
+                for (const Rule* rule : rules_in_suppressions(*file.file))
+                    wanted[RuleStates::index_of(*rule)] = true;
+            if (std::ranges::find(seen, &states) != seen.end()) continue;
+            seen.push_back(&states);
+            for (std::size_t i = 0; i < wanted.size(); ++i)
+                if (states.all()[i].on) wanted[i] = true;
+        }
+        Selection selection;
+        for (std::size_t i = 0; i < wanted.size(); ++i)
+            if (wanted[i]) selection.rules.push_back(all_rules()[i]);
+        return selection;
+    }
+
+    const Snapshot& snapshot_;
+    const EngineOptions& options_;
+    Progress& progress_;
+    ProgramStore& store_;
+    const std::stop_token& stop_;
+    std::vector<SeenFile> seen_; ///< by place in the snapshot
+    ComputedCalls computed_calls_;
+    Result result_;
+};
+
+} // namespace
+
+Result Engine::analyse(const Snapshot& snapshot, const std::stop_token& stop) {
+    Result result = Run(snapshot, options_, progress_, store_, stop).run();
+    store_.drop_unused();
+    return result;
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,47 @@
+//! From files to judged findings: what the command, the tests and an editor ask for.
+#pragma once
+
+#include "cli/engine/program_store.hpp"
+#include "cli/engine/snapshot.hpp"
+#include "cli/filter/apply_suppressions.hpp"
+#include "cli/progress.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace maclint::cli {
+
+struct Result {
+    std::vector<FilteredFinding> findings = {}; ///< in the order of reports
+    std::vector<Notice> notices = {}; ///< on files that were asked for, in the order of the snapshot
+    std::vector<std::shared_ptr<const Source>> sources =
+        {};                 ///< of files that were asked for and linted, as above
+    bool cancelled = false; ///< somebody asked to stop: the rest is empty
+};
+
+struct EngineOptions {
+    unsigned jobs = 1;          ///< threads, at least 1
+    std::size_t kept_bytes = 0; ///< of text, whose programs are kept for the next snapshot
+};
+
+/// Analyses one snapshot after the other. Only programs that calls connect with those that were asked for
+/// are read whole, group by group; a group is let go when its rules have run.
+class Engine {
+  public:
+    Engine(EngineOptions options, Progress& progress)
+        : options_(options)
+        , progress_(progress)
+        , store_(options.kept_bytes) {}
+
+    [[nodiscard]] Result analyse(const Snapshot& snapshot, const std::stop_token& stop = {});
+    [[nodiscard]] const ProgramStore& store() const { return store_; }
+
+  private:
+    EngineOptions options_;
+    Progress& progress_;
+    ProgramStore store_;
+};
+
+} // namespace maclint::cli

@@ -1,0 +1,102 @@
+//! What a file is by its content and its settings.
+#include "cli/engine/read.hpp"
+
+#include "analyzer/program/model.hpp"
+#include "analyzer/program/readable.hpp"
+#include "analyzer/source/content.hpp"
+
+#include <utility>
+
+namespace maclint::cli {
+namespace {
+
+const ControlModel& control_of(const SnapshotFile& file, const Dialect& dialect) {
+    if (const NamedControl* named = control_for(dialect, file.settings.controls)) return *named->control;
+    return *find_control(dialect.default_control);
+}
+
+/// Whoever names the dialect knows better what a text is, but no dialect reads an image.
+bool is_no_text(const Source& source) {
+    const Content content = classify(source.bytes());
+    return content == Content::binary || content == Content::utf16;
+}
+
+Notice foreign(const SnapshotFile& file, const std::string& reason) {
+    return {NoticeKind::foreign, file.input.path,
+            "this is not linted: " + reason + ". Name its dialect with --dialect if that is wrong."};
+}
+
+/// An empty file is no error, but seldom what somebody meant.
+Notice empty(const SnapshotFile& file) {
+    return {NoticeKind::left_out, file.input.path,
+            "this file is empty, so there is nothing to check. Fetch it again if it should hold a program."};
+}
+
+/// Why a text without marks of its dialect is likely in another language; nothing for all others.
+std::optional<std::string> reason_for_doubt(const ProgramFile& file, const Dialect& dialect) {
+    const Readable readable = count_readable(file);
+    if (!readable.is_doubtful()) return std::nullopt;
+    return std::to_string(readable.unreadable) + " of " + std::to_string(readable.blocks) +
+           " blocks cannot be read as " + std::string(dialect.name);
+}
+
+/// A program file without programs, so that a finding has a place.
+std::shared_ptr<const ProgramFile> empty_file(const ReadFile& read) {
+    auto file = std::make_shared<ProgramFile>();
+    file->source = read.source;
+    file->control = read.control;
+    return file;
+}
+
+} // namespace
+
+std::variant<Source, Notice> open_file(const SnapshotFile& file) {
+    if (file.text) return *file.text;
+    const InputFile& input = file.input;
+    auto result =
+        input.standard_input ? Source::read_standard_input(input.path) : Source::read_file(input.path);
+    if (auto* error = std::get_if<InputError>(&result))
+        return Notice{NoticeKind::unreadable, std::move(error->path), std::move(error->message)};
+    auto& source = std::get<Source>(result);
+    const auto& configuration = file.settings.configuration;
+    if (configuration && configuration->encoding && *configuration->encoding != source.encoding())
+        return source.read_as(*configuration->encoding);
+    return std::move(source);
+}
+
+ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> source, Extent extent) {
+    const Detection detection = detect_dialect(*source);
+    const bool named = file.settings.dialect != nullptr;
+    ReadFile read{.source = std::move(source),
+                  .dialect = named ? file.settings.dialect : detection.dialect,
+                  .dialect_reason = named ? file.settings.dialect_reason : detection.reason};
+    const bool not_nc = detection.not_nc_text && (!named || is_no_text(*read.source));
+    if (not_nc && file.input.named) {
+        if (read.dialect == nullptr) read.dialect = &dialects().front();
+        read.control = &control_of(file, *read.dialect);
+        read.not_nc = detection.reason;
+        read.file = empty_file(read);
+        return read;
+    }
+    if (read.dialect == nullptr || not_nc) {
+        read.dialect = nullptr;
+        if (!not_nc || is_worth_a_note(file.input.path)) read.notice = foreign(file, detection.reason);
+        return read;
+    }
+    if (classify(read.source->bytes()) == Content::empty) read.notice = empty(file);
+    const bool doubtful = !named && !detection.certain;
+    read.extent = doubtful ? Extent::whole : extent;
+    read.control = &control_of(file, *read.dialect);
+    read.file =
+        std::make_shared<const ProgramFile>(read.dialect->read(read.source, *read.control, read.extent));
+    if (!doubtful) return read;
+    if (auto reason = reason_for_doubt(*read.file, *read.dialect)) {
+        read.notice = foreign(file, *reason);
+        read.dialect_reason = *std::move(reason);
+        read.dialect = nullptr;
+        read.file = nullptr;
+    }
+    return read;
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,17 @@
+//! Settings are found one file after the other.
+#include "cli/engine/snapshot.hpp"
+
+#include <utility>
+
+namespace maclint::cli {
+
+Snapshot snapshot_of(std::vector<InputFile> inputs, Settings& settings) {
+    Snapshot snapshot;
+    snapshot.files.reserve(inputs.size());
+    for (InputFile& input : inputs)
+        if (auto found = settings.for_file(input.path))
+            snapshot.files.push_back({std::move(input), *std::move(found)});
+    return snapshot;
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,141 @@
+//! The engine: which files it reads, what it keeps, whose completeness counts, and that it stops.
+#include "cli/engine/engine.hpp"
+#include "tests/support/folder.hpp"
+
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr std::string_view jumps_nowhere = "O1\nG65P2\nGOTO9\nM30\n"; // MAC301 in line 3
+
+class EngineTest : public testing::Test {
+  protected:
+    /// The folder's files as they are now; findings are wanted of those in `asked`.
+    cli::Snapshot snapshot(std::initializer_list<std::string> asked) {
+        auto found = cli::discover({folder.path().string()}, "", settings);
+        for (cli::InputFile& file : found.files)
+            file.asked = std::ranges::any_of(
+                asked, [&](const std::string& name) { return file.path.ends_with(name); });
+        return cli::snapshot_of(std::move(found.files), settings);
+    }
+
+    /// "O1.nc:3 MAC301", in the order of reports.
+    std::vector<std::string> places(const cli::Result& result) const {
+        std::vector<std::string> all;
+        for (const auto& [finding, suppressed] : result.findings)
+            all.push_back(finding.source->path().substr(folder.path().string().size() + 1) + ":" +
+                          std::to_string(finding.source->position(finding.span.begin).line) + " " +
+                          std::string(finding.rule->code));
+        return all;
+    }
+
+    TemporaryFolder folder;
+    cli::Settings settings{{}};
+    cli::Progress progress{cli::Progress::Shown::never};
+    cli::Engine engine{{.jobs = 2, .kept_bytes = 1000}, progress};
+};
+
+TEST_F(EngineTest, ReadsWholeOnlyWhatCallsConnectWithTheFilesAskedFor) {
+    folder.write("O1.nc", jumps_nowhere);
+    folder.write("O2.nc", "O2\nG98P3\nM98P3\nM99\n");
+    folder.write("O3.nc", "O3\nGOTO7\nM99\n"); // called by O2, not asked for
+    folder.write("O4.nc", "O4\nGOTO7\nM30\n");
+    folder.write("O5.nc", "O5\nM98P2\nM30\n"); // calls O2
+    const auto result = engine.analyse(snapshot({"O1.nc"}));
+    EXPECT_THAT(places(result), ElementsAre("O1.nc:3 MAC301"));
+    EXPECT_EQ(engine.store().reads(), 4U);
+    EXPECT_EQ(result.sources.size(), 1U);
+}
+
+TEST_F(EngineTest, FilesThatLieElsewhereChangeNothing) {
+    folder.write("a/O1.nc", jumps_nowhere);
+    folder.write("a/O2.nc", "O2\nM99\n");
+    folder.write("b/O2.nc", "O2\nGOTO7\nM99\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"a/O1.nc", "a/O2.nc"}))), ElementsAre("a/O1.nc:3 MAC301"));
+    EXPECT_EQ(engine.store().reads(), 2U);
+}
+
+TEST_F(EngineTest, KeepsProgramsWhoseTextStaysAsItIs) {
+    folder.write("O1.nc", jumps_nowhere);
+    folder.write("O2.nc", "O2\nM99\n");
+    const auto first = places(engine.analyse(snapshot({"O1.nc", "O2.nc"})));
+    EXPECT_EQ(engine.store().reads(), 2U);
+    EXPECT_EQ(places(engine.analyse(snapshot({"O1.nc", "O2.nc"}))), first);
+    EXPECT_EQ(engine.store().reads(), 2U);
+    folder.write("O2.nc", "O2\nGOTO8\nM99\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"O1.nc", "O2.nc"}))),
+                ElementsAre("O1.nc:3 MAC301", "O2.nc:2 MAC301"));
+    EXPECT_EQ(engine.store().reads(), 3U);
+}
+
+TEST_F(EngineTest, ReadsAgainUnderAnotherConfiguration) {
+    folder.write("O1.nc", jumps_nowhere);
+    folder.write("O2.nc", "O2\nM99\n");
+    static_cast<void>(engine.analyse(snapshot({"O1.nc"})));
+    folder.write(".maclint.json", R"({"complete": false})");
+    settings = cli::Settings({});
+    EXPECT_THAT(places(engine.analyse(snapshot({"O1.nc"}))), ElementsAre("O1.nc:3 MAC301"));
+    EXPECT_EQ(engine.store().reads(), 4U);
+}
+
+TEST_F(EngineTest, KeepsNoMoreThanItMay) {
+    folder.write("O1.nc", jumps_nowhere);
+    folder.write("O2.nc", "O2\n(" + std::string(2000, '-') + ")\nM99\n");
+    static_cast<void>(engine.analyse(snapshot({"O1.nc"})));
+    static_cast<void>(engine.analyse(snapshot({"O1.nc"})));
+    EXPECT_EQ(engine.store().reads(), 3U); // O2 twice
+}
+
+TEST_F(EngineTest, LetsGoWhatTheLastSnapshotDidNotAskFor) {
+    folder.write("O1.nc", jumps_nowhere);
+    folder.write("O4.nc", "O4\nM30\n");
+    for (const char* asked : {"O1.nc", "O4.nc", "O1.nc"})
+        static_cast<void>(engine.analyse(snapshot({asked})));
+    EXPECT_EQ(engine.store().reads(), 3U);
+}
+
+TEST_F(EngineTest, EachFolderIsCompleteOrNotForItself) {
+    folder.write("mill/.maclint.json", R"({"complete": true})");
+    folder.write("mill/O1.nc", "O1\nM98P7\nM30\n"); // no O7
+    folder.write("lathe/O1.nc", "O1\nM98P7\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"O1.nc"}))), ElementsAre("mill/O1.nc:2 MAC402"));
+}
+
+TEST_F(EngineTest, AComputedCallInTheFolderLeavesOpenWhatIsPassed) {
+    folder.write(".maclint.json", R"({"complete": true})");
+    folder.write("O1.nc", "O1\nG65P2A1.\nM30\n");
+    folder.write("O2.nc", "O2\n#100=#1+#2\nM99\n"); // the only call leaves B out
+    EXPECT_THAT(places(engine.analyse(snapshot({"O2.nc"}))), ElementsAre("O2.nc:2 MAC209"));
+    folder.write("O3.nc", "O3\nG65P#100A1.B1.\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"O2.nc"}))), IsEmpty());
+}
+
+TEST_F(EngineTest, GivesNothingWhenItIsToldToStop) {
+    folder.write("O1.nc", jumps_nowhere);
+    std::stop_source stop;
+    stop.request_stop();
+    const auto result = engine.analyse(snapshot({"O1.nc"}), stop.get_token());
+    EXPECT_TRUE(result.cancelled);
+    EXPECT_THAT(places(result), IsEmpty());
+    EXPECT_FALSE(engine.analyse(snapshot({"O1.nc"})).cancelled);
+}
+
+TEST_F(EngineTest, AnOpenTextCountsMoreThanTheFile) {
+    folder.write("O1.nc", jumps_nowhere);
+    auto files = snapshot({"O1.nc"});
+    files.files[0].text = Source::from_bytes(files.files[0].input.path, "O1\nM30\n");
+    EXPECT_THAT(places(engine.analyse(files)), IsEmpty());
+}
+
+} // namespace
+} // namespace maclint::test
