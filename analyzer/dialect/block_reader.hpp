@@ -55,7 +55,10 @@ concept BlockDialect = requires(Dialect dialect, Offset at, RawBlock& raw, const
     /// Whether a block with this text may call a program or begin one, other than by its head.
     { Dialect::may_call(text) } -> std::same_as<bool>;
     /// The block belongs to its program, but what it says is not asked for.
-    {dialect.pass_over(block)};
+    {dialect.pass_over(span)};
+    /// Where the block at `at` ends, if a glance tells that it neither begins a program nor calls one, and
+    /// has no others in its line.
+    { Dialect::end_at_a_glance(text, at) } -> std::same_as<std::optional<Offset>>;
     /// At the end of the file.
     {dialect.close()};
 };
@@ -76,6 +79,13 @@ class BlockReader {
         for (Offset at = dialect_.start(); at < text_.size();) {
             at = dialect_.pass(at, precede);
             if (at >= text_.size()) break;
+            if (extent_ == Extent::names_and_calls) {
+                if (const auto end = Dialect::end_at_a_glance(text_, at)) {
+                    dialect_.pass_over({at, *end});
+                    at = *end;
+                    continue;
+                }
+            }
             dialect_.cut(at, raw_);
             at = raw_.next;
             if (!raw_.span.empty()) read_block();
@@ -97,7 +107,7 @@ class BlockReader {
         if (raw_.open_comment) report_open_comment();
         if (raw_.code != 0) {
             precede_comments(raw_.span);
-            if (!dialect_.take_head(raw_)) is_asked_for() ? read_code() : dialect_.pass_over(raw_);
+            if (!dialect_.take_head(raw_)) is_asked_for() ? read_code() : dialect_.pass_over(raw_.span);
         }
         record_comments();
     }

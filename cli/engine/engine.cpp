@@ -9,6 +9,7 @@
 #include "cli/engine/read.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <utility>
 
@@ -18,6 +19,8 @@ namespace {
 /// A text as long as this is mostly rows of plain blocks, whose programs are small: reading it once is worth
 /// more than letting it go in between. Bytes.
 constexpr std::size_t long_text = 256UL * 1024;
+/// So many bytes of shorter texts are read once, too: with their programs they take ten times as much.
+constexpr std::size_t short_texts = 8UL * 1024 * 1024;
 
 /// A file after the first look at it.
 struct SeenFile {
@@ -70,7 +73,8 @@ class Run {
             return;
         }
         auto source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
-        const bool at_once = seen_.size() == 1 || source->size() >= long_text;
+        const bool at_once = source->size() >= long_text ||
+                             (file.input.asked && (at_once_ += source->size()) <= short_texts);
         seen.read = read_source(file, std::move(source), at_once ? Extent::whole : Extent::names_and_calls);
         if (seen.read.file == nullptr || seen.read.not_nc) return;
         seen.outline = outline_of(*seen.read.file);
@@ -190,6 +194,7 @@ class Run {
     ProgramStore& store_;
     const std::stop_token& stop_;
     std::vector<SeenFile> seen_; ///< by place in the snapshot
+    std::atomic<std::size_t> at_once_ = 0; ///< bytes of texts that were asked for
     ComputedCalls computed_calls_;
     Result result_;
 };

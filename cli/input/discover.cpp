@@ -132,9 +132,8 @@ class Walk {
 
     static bool is_wanted(const Configuration* configuration, const fs::directory_entry& entry) {
         std::error_code ignored;
-        const fs::file_status status = entry.status(ignored);
         // A link that leads nowhere is reported when it is read; pipes and devices are not for linting.
-        if (fs::exists(status) && !fs::is_regular_file(status)) return false;
+        if (!entry.is_regular_file(ignored) && entry.exists(ignored)) return false;
         if (entry.path().filename().string().starts_with('.')) return false;
         if (has_nc_extension(entry.path().string())) return true;
         return configuration != nullptr && takes_any(configuration->include, entry.path());

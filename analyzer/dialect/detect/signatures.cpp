@@ -199,14 +199,17 @@ constexpr Needed needed[] = {
     {setting, "$"},
     {osp_file_name, "$.MIN%"},
     {osp_variable, "VC="},
-    {condition_row, "="},
+    {condition_row, "="},       {end_of_program_word, "END"},
 };
 
 /// Which characters a text holds, as bits of their last six bits: what a text lacks it does not hold.
-constexpr std::uint64_t characters_of(std::string_view text) {
+constexpr std::size_t last_bits_of(char c) {
     constexpr unsigned last_bits = 63;
+    return static_cast<unsigned char>(c) & last_bits;
+}
+constexpr std::uint64_t characters_of(std::string_view text) {
     std::uint64_t bits = 0;
-    for (const char c : text) bits |= std::uint64_t{1} << (static_cast<unsigned char>(c) & last_bits);
+    for (const char c : text) bits |= std::uint64_t{1} << last_bits_of(c);
     return bits;
 }
 
@@ -219,6 +222,8 @@ struct Index {
     std::array<Rows, places> rows{};
     std::array<std::size_t, places> counts{};
     std::array<std::uint64_t, std::size(signatures)> characters{}; ///< that the line must hold
+    /// Those of In::head by their first character: from heads[i] to heads[i + 1] where its last bits are i.
+    std::array<std::size_t, 65> heads{};
 
     constexpr Index() {
         for (std::size_t i = 0; i < std::size(signatures); ++i) {
@@ -230,6 +235,12 @@ struct Index {
             for (const Needed& row : needed)
                 if (row.shape == signatures[i].shape) characters[i] = characters_of(row.characters);
         }
+        constexpr auto head = static_cast<std::size_t>(In::head);
+        const auto bucket = [](std::uint8_t row) { return last_bits_of(signatures[row].text.front()); };
+        const auto all = std::span(rows[head]).first(counts[head]);
+        std::ranges::sort(all, {}, bucket);
+        for (std::size_t i = 0; i < heads.size(); ++i)
+            heads[i] = static_cast<std::size_t>(std::ranges::lower_bound(all, i, {}, bucket) - all.begin());
     }
 };
 constexpr Index by_place;
@@ -290,6 +301,16 @@ bool concerns(In in, const Line& line) {
     return false;
 }
 
+/// The rows that look at the place; of those that look for a head, the ones that begin as the line does.
+std::span<const std::uint8_t> rows_for(In in, const Line& line) {
+    const auto place = static_cast<std::size_t>(in);
+    const auto all = std::span(by_place.rows[place]).first(by_place.counts[place]);
+    if (in != In::head) return all;
+    if (line.code().empty()) return {};
+    const std::size_t first = last_bits_of(line.code().front());
+    return all.subspan(by_place.heads[first], by_place.heads[first + 1] - by_place.heads[first]);
+}
+
 int extension_points(std::string_view extension, Language language) {
     const auto* row = std::ranges::find_if(extensions, [&](const Extension& candidate) {
         return candidate.extension == extension && candidate.language == language;
@@ -310,7 +331,7 @@ void Evidence::add(const Line& line, std::size_t number) {
     const std::uint64_t present = characters_of(line.whole());
     for (std::size_t place = 0; place < places; ++place) {
         if (!concerns(static_cast<In>(place), line)) continue;
-        for (const std::uint8_t row : std::span(by_place.rows[place]).first(by_place.counts[place])) {
+        for (const std::uint8_t row : rows_for(static_cast<In>(place), line)) {
             if ((by_place.characters[row] & ~present) != 0) continue;
             Sighting& sighting = sightings_[row];
             if (sighting.times == signatures[row].most || !holds(signatures[row], line)) continue;
@@ -319,23 +340,27 @@ void Evidence::add(const Line& line, std::size_t number) {
     }
 }
 
-int Evidence::points(Language language) const {
-    int sum = extension_points(extension_, language);
+int Evidence::points(Language language) const { return points()[static_cast<std::size_t>(language)]; }
+
+std::array<int, language_count> Evidence::points() const {
+    std::array<int, language_count> sums{};
     for (std::size_t i = 0; i < std::size(signatures); ++i)
-        if (signatures[i].language == language) sum += signatures[i].points * sightings_[i].times;
-    return sum;
+        sums[static_cast<std::size_t>(signatures[i].language)] += signatures[i].points * sightings_[i].times;
+    for (std::size_t i = 0; i < language_count; ++i)
+        sums[i] += extension_points(extension_, static_cast<Language>(i));
+    return sums;
 }
 
 Language Evidence::verdict() const {
-    Language best = fanuc;
-    int most = std::max(points(fanuc), enough - 1);
+    const auto sums = points();
+    std::size_t best = 0; // fanuc
+    int most = std::max(sums[best], enough - 1);
     for (std::size_t i = 1; i < language_count; ++i) {
-        const auto language = static_cast<Language>(i);
-        if (points(language) <= most) continue;
-        best = language;
-        most = points(language);
+        if (sums[i] <= most) continue;
+        best = i;
+        most = sums[i];
     }
-    return best;
+    return static_cast<Language>(best);
 }
 
 std::string Evidence::reason(Language language) const {

@@ -48,6 +48,8 @@ class Evidence {
     [[nodiscard]] std::string reason(Language language) const;
 
   private:
+    [[nodiscard]] std::array<int, language_count> points() const;
+
     static constexpr std::size_t most_signatures = 128;
     struct Sighting {
         std::uint8_t times = 0;

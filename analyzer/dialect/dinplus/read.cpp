@@ -100,7 +100,10 @@ class Language {
     }
 
     /// The program is there although none of its blocks says anything.
-    void pass_over(const RawBlock& /*raw*/) { static_cast<void>(programs_.current()); }
+    void pass_over(Span /*block*/) { static_cast<void>(programs_.current()); }
+    static std::optional<Offset> end_at_a_glance(std::string_view /*text*/, Offset /*at*/) {
+        return std::nullopt;
+    }
 
     void close() {
         programs_.close();

@@ -14,6 +14,7 @@
 #include "analyzer/program/plain_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,12 @@ std::optional<std::int64_t> number_in(std::string_view name) {
 /// The control on the machine that the text is for.
 const ControlModel& control_for(const ControlModel& control, std::string_view text) {
     return control.lathe != nullptr && is_written_for_lathe(text) ? *control.lathe : control;
+}
+
+constexpr std::array<bool, 256> bytes_of(std::string_view characters) {
+    std::array<bool, 256> bytes{};
+    for (const char c : characters) bytes[static_cast<unsigned char>(c)] = true;
+    return bytes;
 }
 
 /// A BlockDialect.
@@ -102,11 +109,26 @@ class Family {
     }
 
     /// The program is one with blocks, and so named after its file, too.
-    void pass_over(const RawBlock& raw) {
+    void pass_over(Span block) {
         ProgramBuilder& program = this->program();
         if (!program.program().items.empty()) return;
         program.begin_block();
-        program.end_block(unreadable_head(raw.span));
+        program.end_block(unreadable_head(block));
+    }
+
+    /// Without P and `<`, without `O1` or `:` that may be a program number, `;` that ends it within the line,
+    /// and `%`.
+    static std::optional<Offset> end_at_a_glance(std::string_view text, Offset at) {
+        constexpr std::string_view telling = "Pp<:;%";
+        static constexpr auto tells = bytes_of(telling);
+        for (; at < text.size() && !is_line_break(text[at]); ++at) {
+            const char c = text[at];
+            if (tells[static_cast<unsigned char>(c)]) return std::nullopt;
+            if (c == '(') at = after_comment(text, at) - 1;
+            if (to_capital(c) != 'O' || at + 1 == text.size()) continue;
+            if (is_digit(text[at + 1]) || is_blank(text[at + 1])) return std::nullopt;
+        }
+        return at;
     }
 
     void close() { close_program(); }
