@@ -73,8 +73,8 @@ class Run {
             return;
         }
         auto source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
-        const bool at_once = source->size() >= long_text ||
-                             (file.input.asked && (at_once_ += source->size()) <= short_texts);
+        const bool at_once =
+            source->size() >= long_text || (file.input.asked && (at_once_ += source->size()) <= short_texts);
         seen.read = read_source(file, std::move(source), at_once ? Extent::whole : Extent::names_and_calls);
         if (seen.read.file == nullptr || seen.read.not_nc) return;
         seen.outline = outline_of(*seen.read.file);
@@ -193,7 +193,7 @@ class Run {
     Progress& progress_;
     ProgramStore& store_;
     const std::stop_token& stop_;
-    std::vector<SeenFile> seen_; ///< by place in the snapshot
+    std::vector<SeenFile> seen_;           ///< by place in the snapshot
     std::atomic<std::size_t> at_once_ = 0; ///< bytes of texts that were asked for
     ComputedCalls computed_calls_;
     Result result_;

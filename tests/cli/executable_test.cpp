@@ -54,6 +54,16 @@ TEST_F(Executable, EndsWith1WithFindingsOnStandardOutput) {
     EXPECT_THAT(finished.err, IsEmpty());
 }
 
+TEST_F(Executable, APartOfACompleteFolderKnowsTheRestOfIt) {
+    folder.write("mill/.maclint.json", R"({"complete": true})");
+    folder.write("mill/bores/O1.nc", "O1\nM98P9\nM98P8\nM30\n"); // no O8
+    folder.write("mill/lib/O9.nc", "O9\nGOTO7\nM99\n");
+    EXPECT_THAT(concise({"mill/bores"}),
+                AllOf(StartsWith("mill/bores/O1.nc:3:1: error[MAC402]"), Not(HasSubstr("O9.nc"))));
+    EXPECT_THAT(concise({"."}), AllOf(HasSubstr("mill/bores/O1.nc:3:1: error[MAC402]"), HasSubstr("O9.nc:2"),
+                                      Not(HasSubstr("O1.nc:2"))));
+}
+
 TEST_F(Executable, EndsWith2WhenAFileIsMissingButReportsTheOthers) {
     folder.write("O1001.nc", bad);
     const Finished finished = run({"O1001.nc", "gone.nc"});

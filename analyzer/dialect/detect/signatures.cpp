@@ -199,7 +199,8 @@ constexpr Needed needed[] = {
     {setting, "$"},
     {osp_file_name, "$.MIN%"},
     {osp_variable, "VC="},
-    {condition_row, "="},       {end_of_program_word, "END"},
+    {condition_row, "="},
+    {end_of_program_word, "END"},
 };
 
 /// Which characters a text holds, as bits of their last six bits: what a text lacks it does not hold.
