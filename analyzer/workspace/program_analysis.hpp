@@ -46,6 +46,7 @@ struct CallDepth {
     int subprogram = 0;
 };
 
+/// Flow and data flow are there for programs that are asked for, their callers, and what these call.
 class ProgramAnalysis {
   public:
     ProgramAnalysis(const Workspace& workspace, ProgramIndex index, const WorkspaceFile& file,

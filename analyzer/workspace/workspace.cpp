@@ -32,6 +32,7 @@ class WorkspaceBuilder {
         resolve_calls();
         find_ambiguous_names();
         components_ = flow::find_components(adjacency_);
+        find_needed();
         for (const auto& layer : flow::layers_of(adjacency_, components_)) analyse_layer(layer);
         mark_cycles();
         measure_depth();
@@ -152,10 +153,34 @@ class WorkspaceBuilder {
         return std::get<Call>(programs_[caller.program].program().effects[caller.effect].what);
     }
 
+    /// What is asked for, whatever calls it, and what those call: of the others only the text is asked for.
+    void find_needed() {
+        needed_.resize(programs_.size());
+        std::vector<ProgramIndex> added;
+        const auto add = [&](ProgramIndex program) {
+            if (needed_[program]) return;
+            needed_[program] = true;
+            added.push_back(program);
+        };
+        for (const ProgramAnalysis& analysis : programs_)
+            if (analysis.asked()) add(analysis.index());
+        const auto add_callers = [&](const std::vector<Caller>& callers) {
+            for (const Caller& caller : callers) add(caller.program);
+        };
+        for (std::size_t i = 0; i < added.size(); ++i) {
+            add_callers(programs_[added[i]].callers_);
+            add_callers(programs_[added[i]].possible_callers());
+        }
+        for (std::size_t i = 0; i < added.size(); ++i)
+            for (const CallSite& site : programs_[added[i]].calls_)
+                if (site.target) add(*site.target);
+    }
+
     void analyse_layer(const std::vector<std::uint32_t>& layer) {
         std::vector<ProgramIndex> members;
         for (const std::uint32_t component : layer)
-            for (const ProgramIndex member : components_.members[component]) members.push_back(member);
+            for (const ProgramIndex member : components_.members[component])
+                if (needed_[member]) members.push_back(member);
         for_each_parallel(members.size(), jobs_, [&](std::size_t i) { analyse(programs_[members[i]]); });
     }
 
@@ -435,6 +460,7 @@ class WorkspaceBuilder {
     unsigned jobs_;
     flow::Adjacency adjacency_;
     flow::Components components_;
+    std::vector<bool> needed_;             ///< by program: its flow and data flow are asked for
     std::set<std::string_view> computing_; ///< languages with a call that may mean any of their programs
     std::map<std::shared_ptr<const NamesakeList>, std::shared_ptr<UndecidedCalls>> undecided_by_list_;
     std::vector<UndecidedCalls*> undecided_; ///< all of them, in the order of the first call

@@ -30,8 +30,8 @@ struct WorkspaceOptions {
 
 class Workspace {
   public:
-    /// Builds flow and data flow of every program, callees before callers. Analyses refer to their workspace:
-    /// it does not move.
+    /// Builds flow and data flow of programs, callees before callers: of those that are asked for, of
+    /// whatever calls them, and of what all these call. Analyses refer to their workspace: it does not move.
     static std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files,
                                               const WorkspaceOptions& options);
 

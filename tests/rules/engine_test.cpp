@@ -2,7 +2,9 @@
 #include "cli/engine/engine.hpp"
 #include "tests/support/folder.hpp"
 
+#include <filesystem>
 #include <initializer_list>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -135,6 +137,50 @@ TEST_F(EngineTest, AnOpenTextCountsMoreThanTheFile) {
     auto files = snapshot({"O1.nc"});
     files.files[0].text = Source::from_bytes(files.files[0].input.path, "O1\nM30\n");
     EXPECT_THAT(places(engine.analyse(files)), IsEmpty());
+}
+
+/// What is found, message and path included, file by file.
+std::map<std::string, std::vector<std::string>> by_file(const cli::Result& result) {
+    std::map<std::string, std::vector<std::string>> files;
+    for (const auto& [finding, suppressed] : result.findings) {
+        std::string text = finding.message() + (suppressed ? " suppressed" : "");
+        for (const RelatedLocation& step : finding.path)
+            text += "; " + std::to_string(step.span.begin) + " " + step.text;
+        files[finding.source->path()].push_back(std::to_string(finding.span.begin) + " " + text);
+    }
+    return files;
+}
+
+/// Asks for every `each`-th file of the folder alone: the rest of the folder is there all the same.
+void expect_same_alone(const std::string& folder, std::size_t each) {
+    cli::Settings settings({});
+    cli::Progress progress(cli::Progress::Shown::never);
+    auto snapshot = cli::snapshot_of(cli::discover({folder}, "", settings).files, settings);
+    cli::Engine engine({.jobs = 2, .kept_bytes = 100'000'000}, progress);
+    const auto together = by_file(engine.analyse(snapshot));
+    for (cli::SnapshotFile& file : snapshot.files) file.input.asked = false;
+    for (std::size_t i = 0; i < snapshot.files.size(); i += each) {
+        cli::SnapshotFile& file = snapshot.files[i];
+        file.input.asked = true;
+        const auto alone = by_file(engine.analyse(snapshot));
+        file.input.asked = false;
+        const auto expected = together.find(file.input.path);
+        ASSERT_EQ(alone.size(), expected == together.end() ? 0U : 1U) << file.input.path;
+        if (!alone.empty()) {
+            ASSERT_EQ(*alone.begin(), *expected);
+        }
+    }
+    EXPECT_GT(snapshot.files.size(), 50U);
+}
+
+TEST(EngineOnPrograms, FindsTheSameInAFileAloneAsInAllOfTheFolder) {
+    expect_same_alone(MACLINT_SOURCE_DIR "/corpus", 1);
+}
+
+TEST(EngineOnPrograms, FindsTheSameInProgramsOfOthers) {
+    const std::string folder = MACLINT_SHARED "/corpus/fanuc-macro";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "there is nothing at " << folder;
+    expect_same_alone(folder, 7);
 }
 
 } // namespace
