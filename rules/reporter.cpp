@@ -1,4 +1,6 @@
 //! Collects the findings of one rule.
+#include "rules/reporter.hpp"
+
 #include "analyzer/program/model.hpp"
 #include "rules/rule.hpp"
 

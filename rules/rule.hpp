@@ -4,6 +4,7 @@
 #include "analyzer/program/syntax_error.hpp"
 #include "analyzer/program/tables.hpp"
 #include "rules/finding.hpp"
+#include "rules/reporter.hpp"
 
 #include <cstdint>
 #include <span>
@@ -17,7 +18,6 @@ namespace maclint {
 class ProgramAnalysis;
 struct ProgramFile;
 class Workspace;
-class Reporter;
 struct WordsOfBlock;
 
 enum class Precision : std::uint8_t { low, medium, high, very_high };
@@ -98,24 +98,6 @@ struct Rule {
     std::vector<std::string_view> sources;
     /// `SyntaxErrorKind`: whatever the text has of that kind, see rules/syntax_errors.hpp.
     std::variant<RaisedByCommand, SyntaxErrorKind, FileCheck, ProgramCheck, WordCheck> check;
-};
-
-/// Takes the findings of one rule.
-class Reporter {
-  public:
-    explicit Reporter(const Rule& rule)
-        : rule_(&rule) {}
-
-    /// Adds a finding and gives it back, to be filled with related places, a path or a fix.
-    Finding& report(const Cause& cause, Span span, std::string_view message_id,
-                    std::vector<std::string> arguments);
-    /// Whether the rule has a message of that name.
-    [[nodiscard]] bool has_message(std::string_view id) const;
-    [[nodiscard]] std::vector<Finding> take() { return std::move(findings_); }
-
-  private:
-    const Rule* rule_;
-    std::vector<Finding> findings_;
 };
 
 /// All rules, in the order of their codes.

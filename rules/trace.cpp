@@ -1,6 +1,7 @@
 //! Paths of findings, made of the paths through the flow graph.
 #include "rules/trace.hpp"
 
+#include "analyzer/queries/origins.hpp"
 #include "rules/path.hpp"
 
 #include <utility>
@@ -16,16 +17,10 @@ void add_path(std::vector<RelatedLocation>& related, const ProgramAnalysis& anal
 
 } // namespace
 
-flow::NodeId node_of(const ProgramAnalysis& analysis, dataflow::OriginId origin) {
-    const dataflow::Origin& where = analysis.data().origin(origin);
-    using Kind = dataflow::Origin::Kind;
-    return where.kind == Kind::none || where.kind == Kind::entry ? 0 : where.node;
-}
-
 void trace(Finding& finding, const ProgramAnalysis& analysis, dataflow::OriginId origin, std::string begins,
            flow::NodeId node, std::string ends) {
-    trace(finding, analysis, node_of(analysis, origin), related_at(analysis, origin, std::move(begins)), node,
-          std::move(ends));
+    trace(finding, analysis, queries::node_of_origin(analysis, origin),
+          related_at(analysis, origin, std::move(begins)), node, std::move(ends));
 }
 
 void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, RelatedLocation begins,

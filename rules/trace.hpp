@@ -9,9 +9,6 @@
 
 namespace maclint::rules {
 
-/// The node in which something came about; the program's first for what was so at its start.
-[[nodiscard]] flow::NodeId node_of(const ProgramAnalysis& analysis, dataflow::OriginId origin);
-
 /// Gives the finding, which stands in `node`, the path from `origin`. `begins` and `ends` say what happens
 /// there.
 void trace(Finding& finding, const ProgramAnalysis& analysis, dataflow::OriginId origin, std::string begins,

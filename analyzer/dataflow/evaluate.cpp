@@ -1,5 +1,5 @@
 //! Expressions: their values, the truth of conditions, and what a condition tells about its variables.
-#include "analyzer/dataflow/conditions.hpp"
+#include "analyzer/dataflow/read_set.hpp"
 #include "analyzer/dataflow/transfer.hpp"
 #include "analyzer/program/overloaded.hpp"
 

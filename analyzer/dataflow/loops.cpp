@@ -47,7 +47,6 @@ class LoopSearch {
             Loop loop = loop_of(edge);
             if (budget_ == 0) break; // its body is not complete
             loop.changes = LoopChanges(loop, analysis_.facts());
-            loop.counter = counter_of(program_, graph_, analysis_.facts(), loop);
             loops.push_back(std::move(loop));
         }
         std::ranges::sort(loops, {}, [this](const Loop& loop) {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "analyzer/dataflow/analysis.hpp"
-#include "analyzer/dataflow/counter.hpp"
 #include "analyzer/dataflow/cycles.hpp"
+#include "analyzer/dataflow/loop_changes.hpp"
 #include "analyzer/flow/regions.hpp"
 
 #include <algorithm>
@@ -24,7 +24,6 @@ struct Loop {
     bool can_stop = false; ///< a return, program end, alarm or pause is inside, or in a program called there
     bool has_unknown_effects = false; ///< a call of an unknown program or an unreadable block is inside
     LoopChanges changes;
-    std::optional<Counter> counter; ///< nothing when something else has a say in the loop's end
 
     [[nodiscard]] bool holds(flow::NodeId node) const;
 };

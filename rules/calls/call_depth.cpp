@@ -1,31 +1,17 @@
 //! Reads depths and chains off the workspace.
 #include "rules/calls/call_depth.hpp"
 
+#include "analyzer/queries/call_depth.hpp"
+#include "analyzer/queries/callers.hpp"
 #include "rules/path.hpp"
 
 namespace maclint::rules {
 
-namespace {
-
-/// The calls of the program that reach the first level beyond the limit. Deeper ones have the same cause.
-std::vector<CallSite> calls_beyond(const ProgramAnalysis& analysis, NestingLimit nesting, int limit) {
-    std::vector<CallSite> calls;
-    const int level = nesting == NestingLimit::macro ? analysis.depth().macro : analysis.depth().subprogram;
-    if (level != limit) return calls;
-    for (const CallSite& site : analysis.calls()) {
-        const auto& call = std::get<Call>(analysis.program().effects[site.effect].what);
-        if (site.closes_cycle || std::holds_alternative<std::monostate>(call.program)) continue;
-        if (analysis.control().calls[call.kind].counts_against == nesting) calls.push_back(site);
-    }
-    return calls;
-}
-
-} // namespace
-
 std::string name_of_callee(const ProgramAnalysis& analysis, const CallSite& site) {
-    if (site.target) return analysis.workspace().programs()[*site.target].program().name;
+    if (const ProgramAnalysis* callee = queries::called_program(analysis, site))
+        return callee->program().name;
     const Program& program = analysis.program();
-    const auto& call = std::get<Call>(program.effects[site.effect].what);
+    const Call& call = queries::call_of(program, site.effect);
     if (const auto* text = std::get_if<Text>(&call.program)) return quoted(program, text->characters);
     const auto* number = std::get_if<ExpressionId>(&call.program);
     return number == nullptr ? std::string("?") : "P" + quoted(program, program.expressions[*number].span);
@@ -37,16 +23,15 @@ namespace {
 std::string chain_words(const ProgramAnalysis& analysis, const CallSite& last, NestingLimit nesting) {
     std::string words;
     for (const Caller& caller : analysis.chain_to(nesting))
-        words += analysis.workspace().programs()[caller.program].program().name + " > ";
+        words += queries::calling_program(analysis, caller).program().name + " > ";
     return words + analysis.program().name + " > " + name_of_callee(analysis, last);
 }
 
 /// The calls that lead to the program, outermost first, as steps of the finding's path.
 void add_chain(Finding& finding, const ProgramAnalysis& analysis, NestingLimit nesting) {
     for (const Caller& caller : analysis.chain_to(nesting)) {
-        const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
-        const CallSite* site = calling.call_at(caller.effect);
-        const std::string& callee = analysis.workspace().programs()[*site->target].program().name;
+        const ProgramAnalysis& calling = queries::calling_program(analysis, caller);
+        const std::string callee = name_of_callee(calling, *calling.call_at(caller.effect));
         finding.path.push_back(related_at_effect(calling, caller.effect, "calls " + callee));
     }
 }
@@ -56,7 +41,7 @@ void add_chain(Finding& finding, const ProgramAnalysis& analysis, NestingLimit n
 void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, NestingLimit nesting,
                          int limit) {
     const ControlModel& control = analysis.control();
-    for (const CallSite& site : calls_beyond(analysis, nesting, limit)) {
+    for (const CallSite& site : queries::calls_beyond(analysis, nesting, limit)) {
         const Span span = analysis.program().effects[site.effect].span;
         Finding& finding =
             reporter.report({analysis, site.effect}, span, control.assumed ? "assumed" : "named",

@@ -1,6 +1,8 @@
 //! MAC413: a modal macro call that stays on.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/queries/exits.hpp"
+#include "analyzer/queries/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -54,12 +56,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto report = [&](dataflow::OriginId call, flow::NodeId node, std::string_view message, Span left) {
         if (std::ranges::find(said, call) != said.end()) return;
         said.push_back(call);
-        const Span span = related_at(analysis, call, "").span;
+        const Span span = queries::span_of_origin(analysis, call);
         Finding& finding =
             reporter.report(cause_at(analysis, call), span, message,
                             {quoted(analysis.program(), span), line_number(analysis.file(), left.begin)});
         finding.path.push_back({analysis.source(), span, "the modal call begins here"});
-        for (RelatedLocation& step : path_between(analysis, node_of(analysis, call), node))
+        for (RelatedLocation& step : path_between(analysis, queries::node_of_origin(analysis, call), node))
             finding.path.push_back(std::move(step));
         finding.path.push_back({analysis.source(), left, "it is still active here"});
     };
@@ -68,8 +70,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             report(call, change.node, "tool", analysis.program().effects[change.effect].span);
     for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>()) {
         if (exit.exit.kind == flow::ExitKind::alarm) continue;
-        const Span left = exit.exit.effect ? analysis.program().effects[*exit.exit.effect].span
-                                           : analysis.graph().nodes[exit.exit.node].part;
+        const Span left = queries::span_of_exit(analysis, exit.exit);
         for (const dataflow::OriginId call : analysis.own_modal_calls(exit.state, exit.exit.node))
             report(call, exit.exit.node, "end", left);
     }

@@ -1,8 +1,10 @@
 //! MAC456: a called program that runs past its last block.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/exits.hpp"
+#include "analyzer/queries/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/dinplus/sections.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -71,28 +73,12 @@ END
 
 namespace {
 
-std::string_view folder_of(const ProgramAnalysis& analysis) {
-    const std::string_view path = analysis.source()->path();
-    return path.substr(0, path.rfind('/') + 1);
-}
-
-/// A call from another program that is reached. The folder beside this one may be another machine's.
-const Caller* find_caller(const ProgramAnalysis& analysis) {
-    const auto found = std::ranges::find_if(analysis.callers(), [&](const Caller& caller) {
-        const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
-        const auto node = calling.graph().node_of(caller.effect);
-        const bool one_control = analysis.complete() || folder_of(analysis).starts_with(folder_of(calling)) ||
-                                 folder_of(calling).starts_with(folder_of(analysis));
-        return caller.program != analysis.index() && one_control && node && calling.data().reached(*node);
-    });
-    return found == analysis.callers().end() ? nullptr : &*found;
-}
-
 /// By a block that is skipped or unreadable; whether END closes a called file the manual does not say.
 bool may_return_otherwise(const Program& program, const BlockView& last) {
     const auto& kinds = program.control->sections;
     const auto end = std::ranges::find(kinds, SectionKind::Role::end, &SectionKind::role);
-    bool may = last.skip_levels != 0 || (!program.local && end != kinds.end() && has_section(program, *end));
+    bool may = last.skip_levels != 0 ||
+               (!program.local && end != kinds.end() && queries::has_section(program, *end));
     for_each_effect(program, [&](EffectId id) {
         const auto* block = std::get_if<UnreadableBlock>(&program.effects[id].what);
         may |= block != nullptr && block->may_call_or_return;
@@ -100,24 +86,16 @@ bool may_return_otherwise(const Program& program, const BlockView& last) {
     return may;
 }
 
-/// The block after which the program ends: the last one of those that run in a row.
-Span last_block_in(const Program& program, const flow::Node& node, const BlockView& last) {
-    if (!node.is_run) return node.part.empty() ? last.span : node.part;
-    Span span;
-    for_each_block(program, node.stretch(), [&](const BlockView& block) { span = block.span; });
-    return span;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     const auto exits = analysis.facts().all<dataflow::ExitState>();
     const auto exit = std::ranges::find(exits, flow::ExitKind::runs_off,
                                         [](const dataflow::ExitState& e) { return e.exit.kind; });
-    const Caller* caller = exit == exits.end() ? nullptr : find_caller(analysis);
+    const Caller* caller = exit == exits.end() ? nullptr : queries::find_reached_caller(analysis);
     const auto last = last_block(program);
     if (caller == nullptr || !last || may_return_otherwise(program, *last)) return;
-    const ProgramAnalysis& calling = analysis.workspace().programs()[caller->program];
-    const Span span = last_block_in(program, analysis.graph().nodes[exit->exit.node], *last);
+    const ProgramAnalysis& calling = queries::calling_program(analysis, *caller);
+    const Span span = queries::last_block_before(analysis, exit->exit, *last);
     Finding& finding =
         reporter.report({analysis, span}, span, "plain",
                         {calling.program().name, program.name, std::string(analysis.control().return_word)});

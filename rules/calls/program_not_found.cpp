@@ -1,5 +1,6 @@
 //! MAC402: a call of a program that is not there.
 #include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/queries/callers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -78,7 +79,7 @@ bool knows_all(const ProgramAnalysis& analysis, const Call& call) {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const CallSite& site : analysis.calls()) {
-        const auto& call = std::get<Call>(program.effects[site.effect].what);
+        const Call& call = queries::call_of(program, site.effect);
         const auto* number = std::get_if<ExpressionId>(&call.program);
         const bool named = std::holds_alternative<Text>(call.program) ||
                            (number != nullptr && flow::constant_number(program, *number));

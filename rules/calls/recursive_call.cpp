@@ -1,4 +1,5 @@
 //! MAC412: a program that calls itself.
+#include "analyzer/queries/callers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -83,18 +84,18 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const CallSite& site : analysis.calls()) {
         if (!site.closes_cycle) continue;
         const Span span = analysis.program().effects[site.effect].span;
-        const ProgramAnalysis& callee = analysis.workspace().programs()[*site.target];
+        const ProgramAnalysis& callee = *queries::called_program(analysis, site);
         const std::vector<Caller> cycle = callee.path_to(analysis.index());
         std::string words = callee.program().name;
         for (const Caller& step : cycle) {
-            const CallSite* next = analysis.workspace().programs()[step.program].call_at(step.effect);
-            words += " > " + analysis.workspace().programs()[*next->target].program().name;
+            const ProgramAnalysis& calling = queries::calling_program(analysis, step);
+            words += " > " + queries::called_program(calling, *calling.call_at(step.effect))->program().name;
         }
         Finding& finding = reporter.report(
             {analysis, site.effect}, span, cycle.empty() ? "self" : "plain",
             {quoted(analysis.program(), span), callee.program().name, words + " > " + callee.program().name});
         for (const Caller& step : cycle) {
-            const ProgramAnalysis& calling = analysis.workspace().programs()[step.program];
+            const ProgramAnalysis& calling = queries::calling_program(analysis, step);
             finding.path.push_back(
                 related_at_effect(calling, step.effect, "calls the next program of the circle"));
         }

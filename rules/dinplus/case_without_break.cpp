@@ -1,4 +1,5 @@
 //! DIN410: a branch that may run into the next one.
+#include "analyzer/queries/fall_throughs.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -55,48 +56,16 @@ END
 
 namespace {
 
-/// The nodes of the effects that divide and close branches.
-std::map<EffectId, flow::NodeId> nodes_of_regions(const ProgramAnalysis& analysis) {
-    std::map<EffectId, flow::NodeId> nodes;
-    for (flow::NodeId node = 0; node < analysis.graph().nodes.size(); ++node) {
-        const Slice effects = analysis.graph().nodes[node].effects;
-        for (Id id = effects.first; id < effects.first + effects.count; ++id)
-            if (std::holds_alternative<RegionMark>(analysis.program().effects[id].what))
-                nodes.emplace(id, node);
-    }
-    return nodes;
-}
-
-/// Whether some path leads from the branch past the head of the next one. Nodes are in the order of the text:
-/// the paths of BREAK go beyond the close, those of the test to the next head itself.
-bool runs_into(const ProgramAnalysis& analysis, flow::NodeId branch, flow::NodeId next, flow::NodeId close) {
-    for (flow::NodeId node = branch; node < next; ++node)
-        for (const flow::EdgeId id : analysis.graph().out[node]) {
-            const flow::NodeId to = analysis.graph().edges[id].to;
-            if (next < to && to < close && analysis.data().passable(id)) return true;
-        }
-    return false;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    std::map<EffectId, flow::NodeId> nodes;
-    for (const flow::Region& region : analysis.regions().all) {
-        if (region.region_kind != RegionKind::selection || !region.close || region.crossed) continue;
-        if (nodes.empty()) nodes = nodes_of_regions(analysis);
-        std::optional<EffectId> branch;
-        for (const EffectId part : region.parts) {
-            if (std::get<RegionMark>(program.effects[part].what).part != RegionMark::Part::middle) continue;
-            const auto before = std::exchange(branch, part);
-            if (!before || !runs_into(analysis, nodes.at(*before), nodes.at(part), nodes.at(*region.close)))
-                continue;
-            const Span span = program.effects[*before].span;
-            const Span next = program.effects[part].span;
-            Finding& finding = reporter.report(
-                {analysis, *before}, span, "plain",
-                {quoted(program, span), quoted(program, next), line_number(analysis.file(), next.begin)});
-            finding.related.push_back(related_at_effect(analysis, part, "the branch goes on into this one"));
-        }
+    for (const queries::FallThrough& found : queries::find_fall_throughs(analysis)) {
+        const Span span = program.effects[found.branch].span;
+        const Span next = program.effects[found.next].span;
+        Finding& finding = reporter.report(
+            {analysis, found.branch}, span, "plain",
+            {quoted(program, span), quoted(program, next), line_number(analysis.file(), next.begin)});
+        finding.related.push_back(
+            related_at_effect(analysis, found.next, "the branch goes on into this one"));
     }
 }
 

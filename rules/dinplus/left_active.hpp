@@ -1,25 +1,18 @@
-//! What acts on every later move until it is switched off: radius compensation, tilted planes and the like.
+//! Findings of what acts on every later move until it is switched off.
 #pragma once
 
-#include "rules/modal/modal_leak.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/rule.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace maclint::rules {
 
-/// The group of this role, where rules of its own speak of it.
-[[nodiscard]] std::optional<GroupId> find_own_group(const ControlModel& control, ModalRole role);
+/// The code that switched it on and what cancels it: "G42", "G40".
+[[nodiscard]] std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId id, double code);
 
-/// What a called program has switched on itself and leaves on when it returns. What a subprogram may switch
-/// on for its caller counts only when a caller is there that leaves it on.
-[[nodiscard]] std::vector<ModalLeak> left_at_return(const ProgramAnalysis& analysis);
-
-/// What the program has switched on itself in the group of this role, and is still on when it ends.
-[[nodiscard]] std::optional<ModalLeak> left_at_end(const ProgramAnalysis& analysis, ModalRole role);
-
-/// Reports what `left_at_end` finds: the arguments are the code and what cancels it.
+/// Reports what `queries::left_at_end` finds: the arguments are the code and what cancels it.
 void report_left_at_end(const ProgramAnalysis& analysis, ModalRole role, Reporter& reporter);
 
 /// The check of rules that do nothing else.
@@ -27,13 +20,5 @@ template<ModalRole role>
 void check_left_at_end(const ProgramAnalysis& analysis, Reporter& reporter) {
     report_left_at_end(analysis, role, reporter);
 }
-
-/// The code that switched it on and what cancels it: "G42", "G40".
-[[nodiscard]] std::vector<std::string> words_of(const ProgramAnalysis& analysis, GroupId id, double code);
-
-/// Whether some path that can be taken leads from the block that set the part to the node, with the group
-/// left alone in between.
-[[nodiscard]] bool lasts_until(const ProgramAnalysis& analysis, GroupId group,
-                               const dataflow::ModalPart& part, flow::NodeId node);
 
 } // namespace maclint::rules

@@ -1,7 +1,8 @@
 //! DIN407: a loop counts in a variable that the program has not set.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/dataflow/feasible_paths.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/loop_counter.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -67,10 +68,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.is_main()) return; // a caller may have set it
     const Program& program = analysis.program();
     for (const dataflow::Loop& loop : analysis.loops()) {
-        const auto& counter = loop.counter;
+        const auto counter = queries::counter_of(analysis, loop);
         if (!counter || !is_shared_and_uninitialised(analysis, counter->variable)) continue;
-        const auto path = dataflow::path_without_assignment(program, analysis.graph(), analysis.data(),
-                                                            counter->variable, loop.head);
+        const auto path = queries::path_without_assignment(analysis, counter->variable, loop.head);
         if (!path) continue;
         const dataflow::Comparison& test = *counter->tests.front().comparison;
         const Span span = program.expressions[test.expression].span;

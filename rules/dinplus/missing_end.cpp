@@ -1,7 +1,7 @@
 //! DIN102: a main program without END.
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/queries/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/dinplus/sections.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
@@ -55,14 +55,14 @@ bool is_cut_off(const Program& program) {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    if (!is_whole_main_program(program)) return;
+    if (!queries::is_whole_main_program(program)) return;
     const auto& kinds = analysis.control().sections;
     const auto end = std::ranges::find(kinds, SectionKind::Role::end, &SectionKind::role);
     // A program that lacks its machining part, too, was cut off before it: that is reported.
     const bool runs = std::ranges::any_of(kinds, [&](const SectionKind& kind) {
-        return kind.role == SectionKind::Role::machining && has_section(program, kind);
+        return kind.role == SectionKind::Role::machining && queries::has_section(program, kind);
     });
-    if (!runs || is_cut_off(program) || end == kinds.end() || has_section(program, *end)) return;
+    if (!runs || is_cut_off(program) || end == kinds.end() || queries::has_section(program, *end)) return;
     const Span last = last_block(program)->span;
     reporter.report({analysis, last}, last, "plain", {std::string(end->name)});
 }

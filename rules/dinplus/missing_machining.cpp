@@ -1,6 +1,6 @@
 //! DIN101: a main program without MACHINING.
+#include "analyzer/queries/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/dinplus/sections.hpp"
 #include "rules/rule.hpp"
 
 #include <string>
@@ -42,10 +42,11 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    if (!is_whole_main_program(program)) return;
+    if (!queries::is_whole_main_program(program)) return;
     for (const SectionKind& kind : analysis.control().sections) {
-        if (!kind.required || kind.role == SectionKind::Role::end || has_section(program, kind)) continue;
-        const Span first = first_heading(program);
+        if (!kind.required || kind.role == SectionKind::Role::end || queries::has_section(program, kind))
+            continue;
+        const Span first = queries::first_heading(program);
         reporter.report({analysis, first}, first, "plain", {std::string(kind.name)});
     }
 }

@@ -1,6 +1,9 @@
 //! DIN619: G41 or G42 is still on at a tool change or at the end.
-#include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/queries/left_active.hpp"
+#include "analyzer/queries/modal_leaks.hpp"
+#include "analyzer/queries/modal_parts.hpp"
+#include "analyzer/queries/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/dinplus/left_active.hpp"
 #include "rules/path.hpp"
@@ -9,7 +12,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 namespace maclint::rules {
@@ -73,63 +75,50 @@ namespace {
 
 constexpr ModalRole compensation = ModalRole::cutter_compensation;
 
-/// Whether the word sets another plane than the one that is in force on every path.
-bool changes_plane(const ProgramAnalysis& analysis, const dataflow::PointState& point) {
-    const auto writes = analysis.facts().at<dataflow::ModalWrite>(point.effect);
-    if (writes.empty() || analysis.control().groups[*writes.front().group].role != ModalRole::plane)
-        return false;
-    const dataflow::ModalWrite& write = writes.front();
-    const dataflow::ModalValue value = analysis.data().modal(point, *write.group);
-    const auto& table = analysis.data().table();
-    return !value.unknown && !value.parts.empty() && write.value.constant() &&
-           std::ranges::all_of(value.parts, [&](const auto& part) {
-               const auto code = table.number_of(part.symbol);
-               return code && *code != *write.value.constant();
-           });
-}
-
 /// Where the compensation must be off: tool changes and changes of the plane.
 std::vector<dataflow::PointState> find_points(const ProgramAnalysis& analysis) {
     const auto changes = analysis.facts().all<dataflow::BeforeToolChange>();
     std::vector<dataflow::PointState> points(changes.begin(), changes.end());
     std::ranges::copy_if(analysis.facts().all<dataflow::BeforeWatchedWord>(), std::back_inserter(points),
-                         [&](const dataflow::PointState& point) { return changes_plane(analysis, point); });
+                         [&](const dataflow::PointState& point) {
+                             return queries::sets_another_code(analysis, point, ModalRole::plane);
+                         });
     std::ranges::stable_sort(points, {}, &dataflow::PointState::effect);
     return points;
 }
 
 void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part,
                     const dataflow::PointState& change, Reporter& reporter) {
-    const Span span = related_at(analysis, part.origin, {}).span;
+    const Span span = queries::span_of_origin(analysis, part.origin);
     const Span there = analysis.program().effects[change.effect].span;
-    auto words = words_of(analysis, group, *own_code(analysis, part));
+    auto words = words_of(analysis, group, *queries::own_code(analysis, part));
     words.push_back(quoted(analysis.program(), there));
     words.push_back(line_number(analysis.file(), there.begin));
     Finding& finding = reporter.report(cause_at(analysis, part.origin), span, "tool", std::move(words));
-    const flow::NodeId set = node_of(analysis, part.origin);
+    const flow::NodeId set = queries::node_of_origin(analysis, part.origin);
     trace(finding, analysis, set, "the compensation is switched on here");
     report_path_on(finding, analysis, set, change.node);
     finding.related.push_back(related_at_effect(analysis, change.effect, "it is still active here"));
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const auto group = find_own_group(analysis.control(), compensation);
+    const auto group = queries::find_own_group(analysis.control(), compensation);
     if (!group) return;
-    std::vector<dataflow::OriginId> reported;              // one finding for each block that switches it on
-    for (const ModalLeak& leak : left_at_return(analysis)) // those are reported as such
+    std::vector<dataflow::OriginId> reported; // one finding for each block that switches it on
+    for (const queries::ModalLeak& leak : queries::left_at_return(analysis)) // those are reported as such
         if (leak.group == *group) reported.push_back(leak.part.origin);
     for (const dataflow::PointState& change : find_points(analysis)) {
         const dataflow::ModalValue value = analysis.data().modal(change, *group);
         if (value.unknown) continue;
         for (const dataflow::ModalPart& part : value.parts) {
-            if (!is_switched_on(analysis, analysis.control().groups[*group], part)) continue;
+            if (!queries::is_switched_on(analysis, analysis.control().groups[*group], part)) continue;
             if (std::ranges::find(reported, part.origin) != reported.end()) continue;
-            if (!lasts_until(analysis, *group, part, change.node)) continue;
+            if (!queries::lasts_until(analysis, *group, part, change.node)) continue;
             reported.push_back(part.origin);
             report_at_tool(analysis, *group, part, change, reporter);
         }
     }
-    const auto leak = left_at_end(analysis, compensation);
+    const auto leak = queries::left_at_end(analysis, compensation);
     if (leak && std::ranges::find(reported, leak->part.origin) == reported.end())
         report_left_at_end(analysis, compensation, reporter);
 }

@@ -1,6 +1,10 @@
 //! DIN519: a subprogram returns with something switched on.
+#include "analyzer/queries/left_active.hpp"
+#include "analyzer/queries/modal_leaks.hpp"
+#include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/dinplus/left_active.hpp"
+#include "rules/modal/modal_leak.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
@@ -50,8 +54,9 @@ RETURN
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const ModalLeak& leak : left_at_return(analysis))
-        report_leak(analysis, reporter, leak, words_of(analysis, leak.group, *own_code(analysis, leak.part)));
+    for (const queries::ModalLeak& leak : queries::left_at_return(analysis))
+        report_leak(analysis, reporter, leak,
+                    words_of(analysis, leak.group, *queries::own_code(analysis, leak.part)));
 }
 
 } // namespace

@@ -1,7 +1,8 @@
 //! DIN330: a transfer value that some caller leaves out is used without asking.
-#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/conditions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -72,18 +73,6 @@ END
 
 namespace {
 
-/// The first call of the workspace that does not pass the value.
-const Caller* caller_without(const ProgramAnalysis& analysis, Variable formal) {
-    for (const Caller& caller : analysis.callers()) {
-        const Program& program = analysis.workspace().programs()[caller.program].program();
-        const auto& call = std::get<Call>(program.effects[caller.effect].what);
-        const auto arguments = program.arguments_of(call);
-        const decltype(Argument::given) given = formal;
-        if (std::ranges::find(arguments, given, &Argument::given) == arguments.end()) return &caller;
-    }
-    return nullptr;
-}
-
 /// A value that nothing has asked for on the path here, or beside it in its condition: it is unknown whether
 /// IF NDEF(__ld) OR (#__ld==0) still looks at what decides nothing any more. Languages that tell vacant from
 /// 0 in every comparison have rules of their own.
@@ -92,28 +81,16 @@ bool is_unchecked(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     return analysis.control().spaces[read.variable.space].initial_value == InitialValue::undefined &&
            read.use != dataflow::Use::vacancy_test && read.value.vacancy == dataflow::Vacancy::maybe &&
            std::ranges::find(formals, read.variable) != formals.end() &&
-           !dataflow::asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node,
-                                       read.variable);
-}
-
-/// The comparison with 0 that the read is a side of.
-const dataflow::Comparison* zero_test_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    for (const dataflow::Comparison& comparison : analysis.facts().in<dataflow::Comparison>(read.node)) {
-        if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
-            continue;
-        const bool left = comparison.left_expression == read.expression;
-        if (!left && comparison.right_expression != read.expression) continue;
-        if ((left ? comparison.right : comparison.left).constant() == 0.0) return &comparison;
-    }
-    return nullptr;
+           !queries::asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node,
+                                      read.variable);
 }
 
 void report(const ProgramAnalysis& analysis, const dataflow::Read& read, const Caller& caller,
             Reporter& reporter) {
     const Program& program = analysis.program();
-    const ProgramAnalysis& calling = analysis.workspace().programs()[caller.program];
+    const ProgramAnalysis& calling = queries::calling_program(analysis, caller);
     const Span call = calling.program().effects[caller.effect].span;
-    const dataflow::Comparison* test = zero_test_of(analysis, read);
+    const dataflow::Comparison* test = queries::zero_test_of(analysis, read);
     const Span span = program.expressions[test != nullptr ? test->expression : read.expression].span;
     std::string variable = "line " + line_number(calling.file(), call.begin);
     if (&calling.file() != &analysis.file()) variable += " of " + calling.program().name;
@@ -133,7 +110,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         if (!is_unchecked(analysis, read) || std::ranges::find(reported, read.variable) != reported.end())
             continue;
-        const Caller* caller = caller_without(analysis, read.variable);
+        const Caller* caller = queries::find_caller_without(analysis, read.variable);
         if (caller == nullptr) continue;
         reported.push_back(read.variable);
         report(analysis, read, *caller, reporter);

@@ -1,4 +1,5 @@
 //! MAC318: an endless loop by its form.
+#include "analyzer/queries/loop_exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -47,12 +48,12 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Loop& cycle : analysis.inescapable_cycles()) {
-        if (!cycle.region || !cycle.exit_edges.empty()) continue;
-        const flow::Region& region = analysis.regions().all[*cycle.region];
-        if (region.region_kind != RegionKind::endless_loop) continue;
-        const Span span = analysis.program().effects[region.open].span;
+        const flow::Region* region = queries::region_of(analysis, cycle);
+        if (region == nullptr || !cycle.exit_edges.empty()) continue;
+        if (region->region_kind != RegionKind::endless_loop) continue;
+        const Span span = analysis.program().effects[region->open].span;
         Finding& finding =
-            reporter.report({analysis, region.open}, span, "plain", {quoted(analysis.program(), span)});
+            reporter.report({analysis, region->open}, span, "plain", {quoted(analysis.program(), span)});
         trace_round(finding, analysis, cycle, "no condition ends the loop");
     }
 }

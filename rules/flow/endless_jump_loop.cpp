@@ -1,4 +1,5 @@
 //! MAC336: blocks that a jump repeats for ever.
+#include "analyzer/queries/loop_exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -47,16 +48,15 @@ M30
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const flow::Graph& graph = analysis.graph();
     for (const dataflow::Loop& cycle : analysis.inescapable_cycles()) {
-        const auto& jump = graph.edges[cycle.back].jump;
+        const auto jump = queries::repeated_by(analysis, cycle);
         // Loops of the text and conditions that never hold are reported by their own rules.
-        if (cycle.region || !jump || !cycle.exit_edges.empty()) continue;
+        if (!jump || !queries::is_endless_by_jumps(cycle)) continue;
         const Span span = analysis.program().effects[*jump].span;
         Finding& finding =
             reporter.report({analysis, *jump}, span, "plain",
                             {quoted(analysis.program(), span),
-                             line_number(analysis.file(), graph.nodes[cycle.head].part.begin)});
+                             line_number(analysis.file(), analysis.graph().nodes[cycle.head].part.begin)});
         trace_round(finding, analysis, cycle, "jumps back");
     }
 }

@@ -1,11 +1,14 @@
 //! MAC320: the step of a loop's counter may be 0, or has the wrong sign.
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/loop_counter.hpp"
+#include "analyzer/queries/loop_steps.hpp"
+#include "analyzer/queries/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
-#include <algorithm>
+#include <string>
 
 namespace maclint::rules {
 
@@ -80,72 +83,36 @@ END
 
 namespace {
 
-enum class Fault : std::uint8_t { none, vacant, zero, wrong_sign };
-
-/// Whether the step moves the counter to where the loop goes on.
-bool leads_away(const dataflow::Counter& counter, const dataflow::Step& step, double amount) {
-    if (!counter.clamps.empty()) return false;
-    const bool down = (step.operation == Operation::subtract) == (amount > 0);
-    return std::ranges::all_of(counter.tests, [down](const dataflow::CounterTest& test) {
-        const bool below = test.stays == Operation::less || test.stays == Operation::less_equal;
-        const bool above = test.stays == Operation::greater || test.stays == Operation::greater_equal;
-        return down ? below : above;
-    });
-}
-
-Fault fault_of(const ProgramAnalysis& analysis, const dataflow::Counter& counter,
-               const dataflow::Step& step) {
-    const dataflow::Value& amount = step.amount;
-    if (amount.vacancy_origin != 0 && amount.can_be(0)) {
-        // A local that nothing can have set is MAC209's.
-        const auto variable = analysis.data().origin(amount.vacancy_origin).entry_variable();
-        return variable && analysis.data().is_vacant_at_entry(*variable) ? Fault::none : Fault::vacant;
-    }
-    const auto constant = amount.constant();
-    if (!constant) return Fault::none;
-    if (*constant == 0) return Fault::zero;
-    return leads_away(counter, step, *constant) ? Fault::wrong_sign : Fault::none;
-}
+using queries::StepFault;
 
 std::string name_of_vacancy_origin(const ProgramAnalysis& analysis, const dataflow::Step& step) {
-    const auto variable = analysis.data().origin(step.amount.vacancy_origin).entry_variable();
+    const auto variable = queries::variable_of_origin(analysis, step.amount.vacancy_origin);
     if (variable) return analysis.program().spell(*variable);
     return "'" + quoted(analysis.program(), analysis.program().expressions[step.expression].span) + "'";
 }
 
 Finding& report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Store& store,
-                Fault fault) {
+                StepFault fault) {
     const Program& program = analysis.program();
     const Span span = program.effects[store.effect].span;
     const std::string text = quoted(program, span);
-    if (fault == Fault::vacant) {
+    if (fault == StepFault::vacant) {
         const std::string name = name_of_vacancy_origin(analysis, *store.step);
         Finding& finding = reporter.report({analysis, store.effect}, span, "vacant", {text, name});
         trace(finding, analysis, store.step->amount.vacancy_origin, name + " may be vacant from here on",
               store.node, "a vacant " + name + " counts as 0 in arithmetic");
         return finding;
     }
-    Finding& finding =
-        reporter.report({analysis, store.effect}, span, fault == Fault::zero ? "zero" : "wrong-sign", {text});
+    Finding& finding = reporter.report({analysis, store.effect}, span,
+                                       fault == StepFault::zero ? "zero" : "wrong-sign", {text});
     trace(finding, analysis, store.node, "the counter is changed here");
     return finding;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    std::vector<EffectId> known;
-    for (const dataflow::Loop& loop : analysis.loops()) {
-        if (loop.can_stop || loop.has_unknown_effects) continue;
-        const auto& counter = loop.counter;
-        if (!counter) continue;
-        std::vector<Fault> faults;
-        for (const dataflow::Store* store : counter->steps)
-            faults.push_back(fault_of(analysis, *counter, *store->step));
-        if (std::ranges::find(faults, Fault::none) != faults.end()) continue;
-        const dataflow::Store& first = *counter->steps.front();
-        if (std::ranges::find(known, first.effect) != known.end()) continue;
-        known.push_back(first.effect);
-        Finding& finding = report(analysis, reporter, first, faults.front());
-        for (const dataflow::CounterTest& test : counter->tests)
+    for (const auto& [counter, fault] : queries::find_endless_counters(analysis)) {
+        Finding& finding = report(analysis, reporter, *counter.steps.front(), fault);
+        for (const queries::CounterTest& test : counter.tests)
             finding.related.push_back({analysis.source(),
                                        analysis.program().expressions[test.comparison->expression].span,
                                        "this decides when the loop ends"});

@@ -1,5 +1,6 @@
 //! MAC333: a return to a block that the caller lacks.
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/queries/callers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -52,21 +53,6 @@ N1 M99
 
 namespace {
 
-/// The first caller in whose program the number is missing.
-const Caller* caller_without(const ProgramAnalysis& analysis, std::int64_t number) {
-    for (const Caller& caller : analysis.callers()) {
-        const ProgramAnalysis& program = analysis.workspace().programs()[caller.program];
-        if (program.is_recursive()) continue; // its labels were not asked for
-        if (!program.graph().has_label(number)) return &caller;
-    }
-    return nullptr;
-}
-
-/// Whether all programs are known, and none of them can have called this one.
-bool is_called_by_nobody(const ProgramAnalysis& analysis) {
-    return analysis.complete() && analysis.callers().empty() && analysis.possible_callers().empty();
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_recursive()) return;
     const Program& program = analysis.program();
@@ -76,15 +62,15 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto& label = std::get<Return>(effect.what).resume_label;
         const auto number = label ? flow::constant_number(program, *label) : std::nullopt;
         if (!number) continue;
-        if (is_called_by_nobody(analysis) && !analysis.graph().has_label(*number)) {
+        if (queries::is_called_by_nobody(analysis) && !analysis.graph().has_label(*number)) {
             Finding& finding = reporter.report(
                 {analysis, *exit.exit.effect}, effect.span, "uncalled",
                 {quoted(program, effect.span), quoted(program, program.expressions[*label].span)});
             trace(finding, analysis, exit.exit.node, "there is no such sequence number");
         }
-        const Caller* caller = caller_without(analysis, *number);
+        const Caller* caller = queries::find_caller_lacking(analysis, *number);
         if (caller == nullptr) continue;
-        const ProgramAnalysis& calling = analysis.workspace().programs()[caller->program];
+        const ProgramAnalysis& calling = queries::calling_program(analysis, *caller);
         Finding& finding =
             reporter.report({analysis, *exit.exit.effect}, effect.span, "plain",
                             {quoted(program, effect.span), quoted(program, program.expressions[*label].span),

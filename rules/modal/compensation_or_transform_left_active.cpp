@@ -1,5 +1,7 @@
 //! MAC502: what acts on every later move is still switched on when the program is left.
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/queries/modal_leaks.hpp"
+#include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
@@ -55,10 +57,10 @@ bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const da
               const dataflow::ModalPart& part) {
     if (group.restore_policy == RestorePolicy::cycle && exit.exit.kind != flow::ExitKind::returns)
         return false;
-    return is_switched_on(analysis, group, part);
+    return queries::is_switched_on(analysis, group, part);
 }
 
-std::string cure(const ControlModel& control, const ModalLeak& leak) {
+std::string cure(const ControlModel& control, const queries::ModalLeak& leak) {
     const ModalGroup& group = control.groups[leak.group];
     if (!group.cancel_words.empty() || !group.cancel) return std::string(group.cancel_words);
     return control.spell(leak.group, *group.cancel);
@@ -66,13 +68,14 @@ std::string cure(const ControlModel& control, const ModalLeak& leak) {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const RestorePolicy restore_policy : {RestorePolicy::operation, RestorePolicy::cycle}) {
-        const auto leaks =
-            find_modal_leaks(analysis, restore_policy,
-                             [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-                                 return is_fault(analysis, group, exit, part);
-                             });
-        for (const ModalLeak& leak : leaks) {
-            const std::string code = analysis.control().spell(leak.group, *own_code(analysis, leak.part));
+        const auto leaks = queries::find_modal_leaks(
+            analysis, restore_policy,
+            [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+                return is_fault(analysis, group, exit, part);
+            });
+        for (const queries::ModalLeak& leak : leaks) {
+            const std::string code =
+                analysis.control().spell(leak.group, *queries::own_code(analysis, leak.part));
             report_leak(analysis, reporter, leak, {code, cure(analysis.control(), leak)});
         }
     }

@@ -1,5 +1,7 @@
 //! MAC503: a macro leaves another feed or speed than it found.
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/queries/modal_leaks.hpp"
+#include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
@@ -51,21 +53,19 @@ namespace {
 bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
               const dataflow::ModalPart& part) {
     if (exit.exit.kind != flow::ExitKind::returns) return false;
-    const dataflow::ValueTable& table = analysis.data().table();
-    const dataflow::Symbol& symbol = table.symbols[table.asked_for(part.symbol)];
-    using Kind = dataflow::Symbol::Kind;
-    if (symbol.kind == Kind::entry) return group.letter == 'F';
-    return symbol.kind == Kind::constant || symbol.kind == Kind::result;
+    const queries::NumberSource source = queries::source_of(analysis, part);
+    if (source == queries::NumberSource::at_start) return group.letter == 'F';
+    return source != queries::NumberSource::other;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.is_macro()) return;
     const auto leaks =
-        find_modal_leaks(analysis, RestorePolicy::value,
-                         [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-                             return is_fault(analysis, group, exit, part);
-                         });
-    for (const ModalLeak& leak : leaks) {
+        queries::find_modal_leaks(analysis, RestorePolicy::value,
+                                  [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+                                      return is_fault(analysis, group, exit, part);
+                                  });
+    for (const queries::ModalLeak& leak : leaks) {
         const ModalGroup& group = analysis.control().groups[leak.group];
         report_leak(analysis, reporter, leak,
                     {word_of(analysis, leak.group, leak.part), std::string(group.name),

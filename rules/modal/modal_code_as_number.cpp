@@ -1,15 +1,15 @@
 //! MAC574: a modal G code that was read from a system variable is multiplied, divided or given to a function.
 #include "analyzer/dataflow/facts/modal_read.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/queries/amounts.hpp"
+#include "analyzer/queries/copies.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/saved_state.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace maclint::rules {
 
@@ -57,56 +57,8 @@ M99
 
 namespace {
 
-/// Sums are left out: `#4014-53` is the number of the work offset.
-bool wants_amounts(Operation operation) {
-    switch (operation) {
-    case Operation::multiply:
-    case Operation::divide:
-    case Operation::power:
-    case Operation::sine:
-    case Operation::cosine:
-    case Operation::tangent:
-    case Operation::arc_sine:
-    case Operation::arc_cosine:
-    case Operation::arc_tangent:
-    case Operation::arc_tangent_of_two:
-    case Operation::square_root:
-    case Operation::absolute:
-    case Operation::logarithm:
-    case Operation::exponential: return true;
-    default: return false;
-    }
-}
-
-/// What leaves a code a code: `IF[#33NEFIX[#33]]` finds G54.1.
-bool keeps_code(Operation operation) {
-    return operation == Operation::negate || operation == Operation::round ||
-           operation == Operation::truncate || operation == Operation::round_up;
-}
-
-/// `#3` of `-#3` and `FIX[#3]`.
-ExpressionId code_in(const Program& program, ExpressionId expression) {
-    const auto* apply = std::get_if<Apply>(&program.expressions[expression].node);
-    while (apply != nullptr && keeps_code(apply->operation)) {
-        expression = program.operands_of(*apply).front();
-        apply = std::get_if<Apply>(&program.expressions[expression].node);
-    }
-    return expression;
-}
-
-/// For every expression of the program the one that calculates with it as an amount.
-std::vector<std::optional<ExpressionId>> calculations(const Program& program) {
-    std::vector<std::optional<ExpressionId>> found(program.expressions.size());
-    for (ExpressionId id = 0; id < program.expressions.size(); ++id) {
-        const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
-        if (apply == nullptr || !wants_amounts(apply->operation)) continue;
-        for (const ExpressionId operand : program.operands_of(*apply)) found[code_in(program, operand)] = id;
-    }
-    return found;
-}
-
 /// What the code stands for; nothing when the source is no G code.
-std::optional<std::string> code_name(const ProgramAnalysis& analysis, const CopySource& source) {
+std::optional<std::string> code_name(const ProgramAnalysis& analysis, const queries::CopySource& source) {
     if (source.group) {
         const ModalGroup& group = analysis.control().groups[*source.group];
         return group.letter == 'G' ? std::optional(std::string(group.name)) : std::nullopt;
@@ -117,7 +69,7 @@ std::optional<std::string> code_name(const ProgramAnalysis& analysis, const Copy
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    const auto calculation_with = calculations(program);
+    const auto calculation_with = queries::calculations_with_amounts(program);
     const auto text = [&](ExpressionId id) { return quoted(program, program.expressions[id].span); };
     for (const dataflow::ModalRead& read : analysis.facts().all<dataflow::ModalRead>()) {
         const auto calculation = calculation_with[read.expression];
@@ -132,13 +84,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         const auto calculation = calculation_with[read.expression];
         if (!calculation) continue;
-        const auto source = copy_source(analysis, read.expression, read.value);
+        const auto source = queries::copy_source(analysis, read.expression, read.value);
         const auto name = source ? code_name(analysis, *source) : std::nullopt;
         if (!name) continue;
         Finding& finding = reporter.report(
             {analysis, read.effect, *calculation}, program.expressions[*calculation].span, "copy",
             {text(*calculation), program.spell(read.variable), text(source->expression), *name});
-        trace(finding, analysis, store_of(analysis, read.value)->node,
+        trace(finding, analysis, queries::store_of(analysis, read.value)->node,
               {analysis.source(), program.expressions[source->expression].span, "the G code is read here"},
               read.node, "and used as a number here");
     }

@@ -1,12 +1,12 @@
 //! MAC518: a called program ends in the customary code without asking for the caller's.
 #include "analyzer/dataflow/facts/exit_state.hpp"
-#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/copies.hpp"
+#include "analyzer/queries/modal_leaks.hpp"
+#include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
-
-#include <algorithm>
 
 namespace maclint::rules {
 
@@ -46,31 +46,24 @@ M99
 
 namespace {
 
-bool saves(const ProgramAnalysis& analysis, GroupId group) {
-    return std::ranges::any_of(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
-        const auto* load = std::get_if<LoadModal>(&analysis.program().expressions[store.expression].node);
-        return load != nullptr && load->group == group;
-    });
-}
-
 bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
               const dataflow::ModalPart& part) {
     if (exit.exit.kind != flow::ExitKind::returns || group.customary.size() != 1) return false;
-    const auto code = own_code(analysis, part);
+    const auto code = queries::own_code(analysis, part);
     return code && *code == group.customary.front();
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
     const auto leaks =
-        find_modal_leaks(analysis, RestorePolicy::state,
-                         [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-                             return is_fault(analysis, group, exit, part);
-                         });
-    for (const ModalLeak& leak : leaks) {
-        if (!leak.on_every_path || saves(analysis, leak.group)) continue;
+        queries::find_modal_leaks(analysis, RestorePolicy::state,
+                                  [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+                                      return is_fault(analysis, group, exit, part);
+                                  });
+    for (const queries::ModalLeak& leak : leaks) {
+        if (!leak.on_every_path || queries::saves_group(analysis, leak.group)) continue;
         report_leak(analysis, reporter, leak, "forced",
-                    {analysis.control().spell(leak.group, *own_code(analysis, leak.part)),
+                    {analysis.control().spell(leak.group, *queries::own_code(analysis, leak.part)),
                      std::string(analysis.control().groups[leak.group].name)});
     }
 }

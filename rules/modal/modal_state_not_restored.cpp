@@ -1,5 +1,7 @@
 //! MAC501: a called program leaves a modal group at a code that callers do not expect.
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/queries/modal_leaks.hpp"
+#include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
@@ -51,19 +53,20 @@ namespace {
 bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
               const dataflow::ModalPart& part) {
     if (exit.exit.kind != flow::ExitKind::returns) return false;
-    const auto code = own_code(analysis, part);
+    const auto code = queries::own_code(analysis, part);
     return code && std::ranges::find(group.customary, *code) == group.customary.end();
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
     const auto leaks =
-        find_modal_leaks(analysis, RestorePolicy::state,
-                         [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-                             return is_fault(analysis, group, exit, part);
-                         });
-    for (const ModalLeak& leak : leaks) {
-        const std::string code = analysis.control().spell(leak.group, *own_code(analysis, leak.part));
+        queries::find_modal_leaks(analysis, RestorePolicy::state,
+                                  [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+                                      return is_fault(analysis, group, exit, part);
+                                  });
+    for (const queries::ModalLeak& leak : leaks) {
+        const std::string code =
+            analysis.control().spell(leak.group, *queries::own_code(analysis, leak.part));
         report_leak(analysis, reporter, leak,
                     {code, std::string(analysis.control().groups[leak.group].name)});
     }

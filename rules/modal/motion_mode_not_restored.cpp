@@ -1,4 +1,6 @@
 //! MAC504: a called program leaves another motion mode than it found.
+#include "analyzer/queries/modal_leaks.hpp"
+#include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
@@ -48,13 +50,13 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
-    const auto leaks = find_modal_leaks(
+    const auto leaks = queries::find_modal_leaks(
         analysis, RestorePolicy::motion, [&](const ModalGroup&, GroupId, const auto& exit, const auto& part) {
-            return exit.exit.kind == flow::ExitKind::returns && own_code(analysis, part).has_value();
+            return exit.exit.kind == flow::ExitKind::returns && queries::own_code(analysis, part).has_value();
         });
-    for (const ModalLeak& leak : leaks)
+    for (const queries::ModalLeak& leak : leaks)
         report_leak(analysis, reporter, leak,
-                    {analysis.control().spell(leak.group, *own_code(analysis, leak.part))});
+                    {analysis.control().spell(leak.group, *queries::own_code(analysis, leak.part))});
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 //! MAC505: a word puts back a value that was saved from another kind of word.
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/copies.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/saved_state.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -56,7 +56,8 @@ bool is_other_modal(const VariableRange& range) {
            !range.changes_by_itself;
 }
 
-bool is_wrong(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write, const CopySource& source) {
+bool is_wrong(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write,
+              const queries::CopySource& source) {
     // A G word may well put back a code whose group is not known.
     if (source.range != nullptr)
         return is_other_modal(*source.range) && (write.stated || !source.range->is_code);
@@ -68,7 +69,7 @@ bool is_wrong(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
-        const auto source = copy_source(analysis, write.expression, write.value);
+        const auto source = queries::copy_source(analysis, write.expression, write.value);
         if (!source || !is_wrong(analysis, write, *source)) continue;
         const Span span = program.effects[write.effect].span;
         const std::string text = quoted(program, span);
@@ -80,7 +81,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                       {text, quoted(program, read), std::string(analysis.control().groups[*write.group].name),
                        analysis.control().variable_of(*write.group).value_or("the right variable")})
                 : reporter.report({analysis, write.effect}, span, "code", {text, quoted(program, read)});
-        const dataflow::Store* store = store_of(analysis, write.value);
+        const dataflow::Store* store = queries::store_of(analysis, write.value);
         trace(finding, analysis, store != nullptr ? store->node : write.node,
               {analysis.source(), read, "the value comes from here"}, write.node, "and is put back here");
     }

@@ -1,12 +1,13 @@
 //! MAC517: a modal value is saved when the program has already changed it.
-#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/modal_read.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/copies.hpp"
+#include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
-#include "rules/modal/saved_state.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -58,33 +59,8 @@ std::optional<dataflow::ModalPart> own_part(const ProgramAnalysis& analysis,
                                             const dataflow::ModalRead& read) {
     if (read.value.unknown || read.value.parts.empty()) return std::nullopt;
     for (const dataflow::ModalPart& part : read.value.parts)
-        if (part.origin == 0 || analysis.data().table().entry_group_of(part.symbol) == read.group)
-            return std::nullopt;
+        if (queries::may_be_callers(analysis, read.group, part)) return std::nullopt;
     return read.value.parts.front();
-}
-
-/// The read that the store saves, when the store saves a modal group.
-const dataflow::ModalRead* saved_read(const ProgramAnalysis& analysis, const dataflow::Store& store) {
-    const auto& reads = analysis.facts().all<dataflow::ModalRead>();
-    const auto read = std::ranges::find(reads, store.expression, &dataflow::ModalRead::expression);
-    return read == reads.end() ? nullptr : &*read;
-}
-
-/// Words whose setting is still in force when the program returns.
-std::vector<EffectId> effective_at_return(const ProgramAnalysis& analysis) {
-    std::vector<EffectId> effects;
-    for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>()) {
-        if (exit.exit.kind != flow::ExitKind::returns) continue;
-        for (std::size_t group = 0; group < analysis.control().groups.size(); ++group) {
-            const dataflow::ModalValue value = analysis.data().modal(exit, static_cast<GroupId>(group));
-            for (const dataflow::ModalPart& part : value.parts) {
-                const dataflow::Origin& origin = analysis.data().origin(part.origin);
-                if (origin.kind == dataflow::Origin::Kind::effect) effects.push_back(origin.id);
-            }
-        }
-    }
-    std::ranges::sort(effects);
-    return effects;
 }
 
 void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Store& store, GroupId group,
@@ -103,15 +79,15 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
     const Program& program = analysis.program();
-    const std::vector<EffectId> effective = effective_at_return(analysis);
+    const std::vector<EffectId> effective = queries::effects_in_force_at_return(analysis);
     std::vector<EffectId> known;
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
-        if (!dataflow::plain_variable(program, write.expression) ||
+        if (!queries::plain_variable(program, write.expression) ||
             !std::ranges::binary_search(effective, write.effect))
             continue;
-        const dataflow::Store* store = store_of(analysis, write.value);
+        const dataflow::Store* store = queries::store_of(analysis, write.value);
         if (store == nullptr || std::ranges::find(known, store->effect) != known.end()) continue;
-        const dataflow::ModalRead* read = saved_read(analysis, *store);
+        const dataflow::ModalRead* read = queries::modal_read_of(analysis, *store);
         if (read == nullptr) continue;
         const auto part = own_part(analysis, *read);
         if (!part) continue;

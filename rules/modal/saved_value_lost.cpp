@@ -1,9 +1,10 @@
 //! MAC506: the variable that holds the saved state is overwritten before it is put back.
-#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/dataflow/read_set.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/copies.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/saved_state.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -51,15 +52,15 @@ M99
 namespace {
 
 struct Saved {
-    CopySource source;
+    queries::CopySource source;
     flow::NodeId node; ///< in which the variable got it
 };
 
 /// The modal value that the variable held just before the assignment, when it was a saved one.
 std::optional<Saved> saved_before(const ProgramAnalysis& analysis, const dataflow::Store& store) {
-    const dataflow::Store* save = store_of(analysis, store.old);
+    const dataflow::Store* save = queries::store_of(analysis, store.old);
     if (save == nullptr) return std::nullopt;
-    const auto source = copy_source(analysis, save->expression, save->value);
+    const auto source = queries::copy_source(analysis, save->expression, save->value);
     if (!source || !source->group) return std::nullopt;
     return Saved{*source, save->node};
 }
@@ -79,8 +80,8 @@ bool is_computed_from(const ProgramAnalysis& analysis, const dataflow::Store& st
 bool is_put_back(const ProgramAnalysis& analysis, Variable variable, ExpressionId saved) {
     return std::ranges::any_of(
         analysis.facts().all<dataflow::ModalWrite>(), [&](const dataflow::ModalWrite& write) {
-            if (dataflow::plain_variable(analysis.program(), write.expression) != variable) return false;
-            const auto source = copy_source(analysis, write.expression, write.value);
+            if (queries::plain_variable(analysis.program(), write.expression) != variable) return false;
+            const auto source = queries::copy_source(analysis, write.expression, write.value);
             return source && source->expression == saved;
         });
 }
@@ -88,10 +89,10 @@ bool is_put_back(const ProgramAnalysis& analysis, Variable variable, ExpressionI
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
-        const auto variable = dataflow::plain_variable(program, write.expression);
-        const dataflow::Store* store = store_of(analysis, write.value);
+        const auto variable = queries::plain_variable(program, write.expression);
+        const dataflow::Store* store = queries::store_of(analysis, write.value);
         if (!variable || store == nullptr || !(store->variable == *variable)) continue;
-        const auto source = copy_source(analysis, store->expression, store->value);
+        const auto source = queries::copy_source(analysis, store->expression, store->value);
         if (source && source->group) continue; // saved anew
         const auto saved = saved_before(analysis, *store);
         if (!saved || !would_restore(analysis, write, *saved->source.group)) continue;

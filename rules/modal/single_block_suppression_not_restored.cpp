@@ -1,4 +1,6 @@
 //! MAC515: single block, feed hold or override are still switched off when the program is left.
+#include "analyzer/queries/modal_leaks.hpp"
+#include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
@@ -47,13 +49,13 @@ M99
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const auto leaks = find_modal_leaks(analysis, RestorePolicy::suppression,
-                                        [&](const ModalGroup& group, GroupId, const auto&, const auto& part) {
-                                            const auto code = own_code(analysis, part);
-                                            return code && std::ranges::find(group.customary, *code) ==
-                                                               group.customary.end();
-                                        });
-    for (const ModalLeak& leak : leaks)
+    const auto leaks = queries::find_modal_leaks(
+        analysis, RestorePolicy::suppression,
+        [&](const ModalGroup& group, GroupId, const auto&, const auto& part) {
+            const auto code = queries::own_code(analysis, part);
+            return code && std::ranges::find(group.customary, *code) == group.customary.end();
+        });
+    for (const queries::ModalLeak& leak : leaks)
         report_leak(analysis, reporter, leak,
                     {word_of(analysis, leak.group, leak.part),
                      std::string(analysis.control().groups[leak.group].name)});

@@ -1,10 +1,10 @@
 //! MAC702: a division whose divisor is 0.
-#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/unset_reads.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/modal/saved_state.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -70,36 +70,14 @@ END
 
 namespace {
 
-/// A variable that nothing has set is MAC209's, and what is undefined only may read as 0.
-bool lacks_a_value(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    using dataflow::Vacancy;
-    if (read.value.vacancy != Vacancy::vacant && read.value.vacancy != Vacancy::maybe) return false;
-    if (!dataflow::may_hold_vacant(analysis.program(), read.variable)) return true;
-    const auto variable = analysis.data().origin(read.value.vacancy_origin).entry_variable();
-    return variable && analysis.data().is_vacant_at_entry(*variable);
-}
-
-/// Whether the number is 0 for want of a value, here or where it was computed and stored.
-bool is_owed_to_lack(const ProgramAnalysis& analysis, EffectId effect, ExpressionId number,
-                     std::set<EffectId>& seen) {
-    if (!seen.insert(effect).second) return false;
-    const auto& expressions = analysis.program().expressions;
-    return std::ranges::any_of(analysis.facts().at<dataflow::Read>(effect), [&](const dataflow::Read& read) {
-        if (!expressions[number].span.covers(expressions[read.expression].span)) return false;
-        if (lacks_a_value(analysis, read)) return true;
-        const dataflow::Store* store = store_of(analysis, read.value);
-        return store != nullptr && is_owed_to_lack(analysis, store->effect, store->expression, seen);
-    });
-}
-
 /// What to say of the division; nothing where it is not certain, or somebody else's.
 std::optional<std::string_view> message_for(const ProgramAnalysis& analysis,
                                             const dataflow::Application& division) {
     const dataflow::Value& divisor = division.right;
     if (division.operation != Operation::divide || divisor.low != 0 || divisor.high != 0) return std::nullopt;
-    std::set<EffectId> seen;
-    if (is_owed_to_lack(analysis, division.effect, division.right_expression, seen) ||
-        dataflow::may_be_left_out(analysis.program(), analysis.facts(), division.effect, division.expression))
+    // A variable that nothing has set is MAC209's, and what is undefined only may read as 0.
+    if (queries::is_owed_to_missing_value(analysis, division.effect, division.right_expression) ||
+        queries::may_be_left_out(analysis.program(), analysis.facts(), division.effect, division.expression))
         return std::nullopt;
     if (divisor.vacancy == dataflow::Vacancy::vacant) return "vacant";
     const auto& node = analysis.program().expressions[division.right_expression].node;

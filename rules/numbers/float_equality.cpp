@@ -1,14 +1,14 @@
 //! MAC710: EQ or NE between numbers that rounding has touched.
 #include "analyzer/dataflow/facts/comparison.hpp"
-#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/inexact_comparisons.hpp"
+#include "analyzer/queries/inexact_counters.hpp"
+#include "analyzer/queries/inexact_sums.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/numbers/inexact_counter.hpp"
-#include "rules/numbers/inexact_sum.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
-#include <algorithm>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -82,69 +82,8 @@ END
 
 namespace {
 
-using dataflow::Value;
-
-/// The symbol of the operand when the value is FIX, FUP or ROUND of something.
-std::optional<dataflow::SymbolId> rounded_operand(const ProgramAnalysis& analysis, const Value& value) {
-    const dataflow::Symbol& symbol = analysis.data().table().symbols[value.symbol];
-    if (symbol.kind != dataflow::Symbol::Kind::result) return std::nullopt;
-    const auto operation = static_cast<Operation>(symbol.a);
-    const bool rounds =
-        operation == Operation::truncate || operation == Operation::round || operation == Operation::round_up;
-    return rounds ? std::optional(symbol.b) : std::nullopt;
-}
-
-/// Whether a number is whole: x EQ FIX[x].
-bool asks_for_whole(const ProgramAnalysis& analysis, const Value& left, const Value& right) {
-    return rounded_operand(analysis, left) == right.symbol || rounded_operand(analysis, right) == left.symbol;
-}
-
-/// Products and quotients are 0 exactly when an operand is.
-bool is_safe_against_zero(const ProgramAnalysis& analysis, const Value& value, const Value& zero) {
-    if (zero.constant() != 0.0) return false;
-    const dataflow::Symbol& symbol = analysis.data().table().symbols[value.symbol];
-    if (symbol.kind != dataflow::Symbol::Kind::result) return false;
-    const auto operation = static_cast<Operation>(symbol.a);
-    return operation == Operation::multiply || operation == Operation::divide;
-}
-
-/// Some assignment copies the very value that is compared with: IF[#14GT#2]THEN#14=#2 … IF[#14EQ#2].
-bool is_copied_into(const ProgramAnalysis& analysis, ExpressionId expression, const Value& other) {
-    const auto* load = std::get_if<Load>(&analysis.program().expressions[expression].node);
-    return load != nullptr &&
-           std::ranges::any_of(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
-               return store.variable == load->variable && store.value.symbol == other.symbol;
-           });
-}
-
-bool is_harmless(const ProgramAnalysis& analysis, const dataflow::Comparison& c) {
-    return c.left.symbol == c.right.symbol || asks_for_whole(analysis, c.left, c.right) ||
-           is_safe_against_zero(analysis, c.left, c.right) ||
-           is_safe_against_zero(analysis, c.right, c.left) ||
-           is_copied_into(analysis, c.left_expression, c.right) ||
-           is_copied_into(analysis, c.right_expression, c.left);
-}
-
-/// What makes a side of the comparison inexact.
-struct Inexact {
-    ExpressionId side;
-    dataflow::OriginId rounding; ///< where it was rounded; 0: summed up by `sum`
-    const dataflow::Store* sum;
-};
-
-std::optional<Inexact> inexact_side(const ProgramAnalysis& analysis, const Sums& sums,
-                                    const dataflow::Comparison& comparison) {
-    if (comparison.left.exactness == dataflow::Exactness::rounded)
-        return Inexact{comparison.left_expression, comparison.left.rounding, nullptr};
-    if (comparison.right.exactness == dataflow::Exactness::rounded)
-        return Inexact{comparison.right_expression, comparison.right.rounding, nullptr};
-    for (const ExpressionId side : {comparison.left_expression, comparison.right_expression})
-        if (const dataflow::Store* sum = sum_in(analysis, sums, side)) return Inexact{side, 0, sum};
-    return std::nullopt;
-}
-
 void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Comparison& comparison,
-            const Inexact& inexact) {
+            const queries::InexactSide& inexact) {
     const Program& program = analysis.program();
     const Span span = program.expressions[comparison.expression].span;
     const std::string side = quoted(program, program.expressions[inexact.side].span);
@@ -164,13 +103,15 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const std::vector<InexactCounter> counters = find_inexact_counters(analysis);
-    const Sums sums = find_sums(analysis);
+    const std::vector<queries::InexactCounter> counters = queries::find_inexact_counters(analysis);
+    const queries::Sums sums = queries::find_sums(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
-        const auto inexact = inexact_side(analysis, sums, comparison);
-        if (!inexact || is_harmless(analysis, comparison) || decides(counters, comparison)) continue;
+        const auto inexact = queries::inexact_side(analysis, sums, comparison);
+        if (!inexact || queries::is_decided_exactly(analysis, comparison) ||
+            queries::decides(counters, comparison))
+            continue;
         report(analysis, reporter, comparison, *inexact);
     }
 }

@@ -1,7 +1,7 @@
 //! MAC711: a loop counts in steps that binary arithmetic cannot hold.
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/inexact_counters.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/numbers/inexact_counter.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -74,10 +74,10 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const InexactCounter& counter : find_inexact_counters(analysis)) {
+    for (const queries::InexactCounter& counter : queries::find_inexact_counters(analysis)) {
         const dataflow::Store& step = *counter.step;
         const Span span = program.effects[step.effect].span;
-        const Span decides = program.expressions[counter.decisive->comparison->expression].span;
+        const Span decides = program.expressions[counter.decisive.comparison->expression].span;
         Finding& finding =
             reporter.report({analysis, step.effect}, span, counter.must_meet() ? "never-met" : "step",
                             {quoted(program, span), quoted(program, decides)});

@@ -1,8 +1,9 @@
 //! MAC228: a variable that every path to the test has set is tested for vacancy.
-#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/dataflow/feasible_paths.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/unset_reads.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -66,9 +67,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const bool vacant = comparison.operation == Operation::is_vacant;
         if (!vacant && comparison.operation != Operation::is_set) continue;
         if (comparison.left.vacancy != dataflow::Vacancy::set) continue;
-        const auto variable = dataflow::plain_variable(program, comparison.left_expression);
-        if (!variable || !dataflow::may_hold_vacant(program, *variable) ||
-            !dataflow::assigned_on_every_path(analysis.graph(), analysis.data(), *variable, comparison.node))
+        const auto variable = queries::plain_variable(program, comparison.left_expression);
+        if (!variable || !queries::may_hold_vacant(program, *variable) ||
+            !queries::assigned_on_every_path(analysis, *variable, comparison.node))
             continue;
         const Span span = program.expressions[comparison.expression].span;
         const std::string name = program.spell(*variable);

@@ -1,7 +1,8 @@
 //! MAC221: a missing argument passes a range check, because GT, GE, LT and LE take vacant for 0.
-#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/unset_reads.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -76,9 +77,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const bool left = comparison.right.constant().has_value();
         if (!left && !comparison.left.constant()) continue;
         const dataflow::Value& value = left ? comparison.left : comparison.right;
-        const auto variable = dataflow::plain_variable(program, left ? comparison.left_expression
-                                                                     : comparison.right_expression);
-        if (!variable || !dataflow::may_hold_vacant(program, *variable) ||
+        const auto variable =
+            queries::plain_variable(program, left ? comparison.left_expression : comparison.right_expression);
+        if (!variable || !queries::may_hold_vacant(program, *variable) ||
             value.vacancy != dataflow::Vacancy::maybe || value.vacancy_origin == 0)
             continue;
         if (std::ranges::find(known, *variable) != known.end()) continue;

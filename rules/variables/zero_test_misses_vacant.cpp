@@ -1,6 +1,7 @@
 //! MAC220: a test for 0 does not catch a missing argument.
-#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/unset_reads.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -59,8 +60,8 @@ bool is_zero(const dataflow::Value& value) {
 bool tests_both(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison, Variable variable) {
     constexpr flow::NodeId hash_local = 3; // nodes between two IF blocks: the condition and what it guards
     const flow::NodeId first = comparison.node - std::min(comparison.node, hash_local);
-    return dataflow::asks_for_vacancy(analysis.program(), analysis.facts(), first,
-                                      comparison.node + hash_local, variable);
+    return queries::asks_for_vacancy(analysis.program(), analysis.facts(), first,
+                                     comparison.node + hash_local, variable);
 }
 
 /// Variables of IF[#3EQ0]GOTO1, IF[#3EQ1]GOTO2 …: a choice among numbers, whose default a missing argument
@@ -70,7 +71,7 @@ std::vector<Variable> find_choices(const ProgramAnalysis& analysis) {
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         const auto constant = comparison.right.constant();
         if (comparison.operation != Operation::equal || !constant || *constant == 0) continue;
-        const auto variable = dataflow::plain_variable(analysis.program(), comparison.left_expression);
+        const auto variable = queries::plain_variable(analysis.program(), comparison.left_expression);
         if (variable && std::ranges::find(choices, *variable) == choices.end()) choices.push_back(*variable);
     }
     return choices;
@@ -86,9 +87,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!zero_left && !is_zero(comparison.right)) continue;
         const dataflow::Value& value = zero_left ? comparison.right : comparison.left;
         if (value.vacancy != dataflow::Vacancy::maybe || value.vacancy_origin == 0) continue;
-        const auto variable = dataflow::plain_variable(program, zero_left ? comparison.right_expression
-                                                                          : comparison.left_expression);
-        if (!variable || !dataflow::may_hold_vacant(program, *variable) ||
+        const auto variable = queries::plain_variable(program, zero_left ? comparison.right_expression
+                                                                         : comparison.left_expression);
+        if (!variable || !queries::may_hold_vacant(program, *variable) ||
             std::ranges::find(choices, *variable) != choices.end() ||
             tests_both(analysis, comparison, *variable))
             continue;

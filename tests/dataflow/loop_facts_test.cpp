@@ -1,10 +1,10 @@
 //! What loops tell: counters, what calls change, which ways make sense.
-#include "analyzer/dataflow/conditions.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/dataflow/feasible_paths.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/loop_counter.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 namespace maclint {
 namespace {
 
-const std::optional<dataflow::Counter>& counter(const ProgramAnalysis& analysis) {
-    return analysis.loops().front().counter;
+std::optional<queries::Counter> counter(const ProgramAnalysis& analysis) {
+    return queries::counter_of(analysis, analysis.loops().front());
 }
 
 TEST(LoopCounter, IsTheVariableThatAllWaysOutDependOn) {
@@ -111,8 +111,9 @@ TEST(Solver, EndsInALoopThatIsEnteredInItsMiddle) {
                                                "IF[#100LT#500]GOTO10\nM30\n");
     const auto& loops = workspace->programs().front().loops();
     ASSERT_EQ(loops.size(), 1U);
-    ASSERT_TRUE(loops.front().counter);
-    EXPECT_EQ(loops.front().counter->variable.number, 100);
+    const auto found = counter(workspace->programs().front());
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->variable.number, 100);
 }
 
 TEST(EvaluateWords, OfSumsAreTheSameInEitherOrder) {
@@ -130,10 +131,10 @@ TEST(Decisions, OfOneWayMustNotContradictEachOther) {
     const auto& conditions = analysis.facts().all<dataflow::Condition>();
     ASSERT_GE(conditions.size(), 2U);
     const auto decide = [&](std::size_t i, bool holds) {
-        return dataflow::Decision{conditions[i].expression, holds};
+        return queries::Decision{conditions[i].expression, holds};
     };
-    const auto first = [&](std::vector<dataflow::Decision> decisions) {
-        return dataflow::first_contradiction(analysis.program(), decisions);
+    const auto first = [&](std::vector<queries::Decision> decisions) {
+        return queries::first_contradiction(analysis.program(), decisions);
     };
     EXPECT_FALSE(first({decide(0, false), decide(1, false)}));
     EXPECT_EQ(first({decide(0, true), decide(1, true)}), 1U);

@@ -21,11 +21,12 @@ from pathlib import Path
 
 import mutants
 
-FOLDERS = ['dataflow', 'flow', 'semantics', 'workspace']  # of analyzer/
+FOLDERS = ['dataflow', 'flow', 'queries', 'semantics', 'workspace']  # of analyzer/
 # Folders of tests/ whose tests are the nearest to a folder of analyzer/; then come the rules', then all.
 NEAREST = {
     'dataflow': ['dataflow', 'execution', 'semantics'],
     'flow': ['flow', 'dataflow'],
+    'queries': ['queries', 'rules'],
     'semantics': ['semantics', 'execution', 'dataflow'],
     'workspace': ['workspace'],
 }

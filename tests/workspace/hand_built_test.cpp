@@ -2,6 +2,7 @@
 //! direction, FOR, REPEAT … UNTIL, parameters by position and reference, types, shared names.
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/loop_counter.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "tests/support/analysed.hpp"
 #include "tests/support/hand_built.hpp"
@@ -208,8 +209,9 @@ TEST(CountingLoop, CountsFromItsStartToItsEnd) {
     EXPECT_EQ(value_read(main, n, 3).high, 3);
     EXPECT_EQ(value_read(main, n, 5).constant(), 4);
     ASSERT_EQ(main.loops().size(), 1U);
-    ASSERT_TRUE(main.loops().front().counter.has_value());
-    EXPECT_EQ(main.loops().front().counter->variable, n);
+    const auto counter = queries::counter_of(main, main.loops().front());
+    ASSERT_TRUE(counter.has_value());
+    EXPECT_EQ(counter->variable, n);
 }
 
 TEST(CountingLoop, IsNotClosedByTheWordThatClosesAnotherLoop) {

@@ -1,0 +1,30 @@
+//! What a loop changes.
+#pragma once
+
+#include "analyzer/dataflow/facts.hpp"
+#include "analyzer/dataflow/state.hpp"
+
+#include <vector>
+
+namespace maclint::dataflow {
+
+struct Loop;
+
+/// Every variable that a loop's body may change, in whatever way.
+class LoopChanges {
+  public:
+    LoopChanges() = default;
+    LoopChanges(const Loop& loop, const Facts& facts);
+    [[nodiscard]] bool may_change(Variable variable) const {
+        return assigned(variable) || clobbered(variable);
+    }
+    /// By something that is no assignment: a call, a store through an index.
+    [[nodiscard]] bool clobbered(Variable variable) const;
+
+  private:
+    [[nodiscard]] bool assigned(Variable variable) const;
+    std::vector<Key> assigned_, clobbered_; ///< sorted
+    std::vector<SpaceId> spaces_;           ///< of which anything may change
+};
+
+} // namespace maclint::dataflow

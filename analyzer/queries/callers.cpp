@@ -1,0 +1,68 @@
+//! Looks through the calls of a workspace that mean one program.
+#include "analyzer/queries/callers.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <variant>
+
+namespace maclint::queries {
+namespace {
+
+/// With its last slash; empty for a file without a folder.
+std::string_view folder_of(const ProgramAnalysis& analysis) {
+    const std::string_view path = analysis.source()->path();
+    return path.substr(0, path.rfind('/') + 1);
+}
+
+/// The first of the program's callers with that property.
+template<class Property>
+const Caller* find_caller(const ProgramAnalysis& analysis, const Property& property) {
+    const auto found = std::ranges::find_if(analysis.callers(), property);
+    return found == analysis.callers().end() ? nullptr : &*found;
+}
+
+} // namespace
+
+const ProgramAnalysis& calling_program(const ProgramAnalysis& analysis, const Caller& caller) {
+    return analysis.workspace().programs()[caller.program];
+}
+
+const ProgramAnalysis* called_program(const ProgramAnalysis& analysis, const CallSite& site) {
+    return site.target ? &analysis.workspace().programs()[*site.target] : nullptr;
+}
+
+const Call& call_of(const Program& program, EffectId effect) {
+    return std::get<Call>(program.effects[effect].what);
+}
+
+const Caller* find_reached_caller(const ProgramAnalysis& analysis) {
+    return find_caller(analysis, [&](const Caller& caller) {
+        const ProgramAnalysis& calling = calling_program(analysis, caller);
+        const auto node = calling.graph().node_of(caller.effect);
+        const bool one_control = analysis.complete() || folder_of(analysis).starts_with(folder_of(calling)) ||
+                                 folder_of(calling).starts_with(folder_of(analysis));
+        return caller.program != analysis.index() && one_control && node && calling.data().reached(*node);
+    });
+}
+
+const Caller* find_caller_without(const ProgramAnalysis& analysis, Variable formal) {
+    const decltype(Argument::given) given = formal;
+    return find_caller(analysis, [&](const Caller& caller) {
+        const Program& program = calling_program(analysis, caller).program();
+        const auto arguments = program.arguments_of(call_of(program, caller.effect));
+        return std::ranges::find(arguments, given, &Argument::given) == arguments.end();
+    });
+}
+
+const Caller* find_caller_lacking(const ProgramAnalysis& analysis, std::int64_t block_number) {
+    return find_caller(analysis, [&](const Caller& caller) {
+        const ProgramAnalysis& calling = calling_program(analysis, caller);
+        return !calling.is_recursive() && !calling.graph().has_label(block_number);
+    });
+}
+
+bool is_called_by_nobody(const ProgramAnalysis& analysis) {
+    return analysis.complete() && analysis.callers().empty() && analysis.possible_callers().empty();
+}
+
+} // namespace maclint::queries

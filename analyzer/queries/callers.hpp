@@ -1,0 +1,35 @@
+//! Who calls a program, and with what.
+#pragma once
+
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <cstdint>
+
+namespace maclint::queries {
+
+/// The program in which the call stands.
+[[nodiscard]] const ProgramAnalysis& calling_program(const ProgramAnalysis& analysis, const Caller& caller);
+
+/// The program that the call runs; nullptr when it is computed, unknown, or one of several.
+[[nodiscard]] const ProgramAnalysis* called_program(const ProgramAnalysis& analysis, const CallSite& site);
+
+/// The call that an effect is, which must be one.
+[[nodiscard]] const Call& call_of(const Program& program, EffectId effect);
+
+/// The first call from another program that is reached, and that belongs to the same control; nullptr when
+/// there is none. Programs of a folder beside this one may be another machine's, unless all programs are
+/// known.
+[[nodiscard]] const Caller* find_reached_caller(const ProgramAnalysis& analysis);
+
+/// The first known call that does not pass a value for the variable; nullptr when each does, or none is
+/// known.
+[[nodiscard]] const Caller* find_caller_without(const ProgramAnalysis& analysis, Variable formal);
+
+/// The first known caller whose program has no block of that number; nullptr when each has, or none is known.
+/// Programs that call themselves are not looked at.
+[[nodiscard]] const Caller* find_caller_lacking(const ProgramAnalysis& analysis, std::int64_t block_number);
+
+/// Whether all programs are known, and none of them can have called this one.
+[[nodiscard]] bool is_called_by_nobody(const ProgramAnalysis& analysis);
+
+} // namespace maclint::queries

@@ -1,0 +1,59 @@
+//! Follows copies back to what was read.
+#include "analyzer/queries/copies.hpp"
+
+#include "analyzer/queries/origins.hpp"
+
+#include <algorithm>
+
+namespace maclint::queries {
+
+bool is_same_value(const dataflow::Value& a, const dataflow::Value& b) { return a.symbol == b.symbol; }
+
+const dataflow::Store* store_of(const ProgramAnalysis& analysis, const dataflow::Value& value) {
+    const auto effect = effect_of_origin(analysis, value.origin);
+    if (!effect) return nullptr;
+    const auto stores = analysis.facts().at<dataflow::Store>(*effect);
+    return stores.empty() ? nullptr : &stores.front();
+}
+
+std::optional<CopySource> copy_source(const ProgramAnalysis& analysis, ExpressionId expression,
+                                      const dataflow::Value& value) {
+    constexpr int most_copies = 8;
+    const Program& program = analysis.program();
+    dataflow::Value now = value;
+    for (int i = 0; i < most_copies; ++i) {
+        const auto& node = program.expressions[expression].node;
+        if (const auto* modal = std::get_if<LoadModal>(&node))
+            return CopySource{expression, modal->group, nullptr};
+        if (const auto* machine = std::get_if<LoadMachine>(&node))
+            return CopySource{
+                expression, {}, analysis.control().families[machine->family].find(machine->number)};
+        if (!std::holds_alternative<Load>(node)) return std::nullopt;
+        const dataflow::Store* store = store_of(analysis, now);
+        if (store == nullptr) return std::nullopt;
+        expression = store->expression;
+        now = store->value;
+    }
+    return std::nullopt;
+}
+
+const dataflow::ModalRead* modal_read_of(const ProgramAnalysis& analysis, const dataflow::Store& store) {
+    const auto reads = analysis.facts().all<dataflow::ModalRead>();
+    const auto read = std::ranges::find(reads, store.expression, &dataflow::ModalRead::expression);
+    return read == reads.end() ? nullptr : &*read;
+}
+
+bool saves_group(const ProgramAnalysis& analysis, GroupId group) {
+    return std::ranges::any_of(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
+        const auto* load = std::get_if<LoadModal>(&analysis.program().expressions[store.expression].node);
+        return load != nullptr && load->group == group;
+    });
+}
+
+bool is_copied_into(const ProgramAnalysis& analysis, Variable variable, const dataflow::Value& value) {
+    return std::ranges::any_of(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
+        return store.variable == variable && is_same_value(store.value, value);
+    });
+}
+
+} // namespace maclint::queries

@@ -1,0 +1,17 @@
+//! Where a program is left, in the text.
+#pragma once
+
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+namespace maclint::queries {
+
+/// What leaves it: M99, M30; for a program that runs off its end the text that runs last.
+[[nodiscard]] Span span_of_exit(const ProgramAnalysis& analysis, const flow::Exit& exit);
+
+/// The block after which a program ends that runs off its end: of blocks that run in a row the last one, and
+/// `last`, the program's last block, where the exit has no text of its own.
+[[nodiscard]] Span last_block_before(const ProgramAnalysis& analysis, const flow::Exit& exit,
+                                     const BlockView& last);
+
+} // namespace maclint::queries

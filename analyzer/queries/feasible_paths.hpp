@@ -1,0 +1,33 @@
+//! Paths through a program that somebody can go: around every assignment to a variable, or from one node to
+//! another.
+#pragma once
+
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/dataflow/loops.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace maclint::queries {
+
+/// Whether every path from the program's start to the node passes an assignment to the variable.
+[[nodiscard]] bool assigned_on_every_path(const ProgramAnalysis& analysis, Variable variable,
+                                          flow::NodeId node);
+
+/// The assignments to the variable that can be the last one before the loop begins.
+[[nodiscard]] std::vector<const dataflow::Store*>
+last_stores_before(const ProgramAnalysis& analysis, Variable variable, const dataflow::Loop& loop);
+
+/// A path from the program's start to the node on which nothing can have changed the variable, and whose
+/// conditions do not contradict each other. Nothing when none is found in a few attempts.
+[[nodiscard]] std::optional<std::vector<flow::EdgeId>>
+path_without_assignment(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node);
+
+/// Whether the program can come over `first` to `then`: by a path whose conditions do not contradict each
+/// other, and that meets none of the nodes `barred` (sorted) between the two. Looked for in a few attempts.
+[[nodiscard]] bool can_follow(const ProgramAnalysis& analysis, flow::NodeId first, flow::NodeId then,
+                              std::span<const flow::NodeId> barred = {});
+
+} // namespace maclint::queries

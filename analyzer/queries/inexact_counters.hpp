@@ -1,0 +1,30 @@
+//! Loops that count in steps which collect rounding errors.
+#pragma once
+
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/loop_counter.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <vector>
+
+namespace maclint::queries {
+
+/// A loop whose end depends on a sum of inexact steps.
+struct InexactCounter {
+    const dataflow::Store* step;
+    CounterTest decisive;                           ///< the first of its tests that an error can turn
+    std::vector<const dataflow::Comparison*> tests; ///< at least one
+
+    /// The loop goes on until the counter is exactly its bound.
+    [[nodiscard]] bool must_meet() const { return decisive.stays == Operation::not_equal; }
+};
+
+/// Each step once. Not: counters that are clamped to their bound, and bounds that lie between two steps.
+[[nodiscard]] std::vector<InexactCounter> find_inexact_counters(const ProgramAnalysis& analysis);
+
+/// Whether the comparison is a test of one of the counters.
+[[nodiscard]] bool decides(const std::vector<InexactCounter>& counters,
+                           const dataflow::Comparison& comparison);
+
+} // namespace maclint::queries

@@ -1,0 +1,83 @@
+//! Looks at the edges that close and leave a loop.
+#include "analyzer/queries/loop_exits.hpp"
+
+#include "analyzer/dataflow/read_set.hpp"
+#include "analyzer/program/block_view.hpp"
+
+#include <algorithm>
+#include <variant>
+
+namespace maclint::queries {
+namespace {
+
+/// A loop that neither moves nor computes waits for somebody else: an operator, a robot, another path.
+bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    for (const flow::NodeId node : loop.body) {
+        const flow::Node& n = analysis.graph().nodes[node];
+        if (n.is_run && moves(analysis.program(), n.stretch())) return false;
+        for (const Effect& effect : analysis.program().effects_in(n.effects))
+            if (std::holds_alternative<Motion>(effect.what) || std::holds_alternative<Assign>(effect.what))
+                return false;
+    }
+    return true;
+}
+
+} // namespace
+
+const flow::Region* region_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    return loop.region ? &analysis.regions().all[*loop.region] : nullptr;
+}
+
+std::optional<EffectId> repeated_by(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    if (const flow::Region* region = region_of(analysis, loop)) return region->open;
+    return analysis.graph().edges[loop.back].jump;
+}
+
+Span span_of_repetition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    const auto by = repeated_by(analysis, loop);
+    return by ? analysis.program().effects[*by].span : analysis.graph().nodes[loop.latch].part;
+}
+
+bool is_endless_by_jumps(const dataflow::Loop& cycle) { return !cycle.region && cycle.exit_edges.empty(); }
+
+bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    return std::ranges::any_of(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
+        return is_endless_by_jumps(cycle) && cycle.holds(loop.head);
+    });
+}
+
+std::optional<std::vector<Variable>> unchanging_deciders(const ProgramAnalysis& analysis,
+                                                         const dataflow::Loop& loop) {
+    std::vector<Variable> deciders;
+    const bool others_may = loop.has_unknown_effects || waits(analysis, loop);
+    const auto can_change = [&](Variable variable) {
+        const bool own = analysis.control().spaces[variable.space].scope == Scope::frame;
+        return (!own && others_may) || loop.changes.may_change(variable);
+    };
+    for (const flow::EdgeId id : loop.exit_edges) {
+        const auto& condition = analysis.graph().edges[id].condition;
+        if (!condition) return std::nullopt;
+        const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), *condition);
+        if (!set.closed) return std::nullopt;
+        for (const Variable variable : set.variables) {
+            if (can_change(variable)) return std::nullopt;
+            if (std::ranges::find(deciders, variable) == deciders.end()) deciders.push_back(variable);
+        }
+    }
+    return deciders;
+}
+
+bool is_loop_condition(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
+    return std::holds_alternative<RegionMark>(analysis.program().effects[condition.effect].what);
+}
+
+bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
+    const dataflow::ReadSet reads = dataflow::variables_of(analysis.program(), condition.expression);
+    if (analysis.control().loops_left_by_jump || !reads.closed || !reads.variables.empty()) return false;
+    return std::ranges::any_of(analysis.loops(), [&](const dataflow::Loop& loop) {
+        const flow::Region* region = region_of(analysis, loop);
+        return region != nullptr && region->open == condition.effect && !loop.can_stop;
+    });
+}
+
+} // namespace maclint::queries

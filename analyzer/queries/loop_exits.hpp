@@ -1,0 +1,44 @@
+//! What closes a loop, and what decides whether it ends.
+#pragma once
+
+#include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/dataflow/loops.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint::queries {
+
+/// The WHILE or DO of the text that the loop is; nullptr for one that a jump closes.
+[[nodiscard]] const flow::Region* region_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop);
+
+/// WHILE … DO, DO, or the jump that closes the loop; nothing when a program begins again at its end.
+[[nodiscard]] std::optional<EffectId> repeated_by(const ProgramAnalysis& analysis,
+                                                  const dataflow::Loop& loop);
+
+/// The bytes of the same; of a program that begins again the text that runs last.
+[[nodiscard]] Span span_of_repetition(const ProgramAnalysis& analysis, const dataflow::Loop& loop);
+
+/// Whether jumps alone make the cycle, and none of its blocks leads out of it, not even by a condition that
+/// is never true.
+[[nodiscard]] bool is_endless_by_jumps(const dataflow::Loop& cycle);
+
+/// Whether the loop lies in a cycle of that kind.
+[[nodiscard]] bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& loop);
+
+/// The variables that decide over the loop's exits, each once, where nothing of it can change in the loop;
+/// none where constants decide or it has no exit. Nothing when something can change: an exit without a
+/// condition, a value of the machine, a variable that the loop or, in one that only waits, somebody else may
+/// set.
+[[nodiscard]] std::optional<std::vector<Variable>> unchanging_deciders(const ProgramAnalysis& analysis,
+                                                                       const dataflow::Loop& loop);
+
+/// Whether it is the condition of a loop of the text, and not of an IF.
+[[nodiscard]] bool is_loop_condition(const ProgramAnalysis& analysis, const dataflow::Condition& condition);
+
+/// Whether the condition of a loop of the text holds no variable, and nothing else can end the loop: no jump
+/// out of it, no stop.
+[[nodiscard]] bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& condition);
+
+} // namespace maclint::queries

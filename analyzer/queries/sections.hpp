@@ -1,0 +1,18 @@
+//! What the sections of a program say about it.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+namespace maclint::queries {
+
+/// A program that an operator starts, that is divided into sections, and that is there from its beginning: it
+/// names itself, has a head, or is closed. A fragment proves nothing by what it lacks, and the manual itself
+/// writes short programs without any section but END.
+[[nodiscard]] bool is_whole_main_program(const Program& program);
+
+[[nodiscard]] bool has_section(const Program& program, const SectionKind& kind);
+
+/// The line that begins the first section; empty when there is none.
+[[nodiscard]] Span first_heading(const Program& program);
+
+} // namespace maclint::queries

@@ -1,0 +1,129 @@
+//! Looks for a path to each read of a variable that is as it was at the program's start.
+#include "analyzer/queries/unset_reads.hpp"
+
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/copies.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/origins.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace maclint::queries {
+namespace {
+
+constexpr int most_attempts = 64; // reads of one variable to which a path is looked for
+
+/// Why the value may be vacant is that the variable is as it was when the program began.
+bool is_as_at_entry(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (read.value.vacancy != dataflow::Vacancy::vacant && read.value.vacancy != dataflow::Vacancy::maybe)
+        return false;
+    return variable_of_origin(analysis, read.value.vacancy_origin) == read.variable;
+}
+
+/// The variables of a program with unknown callers that can be arguments by series of I, J and K. Nobody
+/// tells them from others but by the program reading all of a set, and all sets before.
+std::vector<Variable> series_taken(const ProgramAnalysis& analysis) {
+    std::vector<Variable> taken;
+    if (analysis.is_main() || !analysis.callers().empty()) return taken;
+    std::vector<Variable> read_as_given;
+    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
+        if (is_as_at_entry(analysis, read) &&
+            std::ranges::find(read_as_given, read.variable) == read_as_given.end())
+            read_as_given.push_back(read.variable);
+    for (const auto& set : analysis.control().series) {
+        const bool whole = std::ranges::all_of(set, [&](Variable variable) {
+            return std::ranges::find(read_as_given, variable) != read_as_given.end();
+        });
+        if (!whole) break;
+        taken.insert(taken.end(), set.begin(), set.end());
+    }
+    return taken;
+}
+
+/// How the program can get here without setting the variable; nothing when it cannot. A comparison may be the
+/// very test that takes care of vacancy.
+std::optional<std::vector<flow::EdgeId>> path_to(const ProgramAnalysis& analysis,
+                                                 const dataflow::Read& read) {
+    const bool may_be_a_test = may_hold_vacant(analysis.program(), read.variable);
+    if (may_be_a_test && read.value.vacancy == dataflow::Vacancy::maybe &&
+        read.use == dataflow::Use::comparison)
+        return std::nullopt;
+    return path_without_assignment(analysis, read.variable, read.node);
+}
+
+/// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
+bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (!may_hold_vacant(analysis.program(), read.variable)) return false;
+    return std::ranges::any_of(
+        analysis.facts().at<dataflow::Store>(read.effect),
+        [&](const dataflow::Store& store) { return store.variable == read.variable && store.step; });
+}
+
+/// Whether the read uses what is not there: a test takes care of it. It is unknown whether a control still
+/// looks at what decides nothing any more, as after NDEF(…) OR.
+bool uses_unset(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    return read.use != dataflow::Use::vacancy_test && is_as_at_entry(analysis, read) &&
+           analysis.data().is_vacant_at_entry(read.variable) &&
+           !asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node, read.variable);
+}
+
+bool lacks_a_value(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    using dataflow::Vacancy;
+    if (read.value.vacancy != Vacancy::vacant && read.value.vacancy != Vacancy::maybe) return false;
+    return !may_hold_vacant(analysis.program(), read.variable) ||
+           is_owed_to_unset_variable(analysis, read.value);
+}
+
+/// `seen` are effects that were looked at before.
+bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect, ExpressionId expression,
+                              std::set<EffectId>& seen) {
+    if (!seen.insert(effect).second) return false;
+    const auto& expressions = analysis.program().expressions;
+    return std::ranges::any_of(analysis.facts().at<dataflow::Read>(effect), [&](const dataflow::Read& read) {
+        if (!expressions[expression].span.covers(expressions[read.expression].span)) return false;
+        if (lacks_a_value(analysis, read)) return true;
+        const dataflow::Store* store = store_of(analysis, read.value);
+        return store != nullptr && is_owed_to_missing_value(analysis, store->effect, store->expression, seen);
+    });
+}
+
+} // namespace
+
+bool may_hold_vacant(const Program& program, Variable variable) {
+    return program.control->spaces[variable.space].initial_value != InitialValue::undefined;
+}
+
+bool is_owed_to_unset_variable(const ProgramAnalysis& analysis, const dataflow::Value& value) {
+    const auto variable = variable_of_origin(analysis, value.vacancy_origin);
+    return variable && analysis.data().is_vacant_at_entry(*variable);
+}
+
+bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect, ExpressionId expression) {
+    std::set<EffectId> seen;
+    return is_owed_to_missing_value(analysis, effect, expression, seen);
+}
+
+std::vector<UnsetRead> find_unset_reads(const ProgramAnalysis& analysis) {
+    std::vector<UnsetRead> found;
+    // Without arguments a called program may be one that shares its caller's locals.
+    if (!analysis.is_main() && !analysis.is_macro()) return found;
+    const std::vector<Variable> series = series_taken(analysis);
+    std::vector<std::pair<Variable, int>> attempts;
+    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
+        if (!uses_unset(analysis, read) || std::ranges::find(series, read.variable) != series.end()) continue;
+        auto tried = std::ranges::find(attempts, read.variable, &std::pair<Variable, int>::first);
+        if (tried == attempts.end()) tried = attempts.insert(tried, {read.variable, 0});
+        if (tried->second >= most_attempts || counts(analysis, read)) continue;
+        ++tried->second;
+        auto path = path_to(analysis, read);
+        if (!path && read.value.vacancy != dataflow::Vacancy::vacant) continue;
+        tried->second = most_attempts; // once a variable
+        found.push_back({&read, std::move(path)});
+    }
+    return found;
+}
+
+} // namespace maclint::queries

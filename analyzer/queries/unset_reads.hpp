@@ -1,0 +1,38 @@
+//! Variables that are read although nothing can have set them.
+#pragma once
+
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/value.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint::queries {
+
+/// Whether vacant is a value that the variable can be given and asked for; otherwise a variable that nothing
+/// has set is undefined.
+[[nodiscard]] bool may_hold_vacant(const Program& program, Variable variable);
+
+/// Whether the value is vacant, or may be, because of a variable that nothing can have set when the program
+/// began: no argument stands for it.
+[[nodiscard]] bool is_owed_to_unset_variable(const ProgramAnalysis& analysis, const dataflow::Value& value);
+
+/// Whether something is read for the expression of the effect, there or where what is read was computed and
+/// stored, that has no value: a variable that nothing can have set, or that may be undefined.
+[[nodiscard]] bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect,
+                                            ExpressionId expression);
+
+/// A read of a variable that is as it was when the program began, and that nothing can have set then.
+struct UnsetRead {
+    const dataflow::Read* read;
+    /// To the read, around every assignment; nothing where none was found, and yet no path sets the variable.
+    std::optional<std::vector<flow::EdgeId>> path;
+};
+
+/// The first such read of each variable. Left out are reads that ask for the vacancy or stand beside a
+/// question for it, counting (#33=#33+1 takes vacant for 0), and what repeated I, J and K of a call may set.
+/// None in a program that may share the variables of its caller.
+[[nodiscard]] std::vector<UnsetRead> find_unset_reads(const ProgramAnalysis& analysis);
+
+} // namespace maclint::queries

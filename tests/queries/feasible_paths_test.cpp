@@ -1,0 +1,113 @@
+//! A path to a read is one that somebody can go: no more is asked of it, and no less.
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/loop_counter.hpp"
+#include "tests/support/analysed.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+/// Whether a path is found to the last read of the variable on which nothing sets it.
+bool reaches_uninitialised(const std::string& text, std::int32_t variable) {
+    const auto workspace = test::analyse_fanuc("O1\n" + text + "M30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    std::optional<dataflow::Read> last;
+    for (const dataflow::Read& read : program.facts().all<dataflow::Read>())
+        if (read.variable.number == variable) last = read;
+    if (!last) throw std::runtime_error("no such read");
+    return queries::path_without_assignment(program, last->variable, last->node).has_value();
+}
+
+const std::string sets_5_or_not = "IF[#501EQ1]GOTO10\n#5=1\nN10 G0Z#5\n";
+
+TEST(FeasiblePaths, ACountedLoopInFrontIsPassed) {
+    EXPECT_TRUE(reaches_uninitialised("#1=0\nWHILE[#1LT3]DO1\nG0X#1\n#1=#1+1\nEND1\n" + sets_5_or_not, 5));
+    EXPECT_TRUE(reaches_uninitialised("#1=0\nN5 G0X#1\n#1=#1+1\nIF[#1LT3]GOTO5\n" + sets_5_or_not, 5));
+    // What the test in front of the loop told of #1 holds no longer after it.
+    EXPECT_TRUE(reaches_uninitialised(
+        "#1=#100\nIF[#1GE3]GOTO99\nWHILE[#1LT3]DO1\n#1=#1+1\nEND1\n" + sets_5_or_not + "N99", 5));
+}
+
+TEST(FeasiblePaths, WhatTheRoundsStoreIsNotKnownAfterThem) {
+    const std::string loop = "#1=0\n#2=0\n#3=0\nWHILE[#1LT3]DO1\n#1=#1+1\n#2=#502\nEND1\n";
+    EXPECT_TRUE(reaches_uninitialised(loop + "IF[#2EQ7]GOTO10\n#5=1\nN10 G0Z#5\n", 5));
+    EXPECT_TRUE(reaches_uninitialised(loop + "#4=#2+1\nIF[#4EQ7]GOTO10\n#5=1\nN10 G0Z#5\n", 5));
+    // What they do not store is.
+    EXPECT_FALSE(reaches_uninitialised(loop +
+                                           "#4=#501\n#2=#4\nIF[#501EQ1]GOTO7\n#4=8\nGOTO8\nN7 #4=9\n"
+                                           "N8 IF[#4EQ9]GOTO9\n#5=1\nN9 IF[#501NE1]GOTO10\n#5=2\nN10 G0Z#5\n",
+                                       5));
+}
+
+TEST(FeasiblePaths, WhatIsStoredAfterTheRoundsIsKnownAgain) {
+    // #2 is 9 exactly where #501 is 1, so either N9 or the block above it sets #5.
+    const std::string loop = "#1=0\nWHILE[#1LT3]DO1\n#1=#1+1\n#2=#502\nEND1\n";
+    EXPECT_FALSE(reaches_uninitialised(loop + "IF[#501EQ1]GOTO7\n#2=8\nGOTO8\nN7 #2=9\nN8 IF[#2EQ9]GOTO9\n"
+                                              "#5=1\nN9 IF[#501NE1]GOTO10\n#5=2\nN10 G0Z#5\n",
+                                       5));
+}
+
+TEST(FeasiblePaths, ALoopThatSetsTheVariableInItsRoundsIsNotPassedWithoutThem) {
+    EXPECT_FALSE(reaches_uninitialised("#1=0\nWHILE[#1LT3]DO1\n#5=#1\n#1=#1+1\nEND1\nG0Z#5\n", 5));
+    EXPECT_FALSE(
+        reaches_uninitialised("#1=0\nWHILE[#1LT3]DO1\nIF[#1EQ2]THEN #5=#1\n#1=#1+1\nEND1\nG0Z#5\n", 5));
+}
+
+TEST(FeasiblePaths, OfTwoDecisionsThatContradictEachOtherEitherMayBeTaken) {
+    const std::string second = "IF[#501EQ2]GOTO10\n#6=1\nN10 G0Z#6\n";
+    EXPECT_TRUE(reaches_uninitialised("IF[#501EQ1]GOTO5\nG0X5.\nN5 " + second, 6));
+    EXPECT_FALSE(reaches_uninitialised("IF[#501EQ1]GOTO5\n#6=5.\nN5 " + second, 6));
+}
+
+TEST(FeasiblePaths, ADecisionHoldsUntilItsVariableIsStored) {
+    const auto text = [](const std::string& between) {
+        return "IF[#501EQ1]GOTO5\n#6=1\nN5 " + between + "\nIF[#501EQ2]GOTO10\n#6=1\nN10 G0Z#6\n";
+    };
+    EXPECT_TRUE(reaches_uninitialised(text("#501=#5003"), 6));
+    EXPECT_FALSE(reaches_uninitialised(text("#502=#5003"), 6));
+}
+
+TEST(FeasiblePaths, AMoveAfterACountedLoopFollows) {
+    const auto workspace = test::analyse_fanuc("O1\n#1=0\nN2 G4P1\nN5 #1=#1+1\nIF[#1LT3]GOTO5\nG0X1.\nM30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    const auto last = static_cast<flow::NodeId>(program.graph().nodes.size() - 1);
+    EXPECT_TRUE(queries::can_follow(program, 1, last));
+}
+
+/// 1-based lines of the stores in #1 that can be the last one before the only loop.
+std::vector<std::uint32_t> lines_of_stores_before_loop(const std::string& text) {
+    const auto workspace = test::analyse_fanuc("O1\n" + text + "WHILE[#1LT9]DO1\n#1=#1+1\nEND1\nM30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    const Variable variable = queries::counter_of(program, program.loops().at(0)).value().variable;
+    std::vector<std::uint32_t> lines;
+    for (const dataflow::Store* store : queries::last_stores_before(program, variable, program.loops().at(0)))
+        lines.push_back(test::line_of_effect(program, store->effect));
+    return lines;
+}
+
+TEST(LastStores, AreThoseOfEveryPathIntoTheLoop) {
+    EXPECT_THAT(lines_of_stores_before_loop("#1=1\n#1=2\nG0X1.\n"), ElementsAre(3));
+    EXPECT_THAT(lines_of_stores_before_loop("#1=1\nIF[#500EQ1]GOTO5\n#1=2\nN5\n"),
+                UnorderedElementsAre(2, 4));
+    EXPECT_THAT(lines_of_stores_before_loop("IF[#500EQ1]GOTO5\nN5\n"), IsEmpty());
+}
+
+TEST(LastStores, AreFoundInABlockWithSeveral) {
+    EXPECT_THAT(lines_of_stores_before_loop("#1=5\n#2=1 #1=0\n"), ElementsAre(3));
+    EXPECT_THAT(lines_of_stores_before_loop("#1=5\n#1=0 #2=1\n"), ElementsAre(3));
+}
+
+} // namespace
+} // namespace maclint
