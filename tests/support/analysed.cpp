@@ -55,6 +55,10 @@ dataflow::Value last_read(const std::string& text) {
     return last_read(analyse_fanuc("O0001\n" + text)->programs().front());
 }
 
+std::string text_of(const ProgramAnalysis& analysis, Span span) {
+    return std::string(analysis.program().slice(span));
+}
+
 std::uint32_t line_of(const ProgramAnalysis& analysis, Offset offset) {
     return analysis.file().source->position(offset).line;
 }

@@ -37,6 +37,8 @@ struct FolderOptions {
 /// The same of the program O0001 with this text.
 [[nodiscard]] dataflow::Value last_read(const std::string& text);
 
+/// What stands there in the program's file.
+[[nodiscard]] std::string text_of(const ProgramAnalysis& analysis, Span span);
 /// 1-based line of a byte of the program's file.
 [[nodiscard]] std::uint32_t line_of(const ProgramAnalysis& analysis, Offset offset);
 /// 1-based line of an effect.

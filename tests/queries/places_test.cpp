@@ -1,0 +1,96 @@
+//! Where programs are left, which numbers stand twice, which branches go on into the next.
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/queries/exits.hpp"
+#include "analyzer/queries/fall_throughs.hpp"
+#include "analyzer/queries/repeated_numbers.hpp"
+#include "tests/support/analysed.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::queries {
+namespace {
+
+TEST(Exits, StandAtTheWordThatLeavesTheProgram) {
+    const auto workspace = test::analyse_fanuc("O9001\nX1.\nM99\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    const auto exits = analysis.facts().all<dataflow::ExitState>();
+    ASSERT_EQ(exits.size(), 1U);
+    EXPECT_EQ(test::text_of(analysis, span_of_exit(analysis, exits.front().exit)), "M99");
+}
+
+/// The block after which a program runs off its end.
+std::string last_block_of(const std::string& text) {
+    const auto workspace = test::analyse_fanuc("O9001\n" + text);
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    const auto last = last_block(analysis.program());
+    for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>())
+        if (exit.exit.kind == flow::ExitKind::runs_off)
+            return test::text_of(analysis, last_block_before(analysis, exit.exit, last.value()));
+    return {};
+}
+
+TEST(Exits, OffTheEndAreAfterTheLastBlockThatRuns) {
+    EXPECT_EQ(last_block_of("X1.\nX2.\nX3.\n"), "X3.");
+    EXPECT_EQ(last_block_of("X1.\nX#1\n"), "X#1");
+}
+
+struct Repeated {
+    std::int64_t number;
+    std::size_t blocks;
+    std::uint32_t taken; ///< line; 0: nothing
+    friend bool operator==(const Repeated&, const Repeated&) = default;
+};
+
+std::vector<Repeated> repeated_in(std::string_view dialect, const std::string& text) {
+    const auto workspace = test::analyse_text(dialect, text);
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    std::vector<Repeated> found;
+    for (const RepeatedNumber& one : find_repeated_numbers(analysis))
+        found.push_back(
+            {one.number, one.blocks.size(), one.taken ? test::line_of(analysis, one.taken->begin) : 0});
+    return found;
+}
+
+TEST(RepeatedNumbers, AreThoseThatSomethingJumpsTo) {
+    using testing::ElementsAre;
+    EXPECT_THAT(repeated_in("fanuc", "O1\nN5X1.\nGOTO5\nN5X2.\nN5X3.\nN6X1.\nN6X2.\nM30\n"),
+                ElementsAre(Repeated{5, 3, 4}));
+    EXPECT_THAT(repeated_in("fanuc", "O1\nN5X1.\nGOTO5\nN6X2.\nM30\n"), testing::IsEmpty());
+}
+
+TEST(RepeatedNumbers, OfReferencesAreLookedForInTheirSection) {
+    const std::string contour = "FINISHED\nN1 G0 X0 Z0\nN2 G1 X30\nN2 G1 Z-20\nMACHINING\n";
+    EXPECT_THAT(repeated_in("dinplus", contour + "N10 G810 NS2 NE2 P2\nN20 M30\nEND\n"),
+                testing::ElementsAre(Repeated{2, 2, 0}));
+    EXPECT_THAT(repeated_in("dinplus", contour + "N10 G810 NS1 NE1 P2\nN20 M30\nEND\n"), testing::IsEmpty());
+}
+
+/// Lines of the branches that go on, and of those into which.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> falls_in(const std::string& branches) {
+    const auto workspace = test::analyse_text("dinplus", "MACHINING\nN1 INPUT(\"A\",#l1)\nN2 SWITCH #l1\n" +
+                                                             branches + "N8 ENDSWITCH\nN9 M30\nEND\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> lines;
+    for (const FallThrough& found : find_fall_throughs(analysis))
+        lines.emplace_back(test::line_of_effect(analysis, found.branch),
+                           test::line_of_effect(analysis, found.next));
+    return lines;
+}
+
+TEST(FallThroughs, AreBranchesWithoutABreak) {
+    using testing::ElementsAre;
+    EXPECT_THAT(falls_in("N3 CASE 1\nN4 G0 X1\nN5 CASE 2\nN6 G0 X2\nN7 BREAK\n"),
+                ElementsAre(std::pair(4U, 6U)));
+    EXPECT_THAT(falls_in("N3 CASE 1\nN4 G0 X1\nN5 BREAK\nN6 CASE 2\nN7 G0 X2\n"), testing::IsEmpty());
+}
+
+} // namespace
+} // namespace maclint::queries
