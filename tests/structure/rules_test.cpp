@@ -1,0 +1,112 @@
+//! A rule can be read alone: it is short, asks queries, and neither reads value tables nor walks the graph.
+#include "tests/structure/project_files.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::structure {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr std::ptrdiff_t most_lines = 130;
+/// A list with a row a rule: it is as long as there are rules.
+constexpr std::string_view registry = "rules/registry.cpp";
+
+std::vector<ProjectFile> rule_files() {
+    std::vector<ProjectFile> files = sources();
+    std::erase_if(files, [](const ProjectFile& file) { return !file.path.starts_with("rules/"); });
+    return files;
+}
+
+std::vector<std::string> too_long(const std::vector<ProjectFile>& files) {
+    std::vector<std::string> found;
+    for (const ProjectFile& file : files) {
+        const auto lines = std::ranges::count(file.text, '\n');
+        if (lines > most_lines && file.path != registry)
+            found.push_back(file.path + " has " + std::to_string(lines) + " lines");
+    }
+    return found;
+}
+
+/// The files whose code, comments left out, holds one of the texts. At a letter that begins one a word has to
+/// begin: "Symbol" is no part of "aSymbol".
+std::vector<std::string> holding(const std::vector<ProjectFile>& files,
+                                 const std::vector<std::string_view>& texts) {
+    const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+    std::vector<std::string> found;
+    for (const ProjectFile& file : files) {
+        const std::string code = without_comments(file.text);
+        for (const std::string_view text : texts)
+            for (auto at = code.find(text); at != std::string::npos; at = code.find(text, at + 1)) {
+                if (at != 0 && is_letter(text.front()) && is_letter(code[at - 1])) continue;
+                found.push_back(file.path + " holds " + std::string(text));
+                break;
+            }
+    }
+    return found;
+}
+
+const std::vector<std::string_view> value_tables = {"table()",  "ValueTable", "Symbol",        ".symbol",
+                                                    "->symbol", "Interner",   "data().origin("};
+const std::vector<std::string_view> walks = {".out[", ".in[", "passable(", "graph().path("};
+const std::vector<std::string_view> other_programs = {"workspace().programs()["};
+const std::vector<std::string_view> languages = {"control().language", "control->language"};
+
+/// How long a file is and whose language it is are asked for in one place each.
+std::vector<ProjectFile> checks_of_rules() {
+    std::vector<ProjectFile> files = rule_files();
+    // It writes down the severity that a record names for a language.
+    std::erase_if(files, [](const ProjectFile& file) { return file.path == "rules/reporter.cpp"; });
+    return files;
+}
+
+TEST(RuleFiles, AreShortEnoughToBeReadAlone) {
+    EXPECT_THAT(rule_files(), SizeIs(testing::Gt(90U)));
+    EXPECT_THAT(too_long(rule_files()), IsEmpty());
+}
+
+TEST(RuleFiles, ReadNoValueTables) { EXPECT_THAT(holding(rule_files(), value_tables), IsEmpty()); }
+
+TEST(RuleFiles, WalkNoGraph) { EXPECT_THAT(holding(rule_files(), walks), IsEmpty()); }
+
+TEST(RuleFiles, AskQueriesForOtherPrograms) { EXPECT_THAT(holding(rule_files(), other_programs), IsEmpty()); }
+
+TEST(RuleFiles, AskNotWhichLanguageTheyLookAt) {
+    EXPECT_THAT(holding(checks_of_rules(), languages), IsEmpty());
+}
+
+TEST(RuleFilesCheck, FindsALongFileButNotTheRegistry) {
+    const std::string lines(131, '\n');
+    EXPECT_THAT(too_long({{"rules/flow/a.cpp", lines},
+                          {"rules/flow/b.cpp", lines.substr(1)},
+                          {std::string(registry), lines}}),
+                ElementsAre("rules/flow/a.cpp has 131 lines"));
+}
+
+TEST(RuleFilesCheck, FindsValueTablesInCodeButNotInComments) {
+    const std::vector<ProjectFile> files = {
+        {"rules/a.cpp", "const auto& s = analysis.data().table().symbols[value.symbol];"},
+        {"rules/b.cpp", "// the Symbol of its value\nsymbolic(value);"},
+        {"rules/c.cpp", "dataflow::SymbolId id;"}};
+    EXPECT_THAT(
+        holding(files, value_tables),
+        ElementsAre("rules/a.cpp holds table()", "rules/a.cpp holds .symbol", "rules/c.cpp holds Symbol"));
+}
+
+TEST(RuleFilesCheck, FindsAWalkOverTheGraph) {
+    EXPECT_THAT(holding({{"rules/a.cpp", "for (auto id : analysis.graph().out[node]) visit(id);"}}, walks),
+                ElementsAre("rules/a.cpp holds .out["));
+}
+
+} // namespace
+} // namespace maclint::structure
