@@ -23,7 +23,7 @@ namespace maclint::bench {
 namespace {
 
 /// Reports what no word says: all values have to be looked at for it.
-void check_values(const WordsOfBlock& block, Reporter& reporter) {
+void check_values(const queries::WordsOfBlock& block, Reporter& reporter) {
     constexpr double said_by_nobody = 1e15;
     for (const Word& word : block.words) {
         const auto* value = std::get_if<Literal>(&word.value);

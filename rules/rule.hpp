@@ -3,6 +3,7 @@
 
 #include "analyzer/program/syntax_error.hpp"
 #include "analyzer/program/tables.hpp"
+#include "rules/check.hpp"
 #include "rules/finding.hpp"
 #include "rules/reporter.hpp"
 
@@ -15,10 +16,7 @@
 
 namespace maclint {
 
-class ProgramAnalysis;
-struct ProgramFile;
 class Workspace;
-struct WordsOfBlock;
 
 enum class Precision : std::uint8_t { low, medium, high, very_high };
 
@@ -53,23 +51,6 @@ struct Example {
 struct OtherSeverity {
     std::string_view language; ///< of the control
     Severity severity;
-};
-
-/// Raised by the command itself: while files are read, or when suppressions are matched.
-struct RaisedByCommand {};
-using FileCheck = void (*)(const ProgramFile&, Reporter&);
-using ProgramCheck = void (*)(const ProgramAnalysis&, Reporter&);
-
-/// Looks at the words of one block after another. All such checks share one pass over the words of a program;
-/// none is shown a plain block that it cannot want.
-struct WordCheck {
-    std::string_view addresses; ///< of words that it looks at, separated by blanks; "": any
-    enum class Blocks : std::uint8_t {
-        all,        ///< that hold one of the addresses
-        repeated,   ///< in which one of the addresses stands more than once
-        conflicting ///< in which one modal group is set more than once
-    } blocks;
-    void (*check)(const WordsOfBlock&, Reporter&);
 };
 
 /// A record says what is the rule's own; the rest is as here.

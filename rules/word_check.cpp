@@ -27,33 +27,7 @@ struct Taking {
     }
 };
 
-bool has_modal_calls(const Program& program) {
-    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
-        const auto* call = std::get_if<Call>(&effect.what);
-        return call != nullptr && program.control->calls[call->kind].trigger != CallTrigger::once;
-    });
-}
-
 } // namespace
-
-bool has_alternatives(const WordsOfBlock& block) {
-    return std::ranges::any_of(
-        block.analysis.program().effects_in(block.block.effects),
-        [](const Effect& effect) { return std::holds_alternative<Guarded>(effect.what); });
-}
-
-bool may_call(const WordsOfBlock& block) {
-    const Program& program = block.analysis.program();
-    const ControlModel& control = block.analysis.control();
-    const auto calls = [](const Effect& effect) { return std::holds_alternative<Call>(effect.what); };
-    if (std::ranges::any_of(program.effects_in(block.block.effects), calls)) return true;
-    const auto unknown = [&](const Word& word) {
-        if (word.address != "G" && word.address != "M") return false;
-        const auto* code = std::get_if<Literal>(&word.value);
-        return code == nullptr || !control.group_of(word.address.front(), code->value);
-    };
-    return block.modal_calls || std::ranges::any_of(block.words, unknown);
-}
 
 std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<const Rule* const> rules) {
     const Program& program = analysis.program();
@@ -63,7 +37,7 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
             check != nullptr && applies_to(*rule, analysis.control()))
             taking.push_back({check, addresses_named(program, check->addresses), Reporter(*rule)});
     if (taking.empty()) return {};
-    const bool modal_calls = has_modal_calls(program);
+    const bool modal_calls = queries::has_modal_calls(program);
     const auto wanted = [&](const WordSummary& words) {
         return std::ranges::any_of(taking, [&](const Taking& rule) { return rule.wants(words); });
     };

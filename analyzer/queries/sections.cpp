@@ -26,6 +26,13 @@ bool has_section(const Program& program, const SectionKind& kind) {
                                [&](const Section& section) { return section.kind == kind.name; });
 }
 
+bool has_section(const Program& program, SectionKind::Role role) {
+    return std::ranges::any_of(program.sections, [&](const Section& section) {
+        const SectionKind* kind = kind_of(*program.control, section);
+        return kind != nullptr && kind->role == role;
+    });
+}
+
 Span first_heading(const Program& program) {
     for (const Section& section : program.sections)
         if (section.heading.end > section.heading.begin) return section.heading;

@@ -11,6 +11,8 @@ namespace maclint::queries {
 [[nodiscard]] bool is_whole_main_program(const Program& program);
 
 [[nodiscard]] bool has_section(const Program& program, const SectionKind& kind);
+/// Whether one of the program's sections has the role; false for every role in a language without sections.
+[[nodiscard]] bool has_section(const Program& program, SectionKind::Role role);
 
 /// The line that begins the first section; empty when there is none.
 [[nodiscard]] Span first_heading(const Program& program);

@@ -75,10 +75,8 @@ namespace {
 
 /// By a block that is skipped or unreadable; whether END closes a called file the manual does not say.
 bool may_return_otherwise(const Program& program, const BlockView& last) {
-    const auto& kinds = program.control->sections;
-    const auto end = std::ranges::find(kinds, SectionKind::Role::end, &SectionKind::role);
-    bool may = last.skip_levels != 0 ||
-               (!program.local && end != kinds.end() && queries::has_section(program, *end));
+    bool may =
+        last.skip_levels != 0 || (!program.local && queries::has_section(program, SectionKind::Role::end));
     for_each_effect(program, [&](EffectId id) {
         const auto* block = std::get_if<UnreadableBlock>(&program.effects[id].what);
         may |= block != nullptr && block->may_call_or_return;

@@ -1,6 +1,6 @@
 //! MAC402: a call of a program that is not there.
-#include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -61,12 +61,8 @@ namespace {
 
 /// The file holds a program up to its last word, and so all that belongs to it.
 bool is_closed(const ProgramAnalysis& analysis) {
-    const auto closes = [&](const Section& section) {
-        const SectionKind* kind = kind_of(analysis.control(), section);
-        return kind != nullptr && kind->role == SectionKind::Role::end;
-    };
-    return std::ranges::any_of(analysis.file().programs, [&](const Program& program) {
-        return std::ranges::any_of(program.sections, closes);
+    return std::ranges::any_of(analysis.file().programs, [](const Program& program) {
+        return queries::has_section(program, SectionKind::Role::end);
     });
 }
 

@@ -1,4 +1,5 @@
 //! DIN401: IF and ENDIF do not pair.
+#include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/region_faults.hpp"
@@ -64,7 +65,7 @@ bool lacks_then(const ProgramAnalysis& analysis, Span choice) {
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::RegionFault& fault : nesting_faults(analysis, RegionKind::choice))
+    for (const flow::RegionFault& fault : queries::nesting_faults(analysis, RegionKind::choice))
         if (!lacks_then(analysis, analysis.program().effects[fault.effect].span))
             report_nesting_fault(analysis, fault, reporter);
 }

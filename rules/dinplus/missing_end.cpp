@@ -59,10 +59,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto& kinds = analysis.control().sections;
     const auto end = std::ranges::find(kinds, SectionKind::Role::end, &SectionKind::role);
     // A program that lacks its machining part, too, was cut off before it: that is reported.
-    const bool runs = std::ranges::any_of(kinds, [&](const SectionKind& kind) {
-        return kind.role == SectionKind::Role::machining && queries::has_section(program, kind);
-    });
-    if (!runs || is_cut_off(program) || end == kinds.end() || queries::has_section(program, *end)) return;
+    if (!queries::has_section(program, SectionKind::Role::machining) || is_cut_off(program)) return;
+    if (end == kinds.end() || queries::has_section(program, *end)) return;
     const Span last = last_block(program)->span;
     reporter.report({analysis, last}, last, "plain", {std::string(end->name)});
 }

@@ -1,4 +1,5 @@
 //! DIN409: SWITCH and ENDSWITCH do not pair, or a branch stands outside.
+#include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/region_faults.hpp"
@@ -60,7 +61,7 @@ END
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::RegionFault& fault : nesting_faults(analysis, RegionKind::selection))
+    for (const flow::RegionFault& fault : queries::nesting_faults(analysis, RegionKind::selection))
         report_nesting_fault(analysis, fault, reporter);
 }
 

@@ -1,4 +1,5 @@
 //! DIN015: UNIT and END_OF_UNIT do not pair.
+#include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/region_faults.hpp"
@@ -65,7 +66,7 @@ END
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::RegionFault& fault : nesting_faults(analysis, RegionKind::unit))
+    for (const flow::RegionFault& fault : queries::nesting_faults(analysis, RegionKind::unit))
         report_nesting_fault(analysis, fault, reporter);
 }
 

@@ -1,4 +1,5 @@
 //! DIN404: WHILE and ENDWHILE do not pair.
+#include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/region_faults.hpp"
@@ -54,7 +55,7 @@ END
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::RegionFault& fault : nesting_faults(analysis, RegionKind::while_loop))
+    for (const flow::RegionFault& fault : queries::nesting_faults(analysis, RegionKind::while_loop))
         report_nesting_fault(analysis, fault, reporter);
 }
 

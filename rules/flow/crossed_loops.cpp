@@ -1,7 +1,7 @@
 //! MAC316: loops that overlap.
+#include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
-#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
 
 #include <string>
@@ -56,7 +56,7 @@ M30
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::crossed)) {
+    for (const flow::RegionFault& fault : queries::numbered_loop_faults(analysis, flow::Imbalance::crossed)) {
         const Span span = analysis.program().effects[fault.effect].span;
         Finding& finding = reporter.report(
             {analysis, fault.effect}, span, "plain",

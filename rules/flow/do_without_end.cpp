@@ -1,7 +1,7 @@
 //! MAC312: a loop that is never closed.
+#include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
-#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
@@ -46,7 +46,8 @@ M30
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::never_closed)) {
+    for (const flow::RegionFault& fault :
+         queries::numbered_loop_faults(analysis, flow::Imbalance::never_closed)) {
         const Program& program = analysis.program();
         const Span span = program.effects[fault.effect].span;
         if (!fault.other) {

@@ -1,7 +1,7 @@
 //! MAC313: an END that closes nothing.
+#include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
-#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
@@ -43,7 +43,8 @@ M30
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::never_opened)) {
+    for (const flow::RegionFault& fault :
+         queries::numbered_loop_faults(analysis, flow::Imbalance::never_opened)) {
         const Span span = analysis.program().effects[fault.effect].span;
         reporter.report({analysis, fault.effect}, span, "plain", {quoted(analysis.program(), span)});
     }

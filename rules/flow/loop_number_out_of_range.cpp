@@ -1,7 +1,7 @@
 //! MAC314: a loop number that the control does not have.
+#include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
-#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
 
 #include <string>
@@ -46,7 +46,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::RegionFault& fault :
-         numbered_loop_faults(analysis, flow::Imbalance::number_out_of_range)) {
+         queries::numbered_loop_faults(analysis, flow::Imbalance::number_out_of_range)) {
         const Span span = analysis.program().effects[fault.effect].span;
         reporter.report({analysis, fault.effect}, span, "plain",
                         {quoted(analysis.program(), span),

@@ -1,7 +1,7 @@
 //! MAC317: a loop number that is in use.
+#include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
-#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
@@ -53,7 +53,8 @@ M30
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::number_reused)) {
+    for (const flow::RegionFault& fault :
+         queries::numbered_loop_faults(analysis, flow::Imbalance::number_reused)) {
         const Span span = analysis.program().effects[fault.effect].span;
         Finding& finding =
             reporter.report({analysis, fault.effect}, span, "plain", {quoted(analysis.program(), span)});

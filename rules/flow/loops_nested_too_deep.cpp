@@ -1,7 +1,7 @@
 //! MAC315: one loop level too many.
+#include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
-#include "rules/region_faults.hpp"
 #include "rules/rule.hpp"
 
 #include <string>
@@ -69,7 +69,8 @@ M30
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::RegionFault& fault : numbered_loop_faults(analysis, flow::Imbalance::nested_too_deep)) {
+    for (const flow::RegionFault& fault :
+         queries::numbered_loop_faults(analysis, flow::Imbalance::nested_too_deep)) {
         const Span span = analysis.program().effects[fault.effect].span;
         reporter.report({analysis, fault.effect}, span, "plain",
                         {quoted(analysis.program(), span),

@@ -1,4 +1,5 @@
 //! MAC559: an address twice in a block.
+#include "analyzer/queries/block_words.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -14,7 +15,7 @@
 namespace maclint::rules {
 
 namespace {
-void check(const WordsOfBlock& block, Reporter& reporter);
+void check(const queries::WordsOfBlock& block, Reporter& reporter);
 }
 
 extern const Rule duplicate_address{
@@ -58,9 +59,9 @@ M30
 namespace {
 
 /// Arguments of a call may repeat addresses that no other block may.
-bool may_be_argument(const WordsOfBlock& block, const Word& word) {
+bool may_be_argument(const queries::WordsOfBlock& block, const Word& word) {
     const auto& repeatable = block.analysis.control().repeatable_arguments;
-    return std::ranges::find(repeatable, word.address) != repeatable.end() && may_call(block);
+    return std::ranges::find(repeatable, word.address) != repeatable.end() && queries::may_call(block);
 }
 
 /// An address of a block, and the first and the last of its words that have a value.
@@ -84,7 +85,7 @@ std::vector<Occurrence> occurrences_in(std::span<const Word> words) {
     return occurrences;
 }
 
-void check(const WordsOfBlock& block, Reporter& reporter) {
+void check(const queries::WordsOfBlock& block, Reporter& reporter) {
     const auto& repeatable = block.analysis.control().repeatable;
     std::vector<Occurrence> repeated = occurrences_in(block.words);
     std::erase_if(repeated, [&](const Occurrence& address) {
@@ -92,7 +93,7 @@ void check(const WordsOfBlock& block, Reporter& reporter) {
                std::ranges::find(repeatable, address.address) != repeatable.end() ||
                may_be_argument(block, *address.last);
     });
-    if (repeated.empty() || has_alternatives(block)) return;
+    if (repeated.empty() || queries::has_alternatives(block)) return;
     std::string addresses;
     for (const Occurrence& address : repeated)
         addresses += (addresses.empty() ? "" : ", ") + std::string(address.address);

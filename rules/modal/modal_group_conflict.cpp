@@ -1,4 +1,5 @@
 //! MAC514: two codes of one modal group in a block.
+#include "analyzer/queries/block_words.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -12,7 +13,7 @@
 namespace maclint::rules {
 
 namespace {
-void check(const WordsOfBlock& block, Reporter& reporter);
+void check(const queries::WordsOfBlock& block, Reporter& reporter);
 }
 
 extern const Rule modal_group_conflict{
@@ -64,7 +65,7 @@ std::optional<Member> member(const ControlModel& control, const Word& word) {
     return Member{&word, code->value, *group};
 }
 
-void check(const WordsOfBlock& block, Reporter& reporter) {
+void check(const queries::WordsOfBlock& block, Reporter& reporter) {
     const ControlModel& control = block.analysis.control();
     std::vector<Member> members; // one of each group
     for (const Word& word : block.words) {
@@ -76,7 +77,7 @@ void check(const WordsOfBlock& block, Reporter& reporter) {
             continue;
         }
         if (before->code == found->code) continue; // the same code once more changes nothing
-        if (has_alternatives(block)) return;
+        if (queries::has_alternatives(block)) return;
         const Program& program = block.analysis.program();
         Finding& finding = reporter.report({block.analysis, word.span}, word.span, "plain",
                                            {quoted(program, before->word->span), quoted(program, word.span),

@@ -58,10 +58,10 @@ bool is_zero(const dataflow::Value& value) {
 /// The author treats both cases: another test of the same variable for vacancy is in the same condition, or
 /// in the IF right before or after.
 bool tests_both(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison, Variable variable) {
-    constexpr flow::NodeId hash_local = 3; // nodes between two IF blocks: the condition and what it guards
-    const flow::NodeId first = comparison.node - std::min(comparison.node, hash_local);
-    return queries::asks_for_vacancy(analysis.program(), analysis.facts(), first,
-                                     comparison.node + hash_local, variable);
+    constexpr flow::NodeId nearby = 3; // nodes between two IF blocks: the condition and what it guards
+    const flow::NodeId first = comparison.node - std::min(comparison.node, nearby);
+    return queries::asks_for_vacancy(analysis.program(), analysis.facts(), first, comparison.node + nearby,
+                                     variable);
 }
 
 /// Variables of IF[#3EQ0]GOTO1, IF[#3EQ1]GOTO2 …: a choice among numbers, whose default a missing argument

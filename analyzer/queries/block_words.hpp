@@ -1,0 +1,29 @@
+//! A block with its words, and what else stands there.
+#pragma once
+
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <span>
+
+namespace maclint::queries {
+
+/// A block and its words; good as long as the check runs.
+struct WordsOfBlock {
+    const ProgramAnalysis& analysis;
+    const BlockView& block;
+    std::span<const Word> words;
+    bool modal_calls; ///< calls of the program act on blocks after them
+};
+
+/// Whether words of the block may be skipped or stand under a condition: then two that exclude each other may
+/// be alternatives.
+[[nodiscard]] bool has_alternatives(const WordsOfBlock& block);
+
+/// Whether the block calls a program, or may: by a code that no table knows, or after its move.
+[[nodiscard]] bool may_call(const WordsOfBlock& block);
+
+/// Whether the program makes modal calls, which act on the blocks after them.
+[[nodiscard]] bool has_modal_calls(const Program& program);
+
+} // namespace maclint::queries
