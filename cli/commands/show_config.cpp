@@ -54,11 +54,11 @@ std::string rules_lines(const RuleStates& rules) {
            changed_rules(rules);
 }
 
-ReadFile read(const SnapshotFile& file) {
+ReadFile read(const SnapshotFile& file, ProgramStore& store) {
     auto opened = open_file(file);
     if (auto* notice = std::get_if<Notice>(&opened)) return ReadFile{.notice = std::move(*notice)};
     auto source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
-    return read_source(file, std::move(source), Extent::names_and_calls);
+    return read_source(file, std::move(source), Extent::names_and_calls, store);
 }
 
 std::string paragraph(const SnapshotFile& file, const ReadFile& read) {
@@ -77,9 +77,10 @@ std::string paragraph(const SnapshotFile& file, const ReadFile& read) {
 
 ShownConfig show_config(const Snapshot& snapshot) {
     ShownConfig config;
+    ProgramStore store(0);
     for (const SnapshotFile& file : snapshot.files) {
         if (!file.input.asked) continue;
-        ReadFile found = read(file);
+        ReadFile found = read(file, store);
         config.text += paragraph(file, found);
         if (found.notice) config.notices.push_back(*std::move(found.notice));
     }

@@ -75,7 +75,8 @@ class Run {
         auto source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
         const bool at_once =
             source->size() >= long_text || (file.input.asked && (at_once_ += source->size()) <= short_texts);
-        seen.read = read_source(file, std::move(source), at_once ? Extent::whole : Extent::names_and_calls);
+        seen.read =
+            read_source(file, std::move(source), at_once ? Extent::whole : Extent::names_and_calls, store_);
         if (seen.read.file == nullptr || seen.read.not_nc) return;
         seen.outline = outline_of(*seen.read.file);
         if (!at_once) seen.read.file = nullptr;

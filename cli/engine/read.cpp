@@ -64,7 +64,8 @@ std::variant<Source, Notice> open_file(const SnapshotFile& file) {
     return std::move(source);
 }
 
-ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> source, Extent extent) {
+ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> source, Extent extent,
+                     ProgramStore& store) {
     const Detection detection = detect_dialect(*source);
     const bool named = file.settings.dialect != nullptr;
     ReadFile read{.source = std::move(source),
@@ -87,8 +88,13 @@ ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> sou
     const bool doubtful = !named && !detection.certain;
     read.extent = doubtful ? Extent::whole : extent;
     read.control = &control_of(file, *read.dialect);
-    read.file =
-        std::make_shared<const ProgramFile>(read.dialect->read(read.source, *read.control, read.extent));
+    if (read.extent == Extent::whole) {
+        read.file = store.read(read.source, *read.dialect, *read.control, file.settings.configuration);
+        read.source = read.file->source; // that of the findings
+    } else {
+        read.file =
+            std::make_shared<const ProgramFile>(read.dialect->read(read.source, *read.control, read.extent));
+    }
     if (!doubtful) return read;
     if (auto reason = reason_for_doubt(*read.file, *read.dialect)) {
         read.notice = foreign(file, *reason);

@@ -1,6 +1,7 @@
 //! Finds out what a file is and reads its programs.
 #pragma once
 
+#include "cli/engine/program_store.hpp"
 #include "cli/engine/snapshot.hpp"
 
 #include <memory>
@@ -27,8 +28,8 @@ struct ReadFile {
 };
 
 /// Finds out what a source is and turns it into programs: to that extent, or whole where only the whole of it
-/// tells which language it is in.
+/// tells which language it is in. What is read whole comes from the store.
 [[nodiscard]] ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> source,
-                                   Extent extent);
+                                   Extent extent, ProgramStore& store);
 
 } // namespace maclint::cli

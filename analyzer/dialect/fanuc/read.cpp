@@ -117,18 +117,22 @@ class Family {
     }
 
     /// Without P and `<`, without `O1` or `:` that may be a program number, `;` that ends it within the line,
-    /// and `%`.
+    /// and `%`. A line of comments alone is no block.
     static std::optional<Offset> end_at_a_glance(std::string_view text, Offset at) {
-        constexpr std::string_view telling = "Pp<:;%";
-        static constexpr auto tells = bytes_of(telling);
+        static constexpr auto tells = bytes_of("Pp<:;%");
+        bool has_code = false;
         for (; at < text.size() && !is_line_break(text[at]); ++at) {
             const char c = text[at];
             if (tells[static_cast<unsigned char>(c)]) return std::nullopt;
-            if (c == '(') at = after_comment(text, at) - 1;
+            if (c == '(') {
+                at = after_comment(text, at) - 1;
+                continue;
+            }
+            has_code = has_code || !is_blank(c);
             if (to_capital(c) != 'O' || at + 1 == text.size()) continue;
             if (is_digit(text[at + 1]) || is_blank(text[at + 1])) return std::nullopt;
         }
-        return at;
+        return has_code ? std::optional(at) : std::nullopt;
     }
 
     void close() { close_program(); }
