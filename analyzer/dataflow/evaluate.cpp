@@ -157,14 +157,11 @@ Truth Transfer::evaluate_condition(const State& state, ExpressionId id) {
     switch (apply->operation) {
     case Operation::all_of: return evaluate_chain(state, operands, true);
     case Operation::any_of: return evaluate_chain(state, operands, false);
-    case Operation::not_of: {
-        const Truth truth = evaluate_condition(state, operands.front());
-        return {truth.can_fail, truth.can_hold};
-    }
+    case Operation::not_of: return semantics::negated(evaluate_condition(state, operands.front()));
     case Operation::is_vacant:
     case Operation::is_set: {
         const Value value = evaluate(state, operands.front(), Use::vacancy_test);
-        const Truth truth = test_vacancy(apply->operation, value);
+        const Truth truth = semantics::test_vacancy(apply->operation, value);
         if (facts_ != nullptr)
             facts_->add(Comparison{node_, effect_, id, apply->operation, operands.front(), operands.front(),
                                    value, value, truth});
@@ -258,76 +255,22 @@ void Transfer::know_entry_code(State& state, ChannelGroup of, double code) {
     states_.write(state, of, std::move(value));
 }
 
-namespace {
-
-/// Cuts the range of `value` to what the comparison with `other` leaves.
-void cut(Value& value, Operation operation, const Value& other) {
-    const auto above = [&](double bound) {
-        return value.integer ? std::floor(bound) + 1 : std::nextafter(bound, bound + 1);
-    };
-    const auto below = [&](double bound) {
-        return value.integer ? std::ceil(bound) - 1 : std::nextafter(bound, bound - 1);
-    };
-    switch (operation) {
-    case Operation::equal:
-        value.low = std::max(value.low, other.low);
-        value.high = std::min(value.high, other.high);
-        break;
-    case Operation::not_equal:
-        if (other.low != other.high || !std::isfinite(other.low)) break;
-        if (other.low == 0) value.nonzero = true;
-        if (value.low == other.low && value.high > value.low) value.low = above(other.low);
-        if (value.high == other.low && value.high > value.low) value.high = below(other.low);
-        break;
-    case Operation::less:
-        if (std::isfinite(other.high)) value.high = std::min(value.high, below(other.high));
-        break;
-    case Operation::less_equal: value.high = std::min(value.high, other.high); break;
-    case Operation::greater:
-        if (std::isfinite(other.low)) value.low = std::max(value.low, above(other.low));
-        break;
-    case Operation::greater_equal: value.low = std::max(value.low, other.low); break;
-    default: break;
-    }
-}
-
-} // namespace
-
-/// Whether NE takes the other side's number away. It does not when vacant differs from 0 and that side may be
-/// vacant, nor 0 from a value that may be: vacant passes NE 0 and counts as 0 afterwards.
-bool Transfer::excludes(const Value& value, const Value& other) const {
-    if (program_.control->vacant_equals_zero) return true;
-    return other.vacancy == Vacancy::set && (value.vacancy == Vacancy::set || other.low != 0);
-}
-
 void Transfer::refine_variable(State& state, Variable variable, Operation operation, const Value& other) {
-    Value value = states_.read(state, variable);
-    const Value before = value;
+    const Value before = states_.read(state, variable);
+    Value value = before;
     if (operation == Operation::is_vacant) {
         if (value.vacancy == Vacancy::set) return;
-        const OriginId origin = value.origin;
-        value = vacant_value(states_.table(), value.vacancy_origin);
-        value.origin = origin;
+        value = vacant_value(states_.table(), before.vacancy_origin);
+        value.origin = before.origin;
     } else if (operation == Operation::is_set) {
         value.vacancy = Vacancy::set;
     } else {
-        const bool may_be_vacant = value.vacancy != Vacancy::set;
-        // EQ tells a number from vacant; the other comparisons take vacant for 0 [MITSU-326].
-        if (operation == Operation::equal && other.vacancy == Vacancy::set &&
-            !program_.control->vacant_equals_zero)
-            value.vacancy = Vacancy::set;
-        if (may_be_vacant && value.vacancy != Vacancy::set && operation != Operation::not_equal) {
-            Value zero = value;
-            zero.low = zero.high = 0;
-            zero.integer = false;
-            cut(zero, operation, other);
-            if (zero.low > zero.high) value.vacancy = Vacancy::set;
-        }
-        if (operation != Operation::not_equal || excludes(value, other)) cut(value, operation, other);
-        if (value.low > value.high) {
+        const auto left = semantics::refine(before, operation, other, program_.control->vacant_equals_zero);
+        if (!left) {
             state.reached = false;
             return;
         }
+        value.know(*left);
         if (value.low == value.high && value.vacancy == Vacancy::set && operation == Operation::equal &&
             other.constant()) {
             value = number_value(states_.table(), value.low);

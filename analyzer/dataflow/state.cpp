@@ -9,13 +9,6 @@
 namespace maclint::dataflow {
 namespace {
 
-Vacancy join_vacancy(Vacancy a, Vacancy b) {
-    if (a == b) return a;
-    const bool evidence =
-        a == Vacancy::maybe || b == Vacancy::maybe || a == Vacancy::vacant || b == Vacancy::vacant;
-    return evidence ? Vacancy::maybe : Vacancy::unknown;
-}
-
 /// Keeps the parts sorted by symbol; two origins of one symbol both count.
 void add_part(ModalValue& value, const ModalPart& part) {
     const auto key = [](const ModalPart& p) { return std::pair(p.symbol, p.origin); };
@@ -212,18 +205,13 @@ bool States::is_entry_of(OriginId vacancy_origin, Key key) const {
 Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t node) {
     if (a == b) return a;
     Value joined;
+    joined.know(semantics::join(a, b));
     joined.symbol = a.symbol == b.symbol ? a.symbol : table_.symbols({Symbol::Kind::joined, key, node, 0});
     joined.origin = a.origin == b.origin ? a.origin : 0;
-    joined.vacancy = join_vacancy(a.vacancy, b.vacancy);
     joined.vacancy_origin =
         a.vacancy_origin != 0 && !is_entry_of(b.vacancy_origin, key) ? a.vacancy_origin : b.vacancy_origin;
     if (joined.vacancy_origin == 0) joined.vacancy_origin = a.vacancy_origin;
-    joined.exactness = std::max(a.exactness, b.exactness);
     joined.rounding = a.rounding != 0 ? a.rounding : b.rounding;
-    joined.low = std::min(a.low, b.low);
-    joined.high = std::max(a.high, b.high);
-    joined.integer = a.integer && b.integer;
-    joined.nonzero = !a.can_be(0) && !b.can_be(0);
     return joined;
 }
 
@@ -284,12 +272,11 @@ State States::widen(const State& old, const State& now, std::uint32_t node,
     return merge(old, now, node, [thresholds](const Value& before, Value& after) {
         if (after.high > before.high) {
             const auto next = std::ranges::lower_bound(thresholds, after.high);
-            after.high = next == thresholds.end() ? std::numeric_limits<double>::infinity() : *next;
+            after.high = next == thresholds.end() ? semantics::infinity : *next;
         }
         if (after.low < before.low) {
             const auto next = std::ranges::upper_bound(thresholds, after.low);
-            after.low =
-                next == thresholds.begin() ? -std::numeric_limits<double>::infinity() : *std::prev(next);
+            after.low = next == thresholds.begin() ? -semantics::infinity : *std::prev(next);
         }
     });
 }

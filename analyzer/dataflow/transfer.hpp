@@ -32,7 +32,6 @@ class Transfer {
     [[nodiscard]] Truth evaluate_chain(const State& state, std::span<const ExpressionId> operands, bool all);
     void refine(State& state, ExpressionId id, bool holds);
     void refine_side(State& state, ExpressionId side, const Value& value, Operation operation, Value other);
-    [[nodiscard]] bool excludes(const Value& value, const Value& other) const;
     void refine_variable(State& state, Variable variable, Operation operation, const Value& other);
     void know_entry_code(State& state, ChannelGroup of, double code);
     void refine_entry_code(State& state, const Value& value, Operation operation, const Value& other);

@@ -2,7 +2,6 @@
 #include "analyzer/dataflow/value.hpp"
 
 #include <bit>
-#include <cmath>
 
 namespace maclint::dataflow {
 ValueTable::ValueTable() {
@@ -42,21 +41,15 @@ Value number_value(ValueTable& table, double number) { return number_value(table
 
 Value number_value(SymbolId symbol, double number) {
     Value value;
+    value.know(semantics::of_number(number));
     value.symbol = symbol;
-    value.low = value.high = number;
-    value.vacancy = Vacancy::set;
-    value.exactness = Exactness::exact;
-    value.integer = std::floor(number) == number;
     return value;
 }
 
 Value vacant_value(ValueTable& table, OriginId vacancy_origin) {
     Value value;
+    value.know(semantics::of_vacant());
     value.symbol = table.symbols({Symbol::Kind::vacant, 0, 0, 0});
-    value.low = value.high = 0; // what arithmetic and comparisons other than EQ and NE take it for
-    value.vacancy = Vacancy::vacant;
-    value.exactness = Exactness::exact;
-    value.integer = true;
     value.vacancy_origin = vacancy_origin;
     return value;
 }

@@ -5,24 +5,20 @@
 #include "analyzer/dataflow/interner.hpp"
 #include "analyzer/dataflow/small_vector.hpp"
 #include "analyzer/program/model.hpp"
+#include "analyzer/semantics/abstract.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
 namespace maclint::dataflow {
 
-/// `maybe` is known to be possible and has a reason (Value::vacancy_origin); `unknown` is ignorance and
-/// proves nothing.
-enum class Vacancy : std::uint8_t { set, vacant, maybe, unknown };
-
-/// Whether rounding has touched a value. `rounded` comes with where (Value::rounding).
-enum class Exactness : std::uint8_t { exact, unknown, rounded };
+using semantics::Exactness;
+using semantics::Vacancy;
 
 using SymbolId = std::uint32_t; ///< equal symbols at one point of the program are equal values
 using OriginId = std::uint32_t; ///< 0: none
@@ -62,28 +58,15 @@ struct Symbol {
     friend bool operator==(const Symbol&, const Symbol&) = default;
 };
 
-struct Value {
+/// What a value can be, which computation it is the result of, and where that comes from.
+struct Value : semantics::AbstractValue {
     SymbolId symbol = 0;
     OriginId origin = 0;         ///< the store that made it the content of its variable
     OriginId vacancy_origin = 0; ///< why it can be vacant, or 0 because something else is vacant
     OriginId rounding = 0;       ///< where it was rounded
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
-    Vacancy vacancy = Vacancy::unknown;
-    Exactness exactness = Exactness::unknown;
-    bool integer = false;
-    bool nonzero = false; ///< known not to be 0 although the range holds it
 
-    [[nodiscard]] std::optional<double> constant() const {
-        return low == high && vacancy != Vacancy::vacant && vacancy != Vacancy::maybe ? std::optional(low)
-                                                                                      : std::nullopt;
-    }
-    /// Vacant counts as 0, as it does in arithmetic.
-    [[nodiscard]] bool can_be(double number) const {
-        const bool may_be_vacant = vacancy == Vacancy::vacant || vacancy == Vacancy::maybe;
-        if (number == 0 && may_be_vacant) return true;
-        return low <= number && number <= high && !(nonzero && number == 0);
-    }
+    /// From now on that is known of it; symbol and origins stay.
+    void know(const semantics::AbstractValue& now) { AbstractValue::operator=(now); }
     friend bool operator==(const Value&, const Value&) = default;
 };
 

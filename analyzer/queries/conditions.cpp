@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace maclint::queries {
@@ -88,8 +87,8 @@ bool contradict(const Program& program, Atom a, Atom b) {
 
 /// What is left of the numbers that an expression can be, as far as whole numbers go.
 struct WholeNumbers {
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
+    double low = -semantics::infinity;
+    double high = semantics::infinity;
     std::vector<double> excluded;
 
     void apply(Operation operation, double number) {

@@ -107,7 +107,6 @@ Result within(double low, double operand, double high, double (*f)(double)) {
 double round_up(double number) { return number < 0 ? std::floor(number) : std::ceil(number); }
 
 Result unary(Operation operation, double x) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     switch (operation) {
     case Operation::negate: return -x;
     case Operation::bit_not: return on_bits(x, 0, [](std::uint32_t a, std::uint32_t) { return ~a; });
@@ -117,7 +116,7 @@ Result unary(Operation operation, double x) {
     case Operation::arc_sine: return within(-1, x, 1, [](double y) { return std::asin(y) * degrees; });
     case Operation::arc_cosine: return within(-1, x, 1, [](double y) { return std::acos(y) * degrees; });
     case Operation::arc_tangent: return std::atan(x) * degrees;
-    case Operation::square_root: return within(0, x, infinity, [](double y) { return std::sqrt(y); });
+    case Operation::square_root: return x >= 0 ? Result(std::sqrt(x)) : Result(DomainError{});
     case Operation::absolute: return std::abs(x);
     case Operation::round: return std::round(x);
     case Operation::truncate: return std::trunc(x);

@@ -1,5 +1,5 @@
-//! What operators, functions and comparisons do to numbers and to vacancy: the one place for the solver's
-//! constants, the stepper and tests.
+//! What operators, functions and comparisons do to numbers and to vacancy: for the stepper, for constants of
+//! the solver, and as the measure of abstract.hpp in tests.
 #pragma once
 
 #include "analyzer/program/model.hpp"

@@ -3,13 +3,11 @@
 
 #include "analyzer/dataflow/arithmetic.hpp"
 
-#include <limits>
-
 #include <gtest/gtest.h>
 
 namespace maclint::dataflow {
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
+using semantics::infinity;
 
 inline void expect_truth(Truth truth, bool can_hold, bool can_fail) {
     EXPECT_EQ(truth.can_hold, can_hold);
