@@ -14,7 +14,15 @@ namespace {
 struct Row {
     Operation operation;
     enum class Whole : std::uint8_t { never, if_operands, if_exponent_too, always } whole;
-    enum class Rounds : std::uint8_t { never, unless_whole, always, by_divisor, havocs, unknown } rounds;
+    enum class Rounds : std::uint8_t {
+        never,
+        unless_whole,
+        unless_whole_power,
+        always,
+        by_divisor,
+        havocs,
+        unknown
+    } rounds;
 };
 
 using W = Row::Whole;
@@ -27,7 +35,7 @@ constexpr auto rows = std::to_array<Row>({
     {Operation::multiply, W::if_operands, R::unless_whole},
     {Operation::divide, W::never, R::by_divisor},
     {Operation::modulo, W::if_operands, R::unless_whole},
-    {Operation::power, W::if_exponent_too, R::unless_whole},
+    {Operation::power, W::if_exponent_too, R::unless_whole_power},
     {Operation::negate, W::if_operands, R::never},
     {Operation::absolute, W::if_operands, R::never},
     {Operation::bit_and, W::always, R::havocs},
@@ -114,6 +122,10 @@ Exactness exactness_of(Operation operation, const AbstractValue& first, const Ab
     switch (find_row(operation).rounds) {
     case R::never: return std::max(first.exactness, second.exactness);
     case R::unless_whole: return of_sum_or_product(first, second);
+    case R::unless_whole_power: // 3 to the power of -1 is rounded, 2 to the power of 0.5, too
+        return std::max(of_sum_or_product(first, second), gives_whole_numbers(operation, first, second)
+                                                              ? Exactness::exact
+                                                              : Exactness::unknown);
     case R::always: return Exactness::rounded;
     case R::by_divisor: return of_quotient(first, second);
     case R::havocs: return Exactness::exact;
