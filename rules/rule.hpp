@@ -1,6 +1,7 @@
 //! What a rule is: one record with everything that its page, the reports and the tests are made from.
 #pragma once
 
+#include "analyzer/dataflow/fact_set.hpp"
 #include "analyzer/program/syntax_error.hpp"
 #include "analyzer/program/tables.hpp"
 #include "rules/check.hpp"
@@ -70,7 +71,8 @@ struct Rule {
     /// where one of them is on and speaks. What an owner leaves to a third rule does not come back to this
     /// one.
     std::string_view yields_to = {};
-    std::string_view also = {}; ///< codes that the bad examples raise, too, under the default selection
+    std::string_view also = {};   ///< codes that the bad examples raise, too, under the default selection
+    dataflow::FactSet facts = {}; ///< that the check asks for, itself or through what it calls
     bool data_flow = false; ///< findings carry a path (SARIF codeFlows); a test demands it of the bad example
     std::vector<Message> messages;
     std::vector<Example> bad;  ///< raises exactly this rule
@@ -96,8 +98,11 @@ struct Selection {
     std::vector<const Rule*> rules;
 };
 
-/// Runs the selected rules over the workspace on up to `jobs` threads. The order of the findings is that of
-/// path, line, column, code, whatever `jobs` is.
+/// What the selected rules ask data flow for.
+[[nodiscard]] dataflow::FactSet facts_for(const Selection& selection);
+
+/// Runs the selected rules over the workspace, which holds the facts for them, on up to `jobs` threads. The
+/// order of the findings is that of path, line, column, code, whatever `jobs` is.
 [[nodiscard]] std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection,
                                              unsigned jobs);
 

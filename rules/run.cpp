@@ -47,6 +47,12 @@ std::vector<Finding> check(const Selection& selection, const Thing& thing) {
 
 } // namespace
 
+dataflow::FactSet facts_for(const Selection& selection) {
+    dataflow::FactSet facts;
+    for (const Rule* rule : selection.rules) facts |= rule->facts;
+    return facts;
+}
+
 std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection, unsigned jobs) {
     std::vector<const ProgramFile*> files;
     for (const WorkspaceFile& file : workspace.files())

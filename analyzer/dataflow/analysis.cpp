@@ -31,7 +31,7 @@ struct WorkingLists {
 /// Fills an Analysis.
 class AnalysisBuilder {
   public:
-    AnalysisBuilder(const Program& program, const flow::Graph& graph, const Callees& callees,
+    AnalysisBuilder(const Program& program, const flow::Graph& graph, const Callees& callees, FactSet wanted,
                     WorkingLists& lists, Analysis& result)
         : graph_(graph)
         , states_(*result.states_)
@@ -39,7 +39,9 @@ class AnalysisBuilder {
         , result_(result)
         , before_(lists.solution.before)
         , along_(lists.solution.along)
+        , wanted_(wanted)
         , facts_(lists.facts) {
+        facts_.record_only(wanted | facts_of_summaries);
         StateDomain domain(program, states_, transfer_);
         flow::solve<flow::Direction::forward>(graph, domain, lists.solution);
     }
@@ -50,7 +52,7 @@ class AnalysisBuilder {
         record();
         result_.summary_ =
             summarise(*result_.program_, graph_, result_.callees_, states_, facts_, result_.reached_);
-        keep_what_rules_ask_for();
+        keep_what_is_wanted();
     }
 
   private:
@@ -77,13 +79,14 @@ class AnalysisBuilder {
         }
     }
 
-    void keep_what_rules_ask_for() {
+    void keep_what_is_wanted() {
         std::vector<State*> asked;
         for (PointState& point : facts_.of<BeforeToolChange>()) asked.push_back(&point.state);
         for (PointState& point : facts_.of<BeforeWatchedWord>()) asked.push_back(&point.state);
-        for (ExitState& exit : facts_.of<ExitState>()) asked.push_back(&exit.state);
+        if (wanted_.has<ExitState>())
+            for (ExitState& exit : facts_.of<ExitState>()) asked.push_back(&exit.state);
         states_.keep_only(asked);
-        result_.facts_ = facts_.hand_over(worth_keeping);
+        result_.facts_ = facts_.hand_over(wanted_, worth_keeping);
     }
 
     const flow::Graph& graph_;
@@ -92,18 +95,19 @@ class AnalysisBuilder {
     Analysis& result_;
     const std::vector<State>& before_;
     const std::vector<State>& along_;
+    FactSet wanted_;
     FactLists& facts_;
 };
 
 Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge,
-                   Callees callees)
+                   Callees callees, FactSet wanted)
     : program_(&program)
     , graph_(&graph)
     , knowledge_(std::move(knowledge))
     , callees_(std::move(callees))
     , states_(std::make_unique<States>(program, knowledge_)) {
     thread_local WorkingLists lists;
-    AnalysisBuilder(program, graph, callees_, lists, *this).run();
+    AnalysisBuilder(program, graph, callees_, wanted, lists, *this).run();
     lists.release();
 }
 

@@ -14,8 +14,10 @@ namespace maclint::dataflow {
 
 class Analysis {
   public:
-    /// Solves at once. The references, and those that `callees` holds, must outlive the analysis.
-    Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge, Callees callees);
+    /// Solves at once. The references, and those that `callees` holds, must outlive the analysis. Facts of
+    /// the types that are `wanted` can be asked for afterwards.
+    Analysis(const Program& program, const flow::Graph& graph, EntryKnowledge knowledge, Callees callees,
+             FactSet wanted);
     Analysis(Analysis&&) noexcept;
     Analysis& operator=(Analysis&&) noexcept;
     ~Analysis();

@@ -25,14 +25,14 @@ Value Transfer::number(ExpressionId id, double number) {
 
 Value Transfer::record_read(const State& state, Variable variable, ExpressionId id, Use use) {
     const Value value = is_ambiguous(variable) ? opaque(id) : states_.read(state, variable);
-    if (facts_ != nullptr) facts_->add(Read{node_, effect_, id, variable, value, use});
+    if (records<Read>()) facts_->add(Read{node_, effect_, id, variable, value, use});
     return value;
 }
 
 Value Transfer::load_modal(const State& state, GroupId group, ExpressionId id) {
     ModalValue modal = states_.read(state, channels_.running, group);
     modal.unknown |= channels_.uncertain != 0;
-    if (facts_ != nullptr) facts_->add(ModalRead{node_, effect_, id, group, modal});
+    if (records<ModalRead>()) facts_->add(ModalRead{node_, effect_, id, group, modal});
     Value value = opaque(id);
     value.vacancy = Vacancy::set;
     value.exactness = Exactness::exact;
@@ -111,7 +111,7 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
                 }
                 for (std::size_t i = 0; i < operands.size(); ++i)
                     values[i] = evaluate(state, operands[i], Use::arithmetic);
-                if (facts_ != nullptr && semantics::may_have_no_value(apply.operation) &&
+                if (records<Application>() && semantics::may_have_no_value(apply.operation) &&
                     operands.size() <= 2)
                     facts_->add(Application{node_, effect_, id, apply.operation, operands.front(),
                                             operands.back(), values[0], values[operands.size() - 1]});
@@ -162,7 +162,7 @@ Truth Transfer::evaluate_condition(const State& state, ExpressionId id) {
     case Operation::is_set: {
         const Value value = evaluate(state, operands.front(), Use::vacancy_test);
         const Truth truth = semantics::test_vacancy(apply->operation, value);
-        if (facts_ != nullptr)
+        if (records<Comparison>())
             facts_->add(Comparison{node_, effect_, id, apply->operation, operands.front(), operands.front(),
                                    value, value, truth});
         return truth;
@@ -177,7 +177,7 @@ Truth Transfer::evaluate_condition(const State& state, ExpressionId id) {
     const Value right = evaluate(state, operands[1], Use::comparison);
     compared_ = {id, left, right};
     const Truth truth = compare(apply->operation, left, right, program_.control->vacant_equals_zero);
-    if (facts_ != nullptr)
+    if (records<Comparison>())
         facts_->add(
             Comparison{node_, effect_, id, apply->operation, operands[0], operands[1], left, right, truth});
     return truth;

@@ -1,6 +1,7 @@
 //! The facts of a program while they are written down.
 #pragma once
 
+#include "analyzer/dataflow/fact_set.hpp"
 #include "analyzer/dataflow/facts.hpp"
 #include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/dataflow/facts/call_made.hpp"
@@ -15,6 +16,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 
+#include <cassert>
 #include <cstddef>
 #include <iterator>
 #include <tuple>
@@ -23,12 +25,18 @@
 
 namespace maclint::dataflow {
 
-/// A list for each of the types.
+/// A list for each of the types; those that are not recorded stay empty.
 template<class... Types>
 class ListsOf {
   public:
+    void record_only(FactSet types) { recorded_ = types; }
+    template<class T>
+    [[nodiscard]] bool records() const {
+        return recorded_.has<T>();
+    }
     template<class T>
     void add(T fact) {
+        assert(records<T>());
         of<T>().push_back(std::move(fact));
     }
     template<class T>
@@ -39,11 +47,15 @@ class ListsOf {
     [[nodiscard]] const std::vector<T>& of() const {
         return std::get<std::vector<T>>(lists_);
     }
-    /// Moves all facts out, into no more memory than they need; the memory here stays for other programs,
-    /// unless a list has more than `worth_keeping` bytes.
-    [[nodiscard]] Facts hand_over(std::size_t worth_keeping) {
+    /// Moves the facts of the types that are `wanted` out, into no more memory than they need, and drops the
+    /// others; the memory here stays for other programs, unless a list has more than `worth_keeping` bytes.
+    [[nodiscard]] Facts hand_over(FactSet wanted, std::size_t worth_keeping) {
         Facts facts;
-        (facts.put(taken_from(of<Types>(), worth_keeping)), ...);
+        const auto hand_over_list = [&]<class T>(std::vector<T>& list) {
+            std::vector<T> taken = taken_from(list, worth_keeping);
+            if (wanted.has<T>()) facts.put(std::move(taken));
+        };
+        (hand_over_list(of<Types>()), ...);
         return facts;
     }
 
@@ -61,11 +73,10 @@ class ListsOf {
         return taken;
     }
 
+    FactSet recorded_ = FactSet::all();
     std::tuple<std::vector<Types>...> lists_;
 };
 
-/// Every type of fact: what stands here is recorded and can be asked for.
-using FactLists = ListsOf<Application, Comparison, Condition, Read, ModalRead, Store, Clobber, CallMade,
-                          ModalWrite, ComputedJump, BeforeToolChange, BeforeWatchedWord, ExitState>;
+using FactLists = OfEveryFact<ListsOf>;
 
 } // namespace maclint::dataflow

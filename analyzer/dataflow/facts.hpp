@@ -1,10 +1,12 @@
 //! What data flow found out, effect by effect: the material that rules are made of.
 #pragma once
 
+#include "analyzer/dataflow/fact_set.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <concepts>
 #include <memory>
@@ -20,7 +22,24 @@ concept OfAnEffect = requires(const T& fact) {
     { fact.effect } -> std::convertible_to<EffectId>;
 };
 
-/// The facts of one program: a list for each type of them, whatever types there are.
+/// Notes which types of facts its thread asks for while it lives: so much a rule has to declare.
+class AskedFacts {
+  public:
+    AskedFacts()
+        : outer_(std::exchange(innermost, this)) {}
+    AskedFacts(const AskedFacts&) = delete;
+    AskedFacts& operator=(const AskedFacts&) = delete;
+    ~AskedFacts() { innermost = outer_; }
+    [[nodiscard]] FactSet types() const { return types_; }
+
+  private:
+    friend class Facts;
+    inline static constinit thread_local AskedFacts* innermost = nullptr;
+    AskedFacts* outer_;
+    FactSet types_;
+};
+
+/// The facts of one program: a list for each type that is recorded.
 class Facts {
   public:
     /// In the order of nodes. Facts of a type that was not recorded cannot be asked for.
@@ -45,27 +64,20 @@ class Facts {
     /// Adds the list of a type, which is in the order of nodes.
     template<class T>
     void put(std::vector<T> facts) {
-        lists_.push_back(std::make_unique<List<T>>(std::move(facts)));
+        lists_[EveryFact::index<T>()] = std::make_unique<List<T>>(std::move(facts));
     }
 
   private:
-    /// Its address stands for the type.
-    template<class T>
-    static constexpr char mark = 0;
-
     struct AnyList {
-        explicit AnyList(const char* of_type)
-            : type(of_type) {}
+        AnyList() = default;
         AnyList(const AnyList&) = delete;
         AnyList& operator=(const AnyList&) = delete;
         virtual ~AnyList() = default;
-        const char* type;
     };
     template<class T>
     struct List : AnyList {
         explicit List(std::vector<T> of_program)
-            : AnyList(&mark<T>)
-            , facts(std::move(of_program)) {
+            : facts(std::move(of_program)) {
             if constexpr (OfAnEffect<T>) {
                 if (std::ranges::is_sorted(facts, {}, &T::effect)) return;
                 by_effect = facts;
@@ -78,12 +90,13 @@ class Facts {
 
     template<class T>
     [[nodiscard]] const List<T>& list() const {
-        const auto found = std::ranges::find(lists_, &mark<T>, &AnyList::type);
-        assert(found != lists_.end());
-        return static_cast<const List<T>&>(**found);
+        if (AskedFacts::innermost != nullptr) AskedFacts::innermost->types_ |= FactSet::of<T>();
+        const auto& list = lists_[EveryFact::index<T>()];
+        assert(list != nullptr); // Rule::facts declares what a rule asks for
+        return static_cast<const List<T>&>(*list);
     }
 
-    std::vector<std::unique_ptr<const AnyList>> lists_;
+    std::array<std::unique_ptr<const AnyList>, EveryFact::count> lists_;
 };
 
 } // namespace maclint::dataflow

@@ -11,7 +11,10 @@ namespace maclint::dataflow {
 
 class States;
 
-/// `facts`: all of the program, the states of its exits among them. `reached`: the nodes to which a path
+/// What a summary is made from.
+inline constexpr FactSet facts_of_summaries = facts<Store, Clobber, CallMade, ExitState>();
+
+/// `facts`: those of the program, the states of its exits among them. `reached`: the nodes to which a path
 /// leads.
 [[nodiscard]] Summary summarise(const Program& program, const flow::Graph& graph, const Callees& callees,
                                 States& states, const FactLists& facts, const std::vector<bool>& reached);

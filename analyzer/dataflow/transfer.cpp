@@ -94,17 +94,19 @@ void Transfer::apply(State& state, const Effect& effect) {
                    [&](const Guarded& what) {
                        if (facts_ == nullptr) return;
                        const Truth truth = evaluate_condition(state, what.condition);
-                       facts_->add(Condition{node_, effect_, what.condition, truth});
+                       if (records<Condition>())
+                           facts_->add(Condition{node_, effect_, what.condition, truth});
                    },
                    [&](const RegionMark& what) {
                        if (facts_ == nullptr || !what.condition) return;
                        const Truth truth = evaluate_condition(state, *what.condition);
-                       facts_->add(Condition{node_, effect_, *what.condition, truth});
+                       if (records<Condition>())
+                           facts_->add(Condition{node_, effect_, *what.condition, truth});
                    },
                    [&](const Jump& what) {
                        if (facts_ == nullptr) return;
                        const Value target = evaluate(state, what.target, Use::jump);
-                       if (!flow::constant_target(program_, what.target))
+                       if (records<ComputedJump>() && !flow::constant_target(program_, what.target))
                            facts_->add(ComputedJump{node_, effect_, target});
                    },
                    [&](const Exchange& what) {
@@ -118,7 +120,8 @@ void Transfer::apply(State& state, const Effect& effect) {
                        if (what.may_call_or_return) havoc_shared(state);
                    },
                    [&](const ToolChange&) {
-                       if (facts_ != nullptr) facts_->add(BeforeToolChange{{node_, effect_, state}});
+                       if (records<BeforeToolChange>())
+                           facts_->add(BeforeToolChange{{node_, effect_, state}});
                    },
                    [&](const Stop& what) {
                        if (facts_ != nullptr && what.number) (void)evaluate(state, *what.number, Use::word);
@@ -145,7 +148,7 @@ void Transfer::store(State& state, Variable variable, Value value, ExpressionId 
     if (channels_.running != graph_.all_channels || is_ambiguous(variable))
         return clobber(state, variable, opaque_variable(variable, 8));
     value = states_.typed(value, variable);
-    if (facts_ != nullptr)
+    if (records<Store>())
         facts_->add(Store{node_, effect_, variable, expression, value, states_.read(state, variable),
                           step_of(state, variable, expression)});
     value.origin = here();
@@ -225,11 +228,10 @@ void Transfer::set_modal(State& state, const SetModal& set) {
         if (!group)
             if (const auto code = value.constant()) group = program_.control->group_of(set.letter, *code);
     }
-    if (facts_ != nullptr) {
+    if (records<ModalWrite>())
         facts_->add(ModalWrite{node_, effect_, group, set.group.has_value(), set.value, value});
-        if (group && program_.control->groups[*group].watched)
-            facts_->add(BeforeWatchedWord{{node_, effect_, state}});
-    }
+    if (records<BeforeWatchedWord>() && group && program_.control->groups[*group].watched)
+        facts_->add(BeforeWatchedWord{{node_, effect_, state}});
     if (group)
         set_group(state, *group, value);
     else if (!value.constant() && value.vacancy != Vacancy::vacant)
@@ -335,7 +337,7 @@ void Transfer::run_unknown_program(State& state, bool shared_frame) {
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
     const Callee callee = callees_(id);
     const Summary& summary = callee.summary;
-    if (facts_ != nullptr)
+    if (records<CallMade>())
         facts_->add(CallMade{node_, id, summary.known, !summary.known || summary.may_stop});
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
     if (!summary.known) {
@@ -427,13 +429,13 @@ void Transfer::havoc_shared(State& state) {
 
 /// Everything in the space may have changed here.
 void Transfer::havoc(State& state, SpaceId space) {
-    if (facts_ != nullptr) facts_->add(Clobber{node_, effect_, space, {}});
+    if (records<Clobber>()) facts_->add(Clobber{node_, effect_, space, {}});
     states_.havoc(state, space, {Origin::Kind::effect, effect_, node_});
 }
 
 /// The variable may have changed here, by something that is no assignment.
 void Transfer::clobber(State& state, Variable variable, const Value& value) {
-    if (facts_ != nullptr) facts_->add(Clobber{node_, effect_, variable.space, variable});
+    if (records<Clobber>()) facts_->add(Clobber{node_, effect_, variable.space, variable});
     states_.write(state, variable, value);
 }
 
@@ -471,7 +473,7 @@ void Transfer::move(State& state) {
         if (made_here) {
             run_program(moved, effect_, *call);
         } else { // a program called before has left a modal call of its own in force
-            if (facts_ != nullptr) facts_->add(CallMade{node_, effect_, false, true});
+            if (records<CallMade>()) facts_->add(CallMade{node_, effect_, false, true});
             run_unknown_program(moved, false);
         }
         for_each_channel(channels_.running, [&](std::uint8_t channel) {

@@ -11,7 +11,8 @@ class Transfer {
   public:
     Transfer(const Program& program, const flow::Graph& graph, States& states, const Callees& callees);
 
-    /// From now on everything read, compared and set is written down there; nullptr ends it.
+    /// From now on what is read, compared and set is written down there, as far as it is recorded; nullptr
+    /// ends it.
     void record_in(FactLists* facts) { facts_ = facts; }
 
     /// The state after the node.
@@ -21,6 +22,10 @@ class Transfer {
     [[nodiscard]] State along(const flow::Edge& edge, State after);
 
   private:
+    template<class Fact>
+    [[nodiscard]] bool records() const {
+        return facts_ != nullptr && facts_->records<Fact>();
+    }
     [[nodiscard]] Value evaluate(const State& state, ExpressionId id, Use use);
     [[nodiscard]] Value load_at(const State& state, FamilyId family, const Value& index, ExpressionId id,
                                 Use use);

@@ -17,12 +17,22 @@
 #include <unordered_map>
 
 namespace maclint {
+namespace {
+
+/// What the workspace itself asks for: whether a program reads arguments, and all about loops.
+constexpr dataflow::FactSet own_facts = dataflow::facts<dataflow::Read, dataflow::Store, dataflow::Clobber,
+                                                        dataflow::Comparison, dataflow::CallMade>();
+
+} // namespace
+
 class WorkspaceBuilder {
   public:
-    WorkspaceBuilder(Workspace& workspace, std::deque<ProgramAnalysis>& programs, unsigned jobs)
+    WorkspaceBuilder(Workspace& workspace, std::deque<ProgramAnalysis>& programs,
+                     const WorkspaceOptions& options)
         : workspace_(workspace)
         , programs_(programs)
-        , jobs_(jobs) {}
+        , jobs_(options.jobs)
+        , facts_(options.facts | own_facts) {}
 
     void run() {
         for (const WorkspaceFile& file : workspace_.files())
@@ -211,7 +221,7 @@ class WorkspaceBuilder {
         analysis.locals_are_callers_ =
             some_share_locals(analysis.callers_) ||
             std::ranges::any_of(analysis.undecided_, &UndecidedCalls::locals_shared);
-        analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees);
+        analysis.data_.emplace(program, analysis.graph_, entry_of(analysis, main), callees, facts_);
         if (const auto cycles = dataflow::find_cycles(analysis.graph_, *analysis.data_)) {
             analysis.loops_ =
                 dataflow::find_loops(program, analysis.regions_, analysis.graph_, *analysis.data_, *cycles);
@@ -458,6 +468,7 @@ class WorkspaceBuilder {
     Workspace& workspace_;
     std::deque<ProgramAnalysis>& programs_;
     unsigned jobs_;
+    dataflow::FactSet facts_;
     flow::Adjacency adjacency_;
     flow::Components components_;
     std::vector<bool> needed_;             ///< by program: its flow and data flow are asked for
@@ -514,7 +525,7 @@ std::unique_ptr<Workspace> Workspace::analyse(std::vector<WorkspaceFile> files,
                                               const WorkspaceOptions& options) {
     std::unique_ptr<Workspace> workspace(new Workspace);
     workspace->files_ = std::move(files);
-    WorkspaceBuilder(*workspace, *workspace->programs_, options.jobs).run();
+    WorkspaceBuilder(*workspace, *workspace->programs_, options).run();
     return workspace;
 }
 

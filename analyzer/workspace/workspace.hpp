@@ -1,6 +1,7 @@
 //! Many files together: which program a call means, what each program does to its callers, how deep calls go.
 #pragma once
 
+#include "analyzer/dataflow/fact_set.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <deque>
@@ -25,7 +26,8 @@ struct WorkspaceFile {
 };
 
 struct WorkspaceOptions {
-    unsigned jobs; ///< threads to use, at least 1
+    unsigned jobs;                                      ///< threads to use, at least 1
+    dataflow::FactSet facts = dataflow::FactSet::all(); ///< that rules ask for; others may not be recorded
 };
 
 class Workspace {

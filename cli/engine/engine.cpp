@@ -141,8 +141,10 @@ class Run {
                 members.push_back({programs, file.input.asked, file.settings.complete,
                                    computed_calls_.may_mean(file, programs->control->language)});
         }
-        const auto workspace = Workspace::analyse(std::move(members), {.jobs = jobs});
-        std::ranges::move(run_rules(*workspace, selection_of(rules), jobs), std::back_inserter(findings));
+        const Selection selection = selection_of(rules);
+        const auto workspace =
+            Workspace::analyse(std::move(members), {.jobs = jobs, .facts = facts_for(selection)});
+        std::ranges::move(run_rules(*workspace, selection, jobs), std::back_inserter(findings));
         return apply_suppressions(std::move(findings), rules);
     }
 

@@ -27,6 +27,7 @@ extern const Rule missing_m99{
         "end. The manual of DIN PLUS demands RETURN at the end of every subprogram.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::ExitState>(),
     .data_flow = true,
     .messages = {{"plain", "{0} calls {1}, and a path through {1} ends after this block without {2}, so that "
                            "the program does not return. Add {2}."}},

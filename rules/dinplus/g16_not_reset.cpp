@@ -12,6 +12,7 @@ extern const Rule g16_not_reset{
            "zero shifts are not allowed in it.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::ModalWrite, dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path", "'{0}' is still active when the program ends. Cancel it with {1} first."},
                  {"some-paths",

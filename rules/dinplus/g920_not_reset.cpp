@@ -12,6 +12,7 @@ extern const Rule g920_not_reset{
            "or G981: the next program moves to other places than it says.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::ModalWrite, dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path", "'{0}' is still active when the program ends. Cancel it with {1} first."},
                  {"some-paths",

@@ -26,6 +26,7 @@ extern const Rule transfer_value_unchecked{
            "and NDEF tell the two apart.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::Read, dataflow::Comparison>(),
     .data_flow = true,
     .messages = {{"unchecked",
                   "{0} is used here, but the call in {1} leaves it out. Ask with DEF or NDEF first."},

@@ -22,6 +22,7 @@ extern const Rule jump_target_missing{
            "where it happens to be.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .facts = dataflow::facts<dataflow::ComputedJump>(),
     .data_flow = true,
     .messages =
         {{"constant", "'{0}' jumps to N{1}, which this program does not have. Add the sequence number, or "

@@ -20,6 +20,7 @@ extern const Rule m99_p_missing_label{
            " an alarm.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .facts = dataflow::facts<dataflow::ExitState>(),
     .data_flow = true,
     .messages = {{"plain",
                   "'{0}' returns to N{1}, which the caller {2} does not have. Add the sequence number "

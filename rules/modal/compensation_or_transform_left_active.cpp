@@ -25,6 +25,7 @@ extern const Rule compensation_or_transform_left_active{
            "program when reset does not cancel it, cuts somewhere else than it was told to.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path",
                   "'{0}' is still active when the program is left: every later move is subject to "

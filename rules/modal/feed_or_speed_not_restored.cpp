@@ -23,6 +23,7 @@ extern const Rule feed_or_speed_not_restored{
            "feed for a finishing cut, or a rapid one into the material.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path",
                   "'{0}' is still in force when the macro returns: the caller's {1} is lost. Save "

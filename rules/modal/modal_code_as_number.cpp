@@ -26,6 +26,7 @@ extern const Rule modal_code_as_number{
         "is computed from it is as wrong as the mode happens to be; mostly another variable was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::ModalRead, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
     .messages = {{"copy", "'{0}' calculates with '{1}', which holds '{2}', a G code ({3}). Use the variable "
                           "that is meant."},

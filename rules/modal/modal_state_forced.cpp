@@ -25,6 +25,7 @@ extern const Rule modal_state_forced{
     .precision = Precision::medium,
     .on_by_default = false,
     .off_reason = "ending in G90 is a custom that most shops rely on",
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"forced", "'{0}' is in force when the program returns, whatever the caller's {1} was. "
                             "Save it at the start and put it back before M99."}},

@@ -25,6 +25,7 @@ extern const Rule modal_state_not_restored{
            "plane.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path", "'{0}' is still in force when the program returns: the caller's {1} is lost. "
                                 "Save it at the start and put it back before every M99."},

@@ -23,6 +23,7 @@ extern const Rule motion_mode_not_restored{
     .precision = Precision::medium,
     .on_by_default = false,
     .off_reason = "most programs give the motion code again after a call",
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path",
                   "'{0}' is still in force when the program returns: the caller's motion mode is "

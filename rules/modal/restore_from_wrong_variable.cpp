@@ -24,6 +24,7 @@ extern const Rule restore_from_wrong_variable{
            "F800., or a G code that the control does not know.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .facts = dataflow::facts<dataflow::ModalWrite, dataflow::Store>(),
     .data_flow = true,
     .messages = {{"value", "'{0}' puts back '{1}', which is not the {2}. Save {3} instead."},
                  {"code", "'{0}' puts back '{1}', which is no G code. Save the variable of the group that "

@@ -29,6 +29,8 @@ extern const Rule saved_after_change{
            "restored it.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts =
+        dataflow::facts<dataflow::ModalRead, dataflow::ModalWrite, dataflow::ExitState, dataflow::Store>(),
     .data_flow = true,
     .messages = {{"own", "'{0}' saves the {1} after '{2}' has changed it: '{3}' puts back this program's "
                          "value, not the caller's. Save it first."}},

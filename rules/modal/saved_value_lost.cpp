@@ -26,6 +26,7 @@ extern const Rule saved_value_lost{
            "another G code, or one that it does not know.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::ModalWrite, dataflow::Store>(),
     .data_flow = true,
     .messages = {{"overwritten", "'{0}' overwrites the {1} that {2} keeps for '{3}'. Use another variable."}},
     .bad = {{"fanuc", R"nc(

@@ -25,6 +25,7 @@ extern const Rule constant_condition{
            "meant, or an earlier test already went away with the case.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::Condition, dataflow::Comparison, dataflow::Store>(),
     .data_flow = true,
     .messages = {{"never", "'{0}' is never true here. Correct the condition, or remove what it guards."},
                  {"always", "'{0}' is always true here. Correct the condition, or remove it."}},

@@ -29,6 +29,7 @@ extern const Rule division_by_zero{
     .severity = Severity::error,
     .severity_elsewhere = {{"dinplus", Severity::warning}},
     .precision = Precision::very_high,
+    .facts = dataflow::facts<dataflow::Application, dataflow::Condition, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
     .messages = {{"zero",
                   "'{0}' divides by '{1}', which is always 0 here. Correct the divisor, or divide only "

@@ -27,6 +27,7 @@ extern const Rule float_equality{
     .severity = Severity::warning,
     .severity_elsewhere = {{"dinplus", Severity::note}},
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::Comparison, dataflow::Store>(),
     .data_flow = true,
     .messages = {{"equal",
                   "'{0}' may be false for numbers that are equal on paper: '{1}' is rounded. Compare "

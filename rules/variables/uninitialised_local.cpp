@@ -25,6 +25,7 @@ extern const Rule uninitialised_local{
         "no vacant value, it is undefined and may read as 0.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::Read, dataflow::Comparison, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages =
         {{"main", "'{0}' is vacant here: this program has not set it, and a program that nobody calls gets "

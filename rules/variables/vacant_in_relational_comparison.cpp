@@ -27,6 +27,7 @@ extern const Rule vacant_in_relational_comparison{
     .precision = Precision::medium,
     .on_by_default = false,
     .off_reason = "arguments that may be left out, with 0 as their default, are a custom of many macros",
+    .facts = dataflow::facts<dataflow::Read, dataflow::Comparison>(),
     .data_flow = true,
     .messages = {{"passes",
                   "'{0}' takes a missing {1} for 0, and {1} is used afterwards. Test it with EQ #0 first."}},

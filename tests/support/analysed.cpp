@@ -21,7 +21,7 @@ WorkspaceFile read_as(std::string_view dialect_name, std::string path, std::stri
 
 std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files, FolderOptions options) {
     for (WorkspaceFile& file : files) file.complete = options.complete;
-    return Workspace::analyse(std::move(files), {.jobs = options.jobs});
+    return Workspace::analyse(std::move(files), {.jobs = options.jobs, .facts = options.facts});
 }
 
 std::unique_ptr<Workspace> analyse_text(std::string_view dialect, std::string text) {

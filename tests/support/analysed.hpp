@@ -18,6 +18,7 @@ using NamedText = std::pair<std::string, std::string>;
 struct FolderOptions {
     bool complete; ///< no other program is on the control
     unsigned jobs;
+    dataflow::FactSet facts = dataflow::FactSet::all(); ///< that are recorded
 };
 
 [[nodiscard]] std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files, FolderOptions options);

@@ -1,0 +1,65 @@
+//! Sets of types of facts, and what becomes of the types that nobody wants.
+#include "analyzer/dataflow/fact_lists.hpp"
+#include "tests/support/analysed.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+using dataflow::facts;
+using dataflow::FactSet;
+
+static_assert(facts<>() == FactSet());
+static_assert(facts<dataflow::Read>().has<dataflow::Read>() &&
+              !facts<dataflow::Read>().has<dataflow::Store>());
+static_assert((facts<dataflow::Read>() | facts<dataflow::Store>()) ==
+              facts<dataflow::Store, dataflow::Read>());
+static_assert(facts<dataflow::Read, dataflow::Store>() - facts<dataflow::Read, dataflow::Clobber>() ==
+              facts<dataflow::Store>());
+static_assert(FactSet::all().has<dataflow::Application>() && FactSet::all().has<dataflow::ExitState>());
+
+std::unique_ptr<Workspace> recording(FactSet types) {
+    return test::analyse_files({{"O1.nc", "O1\n#1=4001\nIF[#1EQ#500]GOTO[#500]\nN1G#1\nM6\nM30\n"}},
+                               {.complete = true, .jobs = 1, .facts = types});
+}
+
+TEST(Facts, OfTypesThatNobodyWantsAreNotRecorded) {
+    const auto some = recording(facts<dataflow::ModalWrite>());
+    EXPECT_EQ(some->programs().front().facts().all<dataflow::ModalWrite>().size(), 1U);
+    const auto ask = [&] { (void)some->programs().front().facts().all<dataflow::Condition>(); };
+    EXPECT_DEATH(ask(), "list != nullptr");
+}
+
+/// The workspace itself needs some: what it finds out with them does not depend on what others want.
+TEST(Facts, OfTypesThatSomebodyWantsAreTheSameWhateverElseIsWanted) {
+    const auto all = recording(FactSet::all());
+    const auto one = recording(facts<dataflow::ComputedJump>());
+    const auto& recorded = all->programs().front().facts();
+    EXPECT_EQ(recorded.all<dataflow::Condition>().size(), 1U);
+    EXPECT_EQ(recorded.all<dataflow::BeforeToolChange>().size(), 1U);
+    ASSERT_EQ(recorded.all<dataflow::ComputedJump>().size(), 1U);
+    const auto alone = one->programs().front().facts().all<dataflow::ComputedJump>();
+    ASSERT_EQ(alone.size(), 1U);
+    EXPECT_EQ(alone[0].target, recorded.all<dataflow::ComputedJump>()[0].target);
+}
+
+TEST(AskedFacts, AreThoseOfTheThreadSinceItWasToldToNoteThem) {
+    const auto all = recording(FactSet::all());
+    const dataflow::Facts& recorded = all->programs().front().facts();
+    (void)recorded.all<dataflow::Read>();
+    const dataflow::AskedFacts outer;
+    EXPECT_EQ(outer.types(), FactSet());
+    (void)recorded.in<dataflow::Store>(0);
+    {
+        const dataflow::AskedFacts inner;
+        (void)recorded.at<dataflow::Comparison>(0);
+        EXPECT_EQ(inner.types(), facts<dataflow::Comparison>());
+    }
+    EXPECT_EQ(outer.types(), facts<dataflow::Store>());
+}
+
+} // namespace
+} // namespace maclint

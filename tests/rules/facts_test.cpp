@@ -1,0 +1,117 @@
+//! Every rule asks for the facts that its record declares: no others, and none in vain.
+#include "analyzer/dataflow/fact_lists.hpp"
+#include "analyzer/program/model.hpp"
+#include "cli/engine/read.hpp"
+#include "cli/input/discover.hpp"
+#include "rules/rule.hpp"
+#include "tests/support/analysed.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <typeinfo>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace maclint::test {
+namespace {
+
+namespace fs = std::filesystem;
+using dataflow::FactSet;
+
+/// The types by the names that the compiler has for them.
+template<class... Types>
+struct Spelled {
+    static std::string of(FactSet facts) {
+        std::string text;
+        ((text += facts.has<Types>() ? std::string(typeid(Types).name()) + " " : ""), ...);
+        return text;
+    }
+};
+
+std::string spell(FactSet facts) { return dataflow::OfEveryFact<Spelled>::of(facts); }
+
+std::vector<WorkspaceFile> read_all(const cli::Snapshot& snapshot) {
+    std::vector<WorkspaceFile> members;
+    for (const cli::SnapshotFile& file : snapshot.files) {
+        auto opened = cli::open_file(file);
+        if (!std::holds_alternative<Source>(opened)) continue;
+        auto source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
+        if (auto programs = cli::read_source(file, std::move(source), Extent::whole).file)
+            members.push_back({std::move(programs), true});
+    }
+    return members;
+}
+
+/// All programs of the corpus, each of its folders as one workspace, and the examples of every rule.
+const std::vector<std::vector<WorkspaceFile>>& folders() {
+    static const auto all = [] {
+        std::vector<std::vector<WorkspaceFile>> folders;
+        for (const auto& entry : fs::directory_iterator(fs::path(MACLINT_SOURCE_DIR) / "corpus")) {
+            cli::Settings settings({});
+            auto found = cli::discover({entry.path().string()}, "stdin.nc", settings);
+            folders.push_back(read_all(cli::snapshot_of(std::move(found.files), settings)));
+        }
+        for (const Rule* rule : all_rules()) {
+            for (const auto* examples : {&rule->bad, &rule->good}) {
+                for (const Example& example : *examples) {
+                    cli::Overrides overrides;
+                    overrides.dialect = find_dialect(example.dialect);
+                    cli::Settings settings(std::move(overrides));
+                    folders.push_back(
+                        read_all({{{{"example.nc", true, true, false},
+                                    *settings.for_file("example.nc"),
+                                    Source::from_bytes("example.nc", std::string(example.text))}}}));
+                }
+            }
+        }
+        return folders;
+    }();
+    return all;
+}
+
+/// What a rule asks for and finds in all those programs, of which the facts are recorded.
+struct Asked {
+    FactSet facts;
+    std::vector<std::string> findings;
+};
+Asked ask(const Rule& rule, FactSet recorded) {
+    Asked asked;
+    for (const auto& folder : folders()) {
+        for (const bool complete : {false, true}) {
+            const auto workspace = analyse(folder, {.complete = complete, .jobs = 1, .facts = recorded});
+            const dataflow::AskedFacts watch; // only now: the workspace has asked for its own
+            for (const Finding& finding : run_rules(*workspace, {{&rule}}, 1))
+                asked.findings.push_back(std::string(finding.source->path()) + " " +
+                                         std::to_string(finding.span.begin) + " " + finding.message());
+            asked.facts |= watch.types();
+        }
+    }
+    return asked;
+}
+
+/// What a search for paths asks for only where decisions on the path contradict each other or a loop's rounds
+/// decide: few programs lead a rule there.
+constexpr FactSet where_decisions_contradict = dataflow::facts<dataflow::Store, dataflow::Clobber>();
+
+class FactsOfRules : public testing::TestWithParam<const Rule*> {};
+
+TEST_P(FactsOfRules, AreThoseThatItsRecordDeclares) {
+    const Rule& rule = *GetParam();
+    const Asked with_all = ask(rule, FactSet::all());
+    EXPECT_EQ(with_all.facts - rule.facts, FactSet()) << "asks for " << spell(with_all.facts - rule.facts);
+    const FactSet in_vain = rule.facts - with_all.facts - where_decisions_contradict;
+    EXPECT_EQ(in_vain, FactSet()) << "declares " << spell(in_vain) << "and never asks for it";
+    if (HasFailure()) return; // what is not recorded cannot be asked for
+    EXPECT_EQ(ask(rule, rule.facts).findings, with_all.findings);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FactsOfRules, testing::ValuesIn(all_rules().begin(), all_rules().end()),
+                         [](const auto& info) { return std::string(info.param->code); });
+
+} // namespace
+} // namespace maclint::test
