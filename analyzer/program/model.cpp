@@ -34,10 +34,33 @@ ControlModel checked(ControlModel control) {
 }
 
 bool ControlModel::has(Capability capability) const {
+    const auto starts_as = [&](InitialValue initial_value) {
+        return std::ranges::find(spaces, initial_value, &VariableSpace::initial_value) != spaces.end();
+    };
     switch (capability) {
     case Capability::loop_numbers: return limits.last_loop_number != 0;
     case Capability::sections: return !sections.empty();
     case Capability::exclusive_words: return !repeatable.empty();
+    case Capability::vacancy: return starts_as(InitialValue::vacant);
+    case Capability::unset_locals:
+        return std::ranges::any_of(spaces, [](const VariableSpace& space) {
+            return space.scope == Scope::frame && (space.initial_value == InitialValue::vacant ||
+                                                   space.initial_value == InitialValue::undefined);
+        });
+    case Capability::undefined_variables: return starts_as(InitialValue::undefined);
+    case Capability::jumps: return loops_left_by_jump; // the one thing that a table tells of them
+    case Capability::sequence_numbers: return loops_left_by_jump || !references.empty();
+    case Capability::block_references: return !references.empty();
+    case Capability::macro_calls: return limits.macro_calls != 0;
+    case Capability::modal_calls:
+        return std::ranges::any_of(calls,
+                                   [](const CallKind& kind) { return kind.trigger != CallTrigger::once; });
+    case Capability::named_arguments:
+        return std::ranges::any_of(spaces,
+                                   [](const VariableSpace& space) { return !space.fixed_names.empty(); });
+    case Capability::suppression:
+        return std::ranges::find(groups, RestorePolicy::suppression, &ModalGroup::restore_policy) !=
+               groups.end();
     }
     return false;
 }

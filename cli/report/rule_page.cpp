@@ -34,6 +34,16 @@ std::string_view words_for(Capability capability) {
     case Capability::loop_numbers: return "loops have numbers";
     case Capability::sections: return "programs have sections";
     case Capability::exclusive_words: return "it is known which words exclude each other in a block";
+    case Capability::vacancy: return "variables can be vacant";
+    case Capability::unset_locals: return "local variables hold no number before something sets them";
+    case Capability::undefined_variables: return "variables that nothing has set are undefined";
+    case Capability::jumps: return "programs jump to blocks";
+    case Capability::sequence_numbers: return "programs name blocks by their numbers";
+    case Capability::block_references: return "words name blocks of certain sections";
+    case Capability::macro_calls: return "macro calls have a limit of their own";
+    case Capability::modal_calls: return "programs can be called after every move or block";
+    case Capability::named_arguments: return "what a call passes is read by names of its own";
+    case Capability::suppression: return "programs can switch off single block, feed hold or override";
     }
     return {};
 }

@@ -25,6 +25,7 @@ extern const Rule g66_not_cancelled{
            " where nobody expects it.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .needs = {Capability::modal_calls},
     .facts = dataflow::facts<dataflow::BeforeToolChange, dataflow::ExitState>(),
     .data_flow = true,
     .messages = {{"end", "'{0}' is still active when the program is left: every later move calls the macro. "

@@ -17,6 +17,7 @@ extern const Rule macro_calls_nested_too_deep{
            "call beyond it raises an alarm in the middle of the job.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .needs = {Capability::macro_calls},
     .data_flow = true,
     .messages = {{"named", "'{0}' is macro level {1}, and {2} has {3}: {4}. Call it from a higher level."},
                  {"assumed",

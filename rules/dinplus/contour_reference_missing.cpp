@@ -21,6 +21,7 @@ extern const Rule contour_reference_missing{
     .why = "The cycle does not find its contour, and the control stops with an error when it gets there.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .needs = {Capability::block_references},
     .messages =
         {{"missing", "'{0}' names N{1}, which does not exist. Correct the number."},
          {"elsewhere",

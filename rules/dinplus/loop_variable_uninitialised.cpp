@@ -23,6 +23,7 @@ extern const Rule loop_variable_uninitialised{
            "in the second. An undefined variable may read as 0, or be an error.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .needs = {Capability::undefined_variables},
     .facts = dataflow::facts<dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages =

@@ -20,6 +20,7 @@ extern const Rule m99_target{
            "error: the bar feeds no further part.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::sequence_numbers},
     .messages = {{"missing", "'{0}' restarts at N{1}, which does not exist. Correct the number."},
                  {"elsewhere",
                   "'{0}' restarts at N{1}, which stands in {2}. Name a block of the machining part."}},

@@ -26,6 +26,7 @@ extern const Rule transfer_value_unchecked{
            "and NDEF tell the two apart.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .needs = {Capability::named_arguments, Capability::undefined_variables},
     .facts = dataflow::facts<dataflow::Read, dataflow::Comparison>(),
     .data_flow = true,
     .messages = {{"unchecked",

@@ -10,6 +10,7 @@ extern const Rule transfer_value_unknown{
     .why = "The variable never has a value: what is made of it is made of nothing, or of 0.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
+    .needs = {Capability::named_arguments},
     .messages = {{"cure", "No word of a call passes a value to '{0}'. Write '{1}'."},
                  {"plain", "No word of a call passes a value to '{0}'. Use one of the transfer letters, for "
                            "instance '#__lh'."}},

@@ -25,6 +25,7 @@ extern const Rule duplicate_sequence_number{
            " goes to different places from different blocks.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
+    .needs = {Capability::sequence_numbers},
     .messages = {{"after",
                   "N{0} stands {2}, and '{1}' takes the one in line {3}, the next after it. Give each block "
                   "a number of its own."},

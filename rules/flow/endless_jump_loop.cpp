@@ -21,6 +21,7 @@ extern const Rule endless_jump_loop{
     .why = "The control repeats the blocks until somebody presses reset.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .needs = {Capability::jumps},
     .data_flow = true,
     .messages = {{"plain",
                   "'{0}' repeats the blocks from line {1} on for ever: no path leads out of them. Count "

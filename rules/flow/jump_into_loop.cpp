@@ -20,6 +20,7 @@ extern const Rule jump_into_loop{
            "place that it does not know.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::jumps},
     .data_flow = true,
     .messages = {{"plain",
                   "'{0}' enters the loop of '{1}' (line {2}) from outside, which the control forbids. "

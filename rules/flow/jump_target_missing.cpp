@@ -22,6 +22,7 @@ extern const Rule jump_target_missing{
            "where it happens to be.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::jumps},
     .facts = dataflow::facts<dataflow::ComputedJump>(),
     .data_flow = true,
     .messages =

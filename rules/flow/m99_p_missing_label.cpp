@@ -20,6 +20,7 @@ extern const Rule m99_p_missing_label{
            " an alarm.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::jumps},
     .facts = dataflow::facts<dataflow::ExitState>(),
     .data_flow = true,
     .messages = {{"plain",

@@ -23,6 +23,7 @@ extern const Rule single_block_suppression_not_restored{
            "moving.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .needs = {Capability::suppression},
     .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path", "'{0}' is still in force when the program is left: the {1} stays on. Set it "

@@ -11,6 +11,7 @@ extern const Rule assignment_to_null_variable{
            "copied from.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::vacancy},
     .messages = {{"plain", "'{0}' is always vacant and cannot be assigned. Use another variable."}},
     .bad = {{"fanuc", R"nc(
 O9201(CLEAR)

@@ -25,6 +25,7 @@ extern const Rule uninitialised_local{
         "no vacant value, it is undefined and may read as 0.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .needs = {Capability::unset_locals},
     .facts = dataflow::facts<dataflow::Read, dataflow::Comparison, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages =

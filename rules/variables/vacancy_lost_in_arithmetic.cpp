@@ -20,6 +20,7 @@ extern const Rule vacancy_lost_in_arithmetic{
         "missing, and the macro runs with 0.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::vacancy},
     .facts = dataflow::facts<dataflow::Comparison>(),
     .data_flow = true,
     .messages = {{"never-vacant",

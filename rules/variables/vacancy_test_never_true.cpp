@@ -23,6 +23,7 @@ extern const Rule vacancy_test_never_true{
            "always.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .needs = {Capability::vacancy},
     .facts = dataflow::facts<dataflow::Comparison, dataflow::Store>(),
     .data_flow = true,
     .messages =

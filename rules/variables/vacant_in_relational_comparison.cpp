@@ -25,6 +25,7 @@ extern const Rule vacant_in_relational_comparison{
            "leaves out the words that hold the variable.",
     .severity = Severity::note,
     .precision = Precision::medium,
+    .needs = {Capability::vacancy},
     .on_by_default = false,
     .off_reason = "arguments that may be left out, with 0 as their default, are a custom of many macros",
     .facts = dataflow::facts<dataflow::Read, dataflow::Comparison>(),

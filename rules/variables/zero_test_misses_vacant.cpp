@@ -24,6 +24,7 @@ extern const Rule zero_test_misses_vacant{
         "arithmetic after it works with 0 all the same.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .needs = {Capability::vacancy},
     .facts = dataflow::facts<dataflow::Comparison>(),
     .data_flow = true,
     .messages = {{"equal", "'{0}' is not true when {1} is vacant. Test for both: add a test with EQ #0."},

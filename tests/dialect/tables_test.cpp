@@ -2,8 +2,11 @@
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/dialect/fanuc/codes.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "rules/rule.hpp"
+#include "tests/support/hand_built.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -24,14 +27,36 @@ TEST(Controls, HaveUniqueNamesAndEveryDialectsDefaultExists) {
 }
 
 TEST(Controls, HaveWhatTheirLanguageHas) {
-    const ControlModel& fanuc = *find_control("fanuc");
-    const ControlModel& dinplus = *find_control("dinplus");
-    EXPECT_TRUE(fanuc.has(Capability::loop_numbers));
-    EXPECT_FALSE(dinplus.has(Capability::loop_numbers));
-    EXPECT_FALSE(fanuc.has(Capability::sections));
-    EXPECT_TRUE(dinplus.has(Capability::sections));
-    EXPECT_TRUE(fanuc.has(Capability::exclusive_words));
-    EXPECT_FALSE(dinplus.has(Capability::exclusive_words));
+    using enum Capability;
+    struct Row {
+        Capability capability;
+        bool fanuc, dinplus, hand_built; ///< the last: much as Sinumerik has it
+    };
+    constexpr auto rows = std::to_array<Row>({{loop_numbers, true, false, false},
+                                              {sections, false, true, false},
+                                              {exclusive_words, true, false, false},
+                                              {vacancy, true, false, false},
+                                              {unset_locals, true, true, false},
+                                              {undefined_variables, false, true, false},
+                                              {jumps, true, false, true},
+                                              {sequence_numbers, true, true, true},
+                                              {block_references, false, true, false},
+                                              {macro_calls, true, false, false},
+                                              {modal_calls, true, false, false},
+                                              {named_arguments, false, true, false},
+                                              {suppression, true, false, false}});
+    for (const Row& row : rows) {
+        const auto number = static_cast<int>(row.capability);
+        EXPECT_EQ(find_control("fanuc")->has(row.capability), row.fanuc) << number;
+        EXPECT_EQ(find_control("dinplus")->has(row.capability), row.dinplus) << number;
+        EXPECT_EQ(test::control_with_names().has(row.capability), row.hand_built) << number;
+        EXPECT_TRUE(std::ranges::any_of(all_rules(),
+                                        [&](const Rule* rule) {
+                                            return std::ranges::find(rule->needs, row.capability) !=
+                                                   rule->needs.end();
+                                        }))
+            << "no rule needs " << number;
+    }
 }
 
 TEST(Controls, VariableRangesAreSortedAndDoNotOverlap) {

@@ -65,7 +65,9 @@ TEST(Needs, ARuleIsNotAskedWhereTheLanguageLacksWhatItSpeaksOf) {
     EXPECT_FALSE(asked("DIN102", "fanuc"));
     EXPECT_TRUE(asked("MAC559", "fanuc-16i")); // an address twice
     EXPECT_FALSE(asked("MAC559", "dinplus"));
-    EXPECT_TRUE(asked("MAC301", "dinplus"));
+    EXPECT_TRUE(asked("MAC301", "fanuc")); // jumps
+    EXPECT_FALSE(asked("MAC301", "dinplus"));
+    EXPECT_TRUE(asked("MAC402", "dinplus")); // a program that is not there, in any language
 }
 
 TEST(Needs, OfARuleAreAskedBeforeItRuns) {
