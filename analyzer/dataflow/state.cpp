@@ -2,7 +2,6 @@
 #include "analyzer/dataflow/state.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -81,18 +80,11 @@ Value States::typed(const Value& value, Variable variable) {
         held.symbol = table_.symbols({Symbol::Kind::opaque, value.symbol, variable.space, 4});
         return held;
     }
-    if (const auto number = value.constant()) {
-        const double stored = type == VariableType::truth ? (*number != 0 ? 1 : 0) : std::round(*number);
-        if (stored != *number) held = number_value(table_, stored);
-    } else if (!value.integer || (type == VariableType::truth && (value.low < 0 || value.high > 1))) {
-        held.symbol = table_.symbols({Symbol::Kind::opaque, value.symbol, variable.space, 5});
-        held.low = type == VariableType::truth ? 0 : std::round(value.low);
-        held.high = type == VariableType::truth ? 1 : std::round(value.high);
-        held.nonzero = false;
-    }
-    held.integer = true;
-    held.exactness = Exactness::exact;
+    held.know(semantics::stored_in(type, value));
     held.rounding = 0;
+    if (semantics::fits(type, value)) return held;
+    if (value.constant()) return number_value(table_, held.low);
+    held.symbol = table_.symbols({Symbol::Kind::opaque, value.symbol, variable.space, 5});
     return held;
 }
 

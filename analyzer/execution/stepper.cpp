@@ -370,6 +370,7 @@ void Stepper::exchange(const Exchange& exchange) {
 // ---- variables and groups
 
 void Stepper::store(Variable variable, Content content) {
+    if (content) content = semantics::stored_in(text().type_of(variable), *content);
     Content& there = content_of(variable);
     const Content old = std::exchange(there, content);
     report(Stored{variable, old, content});

@@ -1,6 +1,7 @@
 //! Range, vacancy, whole numbers and exactness together.
 #include "analyzer/semantics/abstract.hpp"
 
+#include "analyzer/semantics/concrete.hpp"
 #include "analyzer/semantics/exactness.hpp"
 
 #include <algorithm>
@@ -38,6 +39,27 @@ AbstractValue compute(Operation operation, const AbstractValue& first, const Abs
 bool is_whole_number(const AbstractValue& value) {
     return value.low == value.high && std::isfinite(value.low) && std::floor(value.low) == value.low &&
            value.exactness == Exactness::exact;
+}
+
+AbstractValue stored_in(VariableType type, const AbstractValue& value) {
+    if (type == VariableType::number || type == VariableType::text || value.vacancy == Vacancy::vacant)
+        return value;
+    if (const auto number = value.constant(); number && !fits(type, value))
+        return of_number(stored_in(type, *number));
+    AbstractValue held = value;
+    held.integer = true;
+    held.exactness = Exactness::exact;
+    if (fits(type, value)) return held;
+    held.low = type == VariableType::truth ? 0 : std::round(value.low);
+    held.high = type == VariableType::truth ? 1 : std::round(value.high);
+    held.nonzero = false;
+    return held;
+}
+
+bool fits(VariableType type, const AbstractValue& value) {
+    if (type == VariableType::number || type == VariableType::text) return true;
+    if (const auto number = value.constant()) return stored_in(type, *number) == *number;
+    return value.integer && (type == VariableType::integer || (value.low >= 0 && value.high <= 1));
 }
 
 AbstractValue join(const AbstractValue& a, const AbstractValue& b) {

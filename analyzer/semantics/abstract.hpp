@@ -46,6 +46,11 @@ struct AbstractValue : Range {
 /// Whether it is one whole number, known without doubt: the same as if the number stood there.
 [[nodiscard]] bool is_whole_number(const AbstractValue& value);
 
+/// What a variable of the type can hold after the value was stored there.
+[[nodiscard]] AbstractValue stored_in(VariableType type, const AbstractValue& value);
+/// Whether the variable holds the very number: it fits the type.
+[[nodiscard]] bool fits(VariableType type, const AbstractValue& value);
+
 /// Whatever one of the two can be.
 [[nodiscard]] AbstractValue join(const AbstractValue& a, const AbstractValue& b);
 

@@ -170,6 +170,16 @@ bool is_in_range(double number) {
     return std::abs(number) <= largest;
 }
 
+double stored_in(VariableType type, double number) {
+    switch (type) {
+    case VariableType::integer: return std::round(number) + 0.0; // no -0
+    case VariableType::truth: return number != 0 ? 1 : 0;
+    case VariableType::number:
+    case VariableType::text: return number;
+    }
+    return number;
+}
+
 /// EQ and NE tell vacant from 0 where the control does, the others take it for 0 [SEED-001:415, MITSU-326].
 bool compare(Operation operation, Content left, Content right, bool vacant_equals_zero) {
     const double a = left.value_or(0);

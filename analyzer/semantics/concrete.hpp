@@ -28,6 +28,9 @@ using Result = std::variant<double, DomainError, NotModelled>;
 /// Whether a variable can hold the number.
 [[nodiscard]] bool is_in_range(double number);
 
+/// What a variable of the type holds after the number was stored there.
+[[nodiscard]] double stored_in(VariableType type, double number);
+
 /// EQ, NE, LT …; `vacant_equals_zero` is the control's.
 [[nodiscard]] bool compare(Operation operation, Content left, Content right, bool vacant_equals_zero);
 /// Whether `is_vacant` or `is_set` is true.

@@ -25,26 +25,26 @@ Range hull(std::initializer_list<double> ends) {
 /// 0 times anything is 0, also times a bound that is not known.
 double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
-Range multiply(Range a, Range b) {
+Range multiply(const Range& a, const Range& b) {
     return hull(
         {product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)});
 }
 
-Range divide(Range a, Range b) {
+Range divide(const Range& a, const Range& b) {
     if (b.low <= 0 && b.high >= 0) return {};
     const auto quotient = [](double x, double y) { return std::isinf(y) ? 0 : x / y; };
     return hull(
         {quotient(a.low, b.low), quotient(a.low, b.high), quotient(a.high, b.low), quotient(a.high, b.high)});
 }
 
-Range absolute(Range a) {
+Range absolute(const Range& a) {
     if (a.low >= 0) return a;
     if (a.high <= 0) return {-a.high, -a.low};
     return {0, std::max(-a.low, a.high)};
 }
 
 /// What a function that grows with its operand does to both ends.
-Range at_both_ends(Operation operation, Range range) {
+Range at_both_ends(Operation operation, const Range& range) {
     const auto at = [&](double end) {
         const Result result = compute(operation, std::span<const double>(&end, 1));
         const auto* number = std::get_if<double>(&result);
@@ -55,7 +55,7 @@ Range at_both_ends(Operation operation, Range range) {
 
 } // namespace
 
-Range range_of(Operation operation, Range first, Range second) {
+Range range_of(Operation operation, const Range& first, const Range& second) {
     switch (operation) {
     case Operation::add: return hull({first.low + second.low, first.high + second.high});
     case Operation::subtract: return hull({first.low - second.high, first.high - second.low});

@@ -19,6 +19,6 @@ struct Range {
 
 /// Where the result lies for operands within these ranges, as far as there is one; any number where nothing
 /// is known of the operation. `second` is not looked at where there is one operand.
-[[nodiscard]] Range range_of(Operation operation, Range first, Range second);
+[[nodiscard]] Range range_of(Operation operation, const Range& first, const Range& second);
 
 } // namespace maclint::semantics

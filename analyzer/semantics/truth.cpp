@@ -23,10 +23,10 @@ Truth equal(const AbstractValue& a, const AbstractValue& b, bool vacant_equals_z
     return truth;
 }
 
-Truth less(Range a, Range b) { return {a.low < b.high, a.high >= b.low}; }
+Truth less(const Range& a, const Range& b) { return {a.low < b.high, a.high >= b.low}; }
 
 /// Cuts the range of `value` to what the comparison with `other` leaves.
-void cut(AbstractValue& value, Operation operation, Range other) {
+void cut(AbstractValue& value, Operation operation, const Range& other) {
     const auto above = [&](double bound) {
         return value.integer ? std::floor(bound) + 1 : std::nextafter(bound, bound + 1);
     };

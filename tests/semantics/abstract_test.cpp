@@ -161,6 +161,31 @@ TEST(Abstract, TheJoinOfTwoAllowsWhatEitherDoes) {
     }
 }
 
+TEST(Abstract, WhatAVariableOfATypeCanHoldAllowsWhatItHolds) {
+    Sampler sampler;
+    int kept = 0, changed = 0;
+    for (int round = 0; round < 10000; ++round) {
+        const AbstractValue value = sampler.value();
+        const Content content = sampler.content(value);
+        for (const VariableType type : {VariableType::number, VariableType::integer, VariableType::truth}) {
+            const Content held = content ? Content(stored_in(type, *content)) : content;
+            const AbstractValue said = stored_in(type, value);
+            EXPECT_TRUE(allows(said, held)) << spell(content) << ": " << value << ", held is " << said;
+            if (type != VariableType::number && held) {
+                EXPECT_EQ(std::floor(*held), *held);
+            }
+            if (fits(type, value)) {
+                EXPECT_EQ(held, content) << value;
+                ++kept;
+            } else if (held != content) {
+                ++changed;
+            }
+        }
+    }
+    EXPECT_GT(kept, 10000);
+    EXPECT_GT(changed, 1000);
+}
+
 TEST(Abstract, VacancyOnSomePathsIsEvidenceWhateverIsKnownOfTheOthers) {
     const auto joined = [](Vacancy a, Vacancy b) {
         return join(AbstractValue{{}, a}, AbstractValue{{}, b}).vacancy;

@@ -212,5 +212,13 @@ TEST(Concrete, NumbersEndAtTenToTheFortySeven) {
     EXPECT_FALSE(is_in_range(std::nan("")));
 }
 
+TEST(Concrete, AnIntegerIsRoundedAndATruthIsZeroOrOne) {
+    EXPECT_EQ(stored_in(VariableType::integer, 1.5), 2);
+    EXPECT_EQ(stored_in(VariableType::integer, -1.5), -2);
+    EXPECT_EQ(stored_in(VariableType::truth, -3), 1);
+    EXPECT_EQ(stored_in(VariableType::truth, 0), 0);
+    EXPECT_EQ(stored_in(VariableType::number, 1.5), 1.5);
+}
+
 } // namespace
 } // namespace maclint::semantics
