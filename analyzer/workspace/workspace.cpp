@@ -19,9 +19,9 @@
 namespace maclint {
 namespace {
 
-/// What the workspace itself asks for: whether a program reads arguments, and all about loops.
-constexpr dataflow::FactSet own_facts = dataflow::facts<dataflow::Read, dataflow::Store, dataflow::Clobber,
-                                                        dataflow::Comparison, dataflow::CallMade>();
+/// What the workspace itself asks for: whether a program reads arguments, and what changes in loops.
+constexpr dataflow::FactSet own_facts =
+    dataflow::facts<dataflow::Read, dataflow::Store, dataflow::Clobber, dataflow::CallMade>();
 
 } // namespace
 

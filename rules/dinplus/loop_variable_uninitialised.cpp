@@ -24,7 +24,7 @@ extern const Rule loop_variable_uninitialised{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::undefined_variables},
-    .facts = dataflow::facts<dataflow::Store, dataflow::Clobber>(),
+    .facts = dataflow::facts<dataflow::Store, dataflow::Clobber, dataflow::Comparison>(),
     .data_flow = true,
     .messages =
         {{"plain",

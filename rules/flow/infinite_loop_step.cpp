@@ -23,10 +23,10 @@ extern const Rule infinite_loop_step{
     .summary =
         "The step that a loop advances by may be 0 or vacant, or has the wrong sign: the loop never ends",
     .why = "An argument that the caller left out counts as 0 in arithmetic. The control then repeats the "
-           "same pass "
-           "until somebody presses reset.",
+           "same pass until somebody presses reset.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::Store, dataflow::Comparison>(),
     .data_flow = true,
     .messages = {{"vacant",
                   "'{0}' changes nothing when {1} is left out or 0, and the loop never ends. Reject "

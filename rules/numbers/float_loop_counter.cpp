@@ -21,7 +21,7 @@ extern const Rule float_loop_counter{
            "the numbers of the day.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::Store>(),
+    .facts = dataflow::facts<dataflow::Store, dataflow::Comparison>(),
     .data_flow = true,
     .messages = {{"step", "'{0}' adds a rounding error in every pass, and '{1}' decides on the last one: "
                           "that pass may be missing or come once too often. Count whole passes, or add "

@@ -37,11 +37,12 @@ std::string spell(FactSet facts) { return dataflow::OfEveryFact<Spelled>::of(fac
 
 std::vector<WorkspaceFile> read_all(const cli::Snapshot& snapshot) {
     std::vector<WorkspaceFile> members;
+    cli::ProgramStore store(0);
     for (const cli::SnapshotFile& file : snapshot.files) {
         auto opened = cli::open_file(file);
         if (!std::holds_alternative<Source>(opened)) continue;
         auto source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
-        if (auto programs = cli::read_source(file, std::move(source), Extent::whole).file)
+        if (auto programs = cli::read_source(file, std::move(source), Extent::whole, store).file)
             members.push_back({std::move(programs), true});
     }
     return members;
