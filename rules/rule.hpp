@@ -1,7 +1,7 @@
 //! What a rule is: one record with everything that its page, the reports and the tests are made from.
 #pragma once
 
-#include "analyzer/dataflow/fact_set.hpp"
+#include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/program/syntax_error.hpp"
 #include "analyzer/program/tables.hpp"
 #include "rules/check.hpp"

@@ -1,7 +1,7 @@
 //! What in a program can run again.
 #pragma once
 
-#include "analyzer/dataflow/analysis.hpp"
+#include "analyzer/dataflow/solver/analysis.hpp"
 #include "analyzer/flow/components.hpp"
 
 #include <optional>

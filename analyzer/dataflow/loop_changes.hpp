@@ -1,8 +1,8 @@
 //! What a loop changes.
 #pragma once
 
-#include "analyzer/dataflow/facts.hpp"
-#include "analyzer/dataflow/state.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/facts/facts.hpp"
 
 #include <vector>
 

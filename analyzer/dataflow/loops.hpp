@@ -2,9 +2,9 @@
 //! and how they end.
 #pragma once
 
-#include "analyzer/dataflow/analysis.hpp"
 #include "analyzer/dataflow/cycles.hpp"
 #include "analyzer/dataflow/loop_changes.hpp"
+#include "analyzer/dataflow/solver/analysis.hpp"
 #include "analyzer/flow/regions.hpp"
 
 #include <algorithm>

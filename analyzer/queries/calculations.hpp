@@ -1,7 +1,7 @@
 //! Which calculation a value is the result of.
 #pragma once
 
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>

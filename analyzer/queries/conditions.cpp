@@ -1,7 +1,7 @@
 //! Walks over expression trees, and what several decisions mean together.
 #include "analyzer/queries/conditions.hpp"
 
-#include "analyzer/dataflow/arithmetic.hpp"
+#include "analyzer/dataflow/domain/arithmetic.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/program/overloaded.hpp"

@@ -1,9 +1,9 @@
 //! Why somebody may have meant a condition that never changes.
 #pragma once
 
+#include "analyzer/dataflow/domain/read_set.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
-#include "analyzer/dataflow/read_set.hpp"
-#include "analyzer/dataflow/state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstddef>

@@ -2,8 +2,8 @@
 #include "analyzer/queries/feasible_paths.hpp"
 
 #include "analyzer/dataflow/cycles.hpp"
+#include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/facts/clobber.hpp"
-#include "analyzer/dataflow/read_set.hpp"
 #include "analyzer/queries/conditions.hpp"
 
 #include <algorithm>

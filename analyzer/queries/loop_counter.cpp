@@ -1,8 +1,8 @@
 //! Looks at every exit of a loop, and at every assignment in it.
 #include "analyzer/queries/loop_counter.hpp"
 
-#include "analyzer/dataflow/arithmetic.hpp"
-#include "analyzer/dataflow/read_set.hpp"
+#include "analyzer/dataflow/domain/arithmetic.hpp"
+#include "analyzer/dataflow/domain/read_set.hpp"
 
 #include <algorithm>
 #include <utility>

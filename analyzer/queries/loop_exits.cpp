@@ -1,7 +1,7 @@
 //! Looks at the edges that close and leave a loop.
 #include "analyzer/queries/loop_exits.hpp"
 
-#include "analyzer/dataflow/read_set.hpp"
+#include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/program/block_view.hpp"
 
 #include <algorithm>

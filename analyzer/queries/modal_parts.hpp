@@ -1,8 +1,8 @@
 //! What one thing that a modal group can be is: a code, a value, whose it is.
 #pragma once
 
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"
-#include "analyzer/dataflow/value.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>

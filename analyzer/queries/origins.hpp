@@ -1,7 +1,7 @@
 //! Where in a program the origin of a value or of a modal state stands.
 #pragma once
 
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>

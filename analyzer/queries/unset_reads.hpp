@@ -1,8 +1,8 @@
 //! Variables that are read although nothing can have set them.
 #pragma once
 
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
-#include "analyzer/dataflow/value.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>

@@ -1,9 +1,9 @@
 //! Everything that is known of one program: what rules are given.
 #pragma once
 
-#include "analyzer/dataflow/analysis.hpp"
-#include "analyzer/dataflow/liveness.hpp"
 #include "analyzer/dataflow/loops.hpp"
+#include "analyzer/dataflow/solver/analysis.hpp"
+#include "analyzer/dataflow/solver/liveness.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/flow/regions.hpp"
 #include "analyzer/flow/shortest_paths.hpp"

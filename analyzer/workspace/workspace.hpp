@@ -1,7 +1,7 @@
 //! Many files together: which program a call means, what each program does to its callers, how deep calls go.
 #pragma once
 
-#include "analyzer/dataflow/fact_set.hpp"
+#include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <deque>

@@ -1,7 +1,7 @@
 //! MAC506: the variable that holds the saved state is overwritten before it is put back.
+#include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/dataflow/read_set.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/workspace/program_analysis.hpp"

@@ -1,7 +1,7 @@
 //! What tests of data flow expect of values and truths.
 #pragma once
 
-#include "analyzer/dataflow/arithmetic.hpp"
+#include "analyzer/dataflow/domain/arithmetic.hpp"
 
 #include <gtest/gtest.h>
 

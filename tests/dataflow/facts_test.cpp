@@ -1,5 +1,5 @@
 //! Sets of types of facts, and what becomes of the types that nobody wants.
-#include "analyzer/dataflow/fact_lists.hpp"
+#include "analyzer/dataflow/facts/fact_lists.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <string>

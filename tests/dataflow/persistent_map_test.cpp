@@ -1,6 +1,6 @@
 //! The maps and short lists that states are made of.
-#include "analyzer/dataflow/persistent_map.hpp"
-#include "analyzer/dataflow/small_vector.hpp"
+#include "analyzer/dataflow/domain/persistent_map.hpp"
+#include "analyzer/dataflow/domain/small_vector.hpp"
 
 #include <vector>
 

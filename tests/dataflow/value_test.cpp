@@ -1,5 +1,5 @@
 //! Value numbers: what counts as one number, and what a symbol stands for.
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 
 #include <gtest/gtest.h>
 

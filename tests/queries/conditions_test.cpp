@@ -1,6 +1,6 @@
 //! Which decisions contradict each other, and what conditions are made of.
+#include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
-#include "analyzer/dataflow/read_set.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/unset_reads.hpp"
 #include "tests/support/analysed.hpp"

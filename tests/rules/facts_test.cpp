@@ -1,5 +1,5 @@
 //! Every rule asks for the facts that its record declares: no others, and none in vain.
-#include "analyzer/dataflow/fact_lists.hpp"
+#include "analyzer/dataflow/facts/fact_lists.hpp"
 #include "analyzer/program/model.hpp"
 #include "cli/engine/read.hpp"
 #include "cli/input/discover.hpp"

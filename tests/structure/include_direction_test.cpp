@@ -133,10 +133,10 @@ TEST(DependencyCheck, FindsABackwardInclude) {
 
 TEST(DependencyCheck, FindsABackwardIncludeBetweenFoldersOfTheAnalyzer) {
     const std::vector<ProjectFile> files = {
-        {"analyzer/flow/graph.cpp", "#include \"analyzer/dataflow/state.hpp\"\n"},
-        {"analyzer/dataflow/state.cpp", "#include \"analyzer/flow/graph.hpp\"\n"}};
+        {"analyzer/flow/graph.cpp", "#include \"analyzer/dataflow/domain/state.hpp\"\n"},
+        {"analyzer/dataflow/domain/state.cpp", "#include \"analyzer/flow/graph.hpp\"\n"}};
     EXPECT_THAT(backward_includes(files),
-                ElementsAre("analyzer/flow/graph.cpp includes analyzer/dataflow/state.hpp"));
+                ElementsAre("analyzer/flow/graph.cpp includes analyzer/dataflow/domain/state.hpp"));
 }
 
 TEST(DependencyCheck, FindsARuleThatReachesIntoADialect) {

@@ -1,7 +1,7 @@
 //! An operator or function that is applied to values.
 #pragma once
 
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {

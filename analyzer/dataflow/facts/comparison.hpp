@@ -1,8 +1,8 @@
 //! A comparison or vacancy test, and what is known of it.
 #pragma once
 
-#include "analyzer/dataflow/arithmetic.hpp"
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/arithmetic.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {

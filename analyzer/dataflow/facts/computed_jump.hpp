@@ -1,7 +1,7 @@
 //! A jump to a label that is calculated.
 #pragma once
 
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {

@@ -1,7 +1,7 @@
 //! A whole condition, and whether it can be true and false.
 #pragma once
 
-#include "analyzer/dataflow/arithmetic.hpp"
+#include "analyzer/dataflow/domain/arithmetic.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {

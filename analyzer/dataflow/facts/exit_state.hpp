@@ -1,7 +1,7 @@
 //! How a program is left.
 #pragma once
 
-#include "analyzer/dataflow/state.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {

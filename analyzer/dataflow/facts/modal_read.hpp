@@ -1,7 +1,7 @@
 //! A modal group that is read by its variable.
 #pragma once
 
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {

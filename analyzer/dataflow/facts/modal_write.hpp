@@ -1,7 +1,7 @@
 //! A modal group that is set.
 #pragma once
 
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/flow/graph.hpp"
 
 #include <optional>

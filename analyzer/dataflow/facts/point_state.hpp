@@ -1,7 +1,7 @@
 //! States in front of effects that rules want to know of.
 #pragma once
 
-#include "analyzer/dataflow/state.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {

@@ -1,7 +1,7 @@
 //! A variable that is read.
 #pragma once
 
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/flow/graph.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 //! A value that is stored in a variable.
 #pragma once
 
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/flow/graph.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 //! What a call does to its caller, from the states with which the program is left.
-#include "analyzer/dataflow/summarise.hpp"
+#include "analyzer/dataflow/solver/summarise.hpp"
 
-#include "analyzer/dataflow/state.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
 
 #include <algorithm>
 

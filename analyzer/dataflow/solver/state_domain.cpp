@@ -1,5 +1,5 @@
 //! When bounds of numbers are widened, and to what.
-#include "analyzer/dataflow/state_domain.hpp"
+#include "analyzer/dataflow/solver/state_domain.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 //! Data flow over one program: its states, and what they say of it.
 #pragma once
 
-#include "analyzer/dataflow/facts.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/facts.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"
-#include "analyzer/dataflow/state.hpp"
-#include "analyzer/dataflow/summary.hpp"
+#include "analyzer/dataflow/solver/summary.hpp"
 #include "analyzer/flow/graph.hpp"
 
 #include <memory>

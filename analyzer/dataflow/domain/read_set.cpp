@@ -1,5 +1,5 @@
 //! A walk over the tree of an expression.
-#include "analyzer/dataflow/read_set.hpp"
+#include "analyzer/dataflow/domain/read_set.hpp"
 
 #include "analyzer/program/overloaded.hpp"
 

@@ -1,7 +1,7 @@
 //! Results of operators and functions as values: what semantics/ tells of them, with symbols and origins.
 #pragma once
 
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/semantics/concrete.hpp"
 #include "analyzer/semantics/exactness.hpp"
 #include "analyzer/semantics/truth.hpp"

@@ -1,6 +1,6 @@
 //! Expressions: their values, the truth of conditions, and what a condition tells about its variables.
-#include "analyzer/dataflow/read_set.hpp"
-#include "analyzer/dataflow/transfer.hpp"
+#include "analyzer/dataflow/domain/read_set.hpp"
+#include "analyzer/dataflow/solver/transfer.hpp"
 #include "analyzer/program/overloaded.hpp"
 
 #include <algorithm>

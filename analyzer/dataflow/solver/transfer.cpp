@@ -1,5 +1,5 @@
 //! Effects: stores, modal groups, calls, and what a plain run leaves behind.
-#include "analyzer/dataflow/transfer.hpp"
+#include "analyzer/dataflow/solver/transfer.hpp"
 
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"

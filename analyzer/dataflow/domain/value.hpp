@@ -2,8 +2,8 @@
 //! of.
 #pragma once
 
-#include "analyzer/dataflow/interner.hpp"
-#include "analyzer/dataflow/small_vector.hpp"
+#include "analyzer/dataflow/domain/interner.hpp"
+#include "analyzer/dataflow/domain/small_vector.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/semantics/abstract.hpp"
 

@@ -1,8 +1,8 @@
 //! States of variables and modal groups as what is solved along the paths of a graph.
 #pragma once
 
-#include "analyzer/dataflow/state.hpp"
-#include "analyzer/dataflow/transfer.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/solver/transfer.hpp"
 #include "analyzer/flow/graph.hpp"
 
 #include <cstdint>

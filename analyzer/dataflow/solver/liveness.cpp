@@ -1,5 +1,5 @@
 //! Solves against the flow: what is read behind an effect is asked of the effects in front of it.
-#include "analyzer/dataflow/liveness.hpp"
+#include "analyzer/dataflow/solver/liveness.hpp"
 
 #include "analyzer/flow/solve.hpp"
 #include "analyzer/program/block_view.hpp"

@@ -1,8 +1,8 @@
 //! What is known at one point of a program: every variable, every modal group.
 #pragma once
 
-#include "analyzer/dataflow/persistent_map.hpp"
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/persistent_map.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 
 #include <bit>
 #include <functional>

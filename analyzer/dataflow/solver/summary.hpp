@@ -1,7 +1,7 @@
 //! What a call of a program does to its caller, in words that hold outside the program.
 #pragma once
 
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 
 #include <functional>
 #include <optional>

@@ -1,5 +1,5 @@
 //! Interning of values, symbols, origins and modal values.
-#include "analyzer/dataflow/value.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 
 #include <bit>
 

@@ -1,5 +1,5 @@
 //! Which computation a result is, and where its vacancy and its rounding come from.
-#include "analyzer/dataflow/arithmetic.hpp"
+#include "analyzer/dataflow/domain/arithmetic.hpp"
 
 #include <algorithm>
 #include <utility>

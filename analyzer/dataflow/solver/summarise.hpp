@@ -1,8 +1,8 @@
 //! What a call of a program does to its caller, from the states with which the program is left.
 #pragma once
 
-#include "analyzer/dataflow/fact_lists.hpp"
-#include "analyzer/dataflow/summary.hpp"
+#include "analyzer/dataflow/facts/fact_lists.hpp"
+#include "analyzer/dataflow/solver/summary.hpp"
 #include "analyzer/flow/graph.hpp"
 
 #include <vector>

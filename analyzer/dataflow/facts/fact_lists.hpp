@@ -1,8 +1,6 @@
 //! The facts of a program while they are written down.
 #pragma once
 
-#include "analyzer/dataflow/fact_set.hpp"
-#include "analyzer/dataflow/facts.hpp"
 #include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/dataflow/facts/call_made.hpp"
 #include "analyzer/dataflow/facts/clobber.hpp"
@@ -10,6 +8,8 @@
 #include "analyzer/dataflow/facts/computed_jump.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/fact_set.hpp"
+#include "analyzer/dataflow/facts/facts.hpp"
 #include "analyzer/dataflow/facts/modal_read.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"

@@ -1,10 +1,10 @@
 //! The states of a program are solved, then one pass writes the facts down.
-#include "analyzer/dataflow/analysis.hpp"
+#include "analyzer/dataflow/solver/analysis.hpp"
 
-#include "analyzer/dataflow/fact_lists.hpp"
-#include "analyzer/dataflow/state_domain.hpp"
-#include "analyzer/dataflow/summarise.hpp"
-#include "analyzer/dataflow/transfer.hpp"
+#include "analyzer/dataflow/facts/fact_lists.hpp"
+#include "analyzer/dataflow/solver/state_domain.hpp"
+#include "analyzer/dataflow/solver/summarise.hpp"
+#include "analyzer/dataflow/solver/transfer.hpp"
 #include "analyzer/flow/solve.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 //! What the effects of one node do to a state.
 #pragma once
 
-#include "analyzer/dataflow/fact_lists.hpp"
-#include "analyzer/dataflow/state.hpp"
-#include "analyzer/dataflow/summary.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/facts/fact_lists.hpp"
+#include "analyzer/dataflow/solver/summary.hpp"
 
 namespace maclint::dataflow {
 

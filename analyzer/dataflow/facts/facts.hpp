@@ -1,7 +1,7 @@
 //! What data flow found out, effect by effect: the material that rules are made of.
 #pragma once
 
-#include "analyzer/dataflow/fact_set.hpp"
+#include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/program/model.hpp"
 

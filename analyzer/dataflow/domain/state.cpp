@@ -1,5 +1,5 @@
 //! Reading, writing and joining states.
-#include "analyzer/dataflow/state.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
 
 #include <algorithm>
 #include <iterator>
