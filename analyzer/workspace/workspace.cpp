@@ -13,7 +13,6 @@
 #include <deque>
 #include <map>
 #include <set>
-#include <string_view>
 #include <unordered_map>
 
 namespace maclint {
@@ -77,7 +76,7 @@ class WorkspaceBuilder {
             const Namesakes meant = resolver.resolve(file, outline, *call);
             const auto target = meant.only();
             analysis.calls_.push_back({effect, target, false, false, meant.all, {}});
-            if (call->is_computed()) computing_.insert(outline.language);
+            if (call->is_computed()) computing_.insert(&analysis.file());
             const Caller caller{analysis.index(), effect};
             if (target)
                 bind(analysis, caller, analysis.calls_.back());
@@ -296,10 +295,11 @@ class WorkspaceBuilder {
         return entry;
     }
 
-    /// Whether a call whose program only the running program knows may mean it.
+    /// Whether a call whose program only the running program knows may mean it: one of its own file, if only
+    /// that can call it.
     [[nodiscard]] bool may_be_computed(const ProgramAnalysis& analysis) const {
-        const bool elsewhere = analysis.file_->called_from_elsewhere && !analysis.program().local;
-        return elsewhere || computing_.contains(analysis.control().language);
+        return analysis.program().local ? computing_.contains(&analysis.file())
+                                        : analysis.file_->may_be_computed;
     }
 
     /// All callers of a local program are there. What they leave out may still be asked for in it: such
@@ -471,8 +471,8 @@ class WorkspaceBuilder {
     dataflow::FactSet facts_;
     flow::Adjacency adjacency_;
     flow::Components components_;
-    std::vector<bool> needed_;             ///< by program: its flow and data flow are asked for
-    std::set<std::string_view> computing_; ///< languages with a call that may mean any of their programs
+    std::vector<bool> needed_;               ///< by program: its flow and data flow are asked for
+    std::set<const ProgramFile*> computing_; ///< files with a call that may mean any program
     std::map<std::shared_ptr<const NamesakeList>, std::shared_ptr<UndecidedCalls>> undecided_by_list_;
     std::vector<UndecidedCalls*> undecided_; ///< all of them, in the order of the first call
 };

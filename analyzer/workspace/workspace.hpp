@@ -20,9 +20,9 @@ struct WorkspaceFile {
     /// The configuration declares that every program of its control is there: in the workspace, or meant by
     /// no call of a program in it.
     bool complete = false;
-    /// Some file that is not in the workspace has a call whose program only the running program knows: it
-    /// may be one of this file.
-    bool called_from_elsewhere = false;
+    /// Some call whose program only the running program knows may mean one of this file's that other files
+    /// can call.
+    bool may_be_computed = false;
 };
 
 struct WorkspaceOptions {

@@ -3,7 +3,9 @@
 
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dialect/dialect.hpp"
+#include "analyzer/workspace/outline.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace maclint::test {
@@ -20,7 +22,16 @@ WorkspaceFile read_as(std::string_view dialect_name, std::string path, std::stri
 } // namespace
 
 std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> files, FolderOptions options) {
-    for (WorkspaceFile& file : files) file.complete = options.complete;
+    const bool computed = std::ranges::any_of(files, [](const WorkspaceFile& file) {
+        const FileOutline outline = outline_of(*file.file);
+        return std::ranges::any_of(outline.programs, [](const ProgramOutline& program) {
+            return std::ranges::any_of(program.calls, &CallOutline::is_computed);
+        });
+    });
+    for (WorkspaceFile& file : files) {
+        file.complete = options.complete;
+        file.may_be_computed = computed;
+    }
     return Workspace::analyse(std::move(files), {.jobs = options.jobs, .facts = options.facts});
 }
 
