@@ -38,6 +38,18 @@ function(maclint_test_code target optimisation)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${MACLINT_FAST_BUILD} UNITY_BUILD_BATCH_SIZE 4)
 endfunction()
 
+# Links jemalloc into the executable `target`: programs are let go group by group, which leaves the C library's
+# allocator long lists of free pieces to search (a fifth of the time over a large folder).
+function(maclint_allocator target)
+  if(NOT MACLINT_JEMALLOC)
+    return()
+  endif()
+  find_library(MACLINT_JEMALLOC_LIBRARY NAMES libjemalloc.a)
+  if(MACLINT_JEMALLOC_LIBRARY)
+    target_link_libraries(${target} PRIVATE ${MACLINT_JEMALLOC_LIBRARY} Threads::Threads ${CMAKE_DL_LIBS} m)
+  endif()
+endfunction()
+
 # Compiles the headers once for all files of `target`. A file still includes what it uses: ./dev tidy compiles without.
 function(maclint_precompile target)
   if(MACLINT_FAST_BUILD)
