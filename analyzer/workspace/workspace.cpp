@@ -165,24 +165,31 @@ class WorkspaceBuilder {
     /// What is asked for, whatever calls it, and what those call: of the others only the text is asked for.
     void find_needed() {
         needed_.resize(programs_.size());
-        std::vector<ProgramIndex> added;
-        const auto add = [&](ProgramIndex program) {
-            if (needed_[program]) return;
-            needed_[program] = true;
-            added.push_back(program);
-        };
-        for (const ProgramAnalysis& analysis : programs_)
-            if (analysis.asked()) add(analysis.index());
-        const auto add_callers = [&](const std::vector<Caller>& callers) {
-            for (const Caller& caller : callers) add(caller.program);
-        };
-        for (std::size_t i = 0; i < added.size(); ++i) {
-            add_callers(programs_[added[i]].callers_);
-            add_callers(programs_[added[i]].possible_callers());
-        }
-        for (std::size_t i = 0; i < added.size(); ++i)
-            for (const CallSite& site : programs_[added[i]].calls_)
+        for (const ProgramAnalysis& analysis : programs_) needed_[analysis.index()] = analysis.asked();
+        spread_need([](const ProgramAnalysis& analysis, const auto& add) {
+            for (const Caller& caller : analysis.callers_) add(caller.program);
+            for (const Caller& caller : analysis.possible_callers()) add(caller.program);
+        });
+        spread_need([](const ProgramAnalysis& analysis, const auto& add) {
+            for (const CallSite& site : analysis.calls_)
                 if (site.target) add(*site.target);
+        });
+    }
+
+    /// Whom `next(program, add)` adds for a needed program is needed, too.
+    template<class Next>
+    void spread_need(const Next& next) {
+        std::vector<ProgramIndex> pending;
+        for (const ProgramAnalysis& analysis : programs_)
+            if (needed_[analysis.index()]) pending.push_back(analysis.index());
+        while (!pending.empty()) {
+            const ProgramAnalysis& analysis = programs_[pending.back()];
+            pending.pop_back();
+            next(analysis, [&](ProgramIndex other) {
+                if (!needed_[other]) pending.push_back(other);
+                needed_[other] = true;
+            });
+        }
     }
 
     void analyse_layer(const std::vector<std::uint32_t>& layer) {

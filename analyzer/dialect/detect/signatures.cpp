@@ -226,7 +226,7 @@ struct Index {
     /// Those of In::head by their first character: from heads[i] to heads[i + 1] where its last bits are i.
     std::array<std::size_t, 65> heads{};
 
-    constexpr Index() {
+    Index() {
         for (std::size_t i = 0; i < std::size(signatures); ++i) {
             const auto place = static_cast<std::size_t>(signatures[i].in);
             rows[place][counts[place]++] = static_cast<std::uint8_t>(i);
@@ -244,7 +244,11 @@ struct Index {
             heads[i] = static_cast<std::size_t>(std::ranges::lower_bound(all, i, {}, bucket) - all.begin());
     }
 };
-constexpr Index by_place;
+
+const Index& by_place() {
+    static const Index index;
+    return index;
+}
 
 struct Extension {
     std::string_view extension;
@@ -305,11 +309,11 @@ bool concerns(In in, const Line& line) {
 /// The rows that look at the place; of those that look for a head, the ones that begin as the line does.
 std::span<const std::uint8_t> rows_for(In in, const Line& line) {
     const auto place = static_cast<std::size_t>(in);
-    const auto all = std::span(by_place.rows[place]).first(by_place.counts[place]);
+    const auto all = std::span(by_place().rows[place]).first(by_place().counts[place]);
     if (in != In::head) return all;
     if (line.code().empty()) return {};
     const std::size_t first = last_bits_of(line.code().front());
-    return all.subspan(by_place.heads[first], by_place.heads[first + 1] - by_place.heads[first]);
+    return all.subspan(by_place().heads[first], by_place().heads[first + 1] - by_place().heads[first]);
 }
 
 int extension_points(std::string_view extension, Language language) {
@@ -333,7 +337,7 @@ void Evidence::add(const Line& line, std::size_t number) {
     for (std::size_t place = 0; place < places; ++place) {
         if (!concerns(static_cast<In>(place), line)) continue;
         for (const std::uint8_t row : rows_for(static_cast<In>(place), line)) {
-            if ((by_place.characters[row] & ~present) != 0) continue;
+            if ((by_place().characters[row] & ~present) != 0) continue;
             Sighting& sighting = sightings_[row];
             if (sighting.times == signatures[row].most || !holds(signatures[row], line)) continue;
             if (sighting.times++ == 0) sighting.line = static_cast<std::uint32_t>(number);
