@@ -63,6 +63,7 @@ class Base:
     def copy(self, root):
         """Only what changed, so that the build of an earlier run serves again."""
         kept = set()
+        (self.source / '.git').mkdir(parents=True, exist_ok=True)  # paths in reports are those in a repository
         for name in COPIED:
             start = root / name
             for path in [start] if start.is_file() else sorted(p for p in start.rglob('*') if p.is_file()):
