@@ -1,4 +1,4 @@
-//! What expressions and conditions say, and whether decisions contradict each other.
+//! What expressions and conditions say.
 #pragma once
 
 #include "analyzer/dataflow/facts/comparison.hpp"
@@ -6,7 +6,6 @@
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
-#include <span>
 
 namespace maclint::queries {
 
@@ -31,16 +30,5 @@ namespace maclint::queries {
 /// The comparison with 0, by EQ or NE, that the read is a side of; nullptr when it is in none.
 [[nodiscard]] const dataflow::Comparison* zero_test_of(const ProgramAnalysis& analysis,
                                                        const dataflow::Read& read);
-
-/// How a condition turned out on a path.
-struct Decision {
-    ExpressionId condition;
-    bool holds;
-};
-
-/// The first decision that contradicts an earlier one: #1EQ50 held, and later #1NE50 held. What may have
-/// changed in between is not looked at.
-[[nodiscard]] std::optional<std::size_t> first_contradiction(const Program& program,
-                                                             std::span<const Decision> decisions);
 
 } // namespace maclint::queries

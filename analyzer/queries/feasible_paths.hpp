@@ -4,9 +4,9 @@
 
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/loops.hpp"
+#include "analyzer/execution/path_search.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,13 +20,14 @@ namespace maclint::queries {
 [[nodiscard]] std::vector<const dataflow::Store*>
 last_stores_before(const ProgramAnalysis& analysis, Variable variable, const dataflow::Loop& loop);
 
-/// A path from the program's start to the node on which nothing can have changed the variable, and whose
-/// conditions do not contradict each other. Nothing when none is found in a few attempts.
-[[nodiscard]] std::optional<std::vector<flow::EdgeId>>
-path_without_assignment(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node);
+/// A path from the program's start to the node that the control can take and on which nothing can have changed
+/// the variable. `search` is one of the same program.
+[[nodiscard]] execution::PathFound path_without_assignment(execution::PathSearch& search,
+                                                           const ProgramAnalysis& analysis,
+                                                           Variable variable, flow::NodeId node);
 
-/// Whether the program can come over `first` to `then`: by a path whose conditions do not contradict each
-/// other, and that meets none of the nodes `barred` (sorted) between the two. Looked for in a few attempts.
+/// Whether the control can come over `first` to `then` by a path that meets none of the nodes `barred` (sorted)
+/// between the two. False, too, when the search gives up.
 [[nodiscard]] bool can_follow(const ProgramAnalysis& analysis, flow::NodeId first, flow::NodeId then,
                               std::span<const flow::NodeId> barred = {});
 

@@ -43,15 +43,15 @@ std::vector<Variable> series_taken(const ProgramAnalysis& analysis) {
     return taken;
 }
 
-/// How the program can get here without setting the variable; nothing when it cannot. A comparison may be the
-/// very test that takes care of vacancy.
-std::optional<std::vector<flow::EdgeId>> path_to(const ProgramAnalysis& analysis,
-                                                 const dataflow::Read& read) {
+/// How the program can get here without setting the variable. A comparison may be the very test that takes care
+/// of vacancy.
+execution::PathFound path_to(execution::PathSearch& search, const ProgramAnalysis& analysis,
+                             const dataflow::Read& read) {
     const bool may_be_a_test = may_hold_vacant(analysis.program(), read.variable);
     if (may_be_a_test && read.value.vacancy == dataflow::Vacancy::maybe &&
         read.use == dataflow::Use::comparison)
-        return std::nullopt;
-    return path_without_assignment(analysis, read.variable, read.node);
+        return {};
+    return path_without_assignment(search, analysis, read.variable, read.node);
 }
 
 /// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
@@ -112,13 +112,15 @@ std::vector<UnsetRead> find_unset_reads(const ProgramAnalysis& analysis) {
     if (!analysis.is_main() && !analysis.is_macro()) return found;
     const std::vector<Variable> series = series_taken(analysis);
     std::vector<std::pair<Variable, int>> attempts;
+    std::optional<execution::PathSearch> search; // most programs have no such read
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         if (!uses_unset(analysis, read) || std::ranges::find(series, read.variable) != series.end()) continue;
         auto tried = std::ranges::find(attempts, read.variable, &std::pair<Variable, int>::first);
         if (tried == attempts.end()) tried = attempts.insert(tried, {read.variable, 0});
         if (tried->second >= most_attempts || counts(analysis, read)) continue;
         ++tried->second;
-        auto path = path_to(analysis, read);
+        if (!search) search.emplace(analysis);
+        auto path = path_to(*search, analysis, read).path;
         if (!path && read.value.vacancy != dataflow::Vacancy::vacant) continue;
         tried->second = most_attempts; // once a variable
         found.push_back({&read, std::move(path)});

@@ -72,7 +72,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Loop& loop : analysis.loops()) {
         const auto counter = queries::counter_of(analysis, loop);
         if (!counter || !is_shared_and_uninitialised(analysis, counter->variable)) continue;
-        const auto path = queries::path_without_assignment(analysis, counter->variable, loop.head);
+        execution::PathSearch search(analysis);
+        const auto path =
+            queries::path_without_assignment(search, analysis, counter->variable, loop.head).path;
         if (!path) continue;
         const dataflow::Comparison& test = *counter->tests.front().comparison;
         const Span span = program.expressions[test.expression].span;

@@ -124,22 +124,5 @@ TEST(EvaluateWords, OfSumsAreTheSameInEitherOrder) {
     EXPECT_NE(stores[0].value.symbol, stores[2].value.symbol);
 }
 
-TEST(Decisions, OfOneWayMustNotContradictEachOther) {
-    const auto workspace = test::analyse_fanuc(
-        "O9001\nIF[#1GT5]GOTO9\nIF[#1LE3]GOTO9\nIF[5LT#1]GOTO9\nIF[#1EQ4]GOTO9\nN9 M99\n");
-    const ProgramAnalysis& analysis = workspace->programs().front();
-    const auto& conditions = analysis.facts().all<dataflow::Condition>();
-    ASSERT_GE(conditions.size(), 2U);
-    const auto decide = [&](std::size_t i, bool holds) {
-        return queries::Decision{conditions[i].expression, holds};
-    };
-    const auto first = [&](std::vector<queries::Decision> decisions) {
-        return queries::first_contradiction(analysis.program(), decisions);
-    };
-    EXPECT_FALSE(first({decide(0, false), decide(1, false)}));
-    EXPECT_EQ(first({decide(0, true), decide(1, true)}), 1U);
-    EXPECT_EQ(first({decide(1, true), decide(0, true)}), 1U);
-}
-
 } // namespace
 } // namespace maclint

@@ -25,8 +25,9 @@ class HeldAgainstFacts {
     void begin();
     /// To be called with every event of the run.
     void observe(execution::Stepper& stepper, const execution::Event& event);
-    /// After the run: what is claimed of whole paths.
-    void end();
+    /// After the run: what is claimed of whole paths. `machine_stood_still`: two reads of one of its values
+    /// gave the same.
+    void end(bool machine_stood_still);
 
     /// The first claim that a run has shown to be false.
     [[nodiscard]] const std::optional<std::string>& refuted() const { return refuted_; }
@@ -69,6 +70,7 @@ class HeldAgainstFacts {
     void check_exit(execution::Stepper& stepper, const execution::ProgramLeft& left);
     void check_summary(execution::Stepper& stepper, const execution::ProgramLeft& left);
     void check_stop();
+    void check_path(const Level& level);
     void check_changes(execution::Stepper& stepper, EffectId call);
 
     [[nodiscard]] Watched watched_in(const ProgramAnalysis& analysis) const;

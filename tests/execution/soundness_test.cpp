@@ -7,7 +7,9 @@
 #include <array>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -22,8 +24,11 @@ class RandomEnvironment {
     explicit RandomEnvironment(Dice& dice)
         : dice_(dice) {}
 
-    /// `main`: modal groups have their codes of reset.
-    execution::Environment in_front_of(const ControlModel& control, bool main) {
+    /// `main`: modal groups have their codes of reset. `still`: the machine's values stay as they are during a
+    /// run, and all numbers are whole: so whoever writes a program thinks of them.
+    execution::Environment in_front_of(const ControlModel& control, bool main, bool still) {
+        still_ = still;
+        machine_.clear();
         execution::Environment environment;
         environment.at_start = [&](const Program&, Variable variable) {
             const bool may_be_vacant = control.spaces[variable.space].scope != Scope::machine;
@@ -46,7 +51,8 @@ class RandomEnvironment {
   private:
     double number() {
         constexpr std::array numbers{0.0, 1.0, 2.0, 3.0, 4.0, -2.0, 0.5, 2.25, 90.0, 91.0, 7.0, -0.1, 100.0};
-        return dice_.one_of(numbers);
+        constexpr std::array whole{0.0, 1.0, 2.0, 3.0, 4.0, -2.0, 90.0, 91.0, 7.0, 100.0};
+        return still_ ? dice_.one_of(whole) : dice_.one_of(numbers);
     }
 
     double code(const ControlModel& control, GroupId id, bool main) {
@@ -59,7 +65,14 @@ class RandomEnvironment {
     Content value_of(const Program& program, const Expression& expression) {
         const auto* owned = std::get_if<LoadMachine>(&expression.node);
         if (owned == nullptr) return Content{number()};
-        const VariableRange* range = program.control->families[owned->family].find(owned->number);
+        if (!still_) return thrown(program, *owned);
+        const auto [known, fresh] = machine_.try_emplace({owned->family, owned->number});
+        if (fresh) known->second = thrown(program, *owned);
+        return known->second;
+    }
+
+    Content thrown(const Program& program, const LoadMachine& owned) {
+        const VariableRange* range = program.control->families[owned.family].find(owned.number);
         if (range != nullptr && range->is_bit) return Content{static_cast<double>(dice_.below(2))};
         return range != nullptr && range->may_be_vacant ? content() : Content{number()};
     }
@@ -87,6 +100,8 @@ class RandomEnvironment {
     }
 
     Dice& dice_;
+    bool still_ = false;
+    std::map<std::pair<FamilyId, std::int32_t>, Content> machine_; ///< what was asked for in this run
 };
 
 /// Whether a run may begin with the program: by hand, or by a caller that is not in the workspace.
@@ -115,8 +130,9 @@ std::optional<std::string> refuted(const std::vector<NamedText>& files, Dice& di
     for (const ProgramAnalysis& analysis : workspace->programs()) {
         if (!may_be_started(analysis)) continue;
         for (int i = 0; i < runs && !claims.refuted(); ++i) {
+            const bool still = i % 2 == 0;
             const execution::Environment environment =
-                world.in_front_of(analysis.control(), analysis.is_main());
+                world.in_front_of(analysis.control(), analysis.is_main(), still);
             LiveStores live;
             execution::Stepper stepper(
                 *workspace, environment,
@@ -130,7 +146,7 @@ std::optional<std::string> refuted(const std::vector<NamedText>& files, Dice& di
             ++held["runs"];
             if (how == execution::Leaving::fault) ++held["runs that end with a fault"];
             if (how == execution::Leaving::cut_off) ++held["runs that are cut off"];
-            claims.end();
+            claims.end(still);
             held["reads of stored values"] += live.held();
             if (live.refuted()) return live.refuted();
         }

@@ -27,7 +27,8 @@ bool reaches_uninitialised(const std::string& text, std::int32_t variable) {
     for (const dataflow::Read& read : program.facts().all<dataflow::Read>())
         if (read.variable.number == variable) last = read;
     if (!last) throw std::runtime_error("no such read");
-    return queries::path_without_assignment(program, last->variable, last->node).has_value();
+    execution::PathSearch search(program);
+    return queries::path_without_assignment(search, program, last->variable, last->node).path.has_value();
 }
 
 const std::string sets_5_or_not = "IF[#501EQ1]GOTO10\n#5=1\nN10 G0Z#5\n";

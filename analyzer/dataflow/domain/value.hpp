@@ -49,6 +49,7 @@ struct Symbol {
         entry,       ///< a: key; the value at the program's start
         entry_group, ///< a: group; the code in force when the program was called
         opaque,      ///< a: expression or effect, b: what for; nothing more is known
+        machine,     ///< a: family and number, b, c: nodes since which it stands; on one path only
         joined,      ///< a: key, b: node where paths with different values meet
         result,      ///< a: operation, b, c: operand symbols
         if_set,      ///< of a word: a, or what was in force before where that is vacant; b: effect, c: node

@@ -111,18 +111,6 @@ Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowle
     lists.release();
 }
 
-std::optional<flow::EdgeId> Analysis::first_impossible(std::span<const flow::EdgeId> path) const {
-    States states(*program_, knowledge_); // of its own: rules ask on several threads
-    Transfer transfer(*program_, *graph_, states, callees_);
-    State state = states.at_entry();
-    for (const flow::EdgeId id : path) {
-        const flow::Edge& edge = graph_->edges[id];
-        state = transfer.along(edge, transfer.run(edge.from, state));
-        if (!state.reached) return id;
-    }
-    return std::nullopt;
-}
-
 Analysis::Analysis(Analysis&&) noexcept = default;
 Analysis& Analysis::operator=(Analysis&&) noexcept = default;
 Analysis::~Analysis() = default;

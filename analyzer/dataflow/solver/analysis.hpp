@@ -29,8 +29,9 @@ class Analysis {
     [[nodiscard]] bool reached(flow::NodeId node) const { return reached_[node]; }
     /// Whether the edge can be taken.
     [[nodiscard]] bool passable(flow::EdgeId edge) const { return passable_[edge]; }
-    /// The first edge of a path from the program's start that cannot be taken by who came this way.
-    [[nodiscard]] std::optional<flow::EdgeId> first_impossible(std::span<const flow::EdgeId> path) const;
+    /// What the program's start and its calls are known to bring.
+    [[nodiscard]] const EntryKnowledge& knowledge() const { return knowledge_; }
+    [[nodiscard]] const Callees& callees() const { return callees_; }
 
     [[nodiscard]] const ValueTable& table() const;
     [[nodiscard]] const Origin& origin(OriginId id) const { return table().origins[id]; }

@@ -16,6 +16,38 @@ Value Transfer::opaque(ExpressionId id) {
     return value;
 }
 
+Value Transfer::machine_value(FamilyId family, std::int32_t number, ExpressionId id) {
+    Value value = opaque(id);
+    const VariableRange* range = program_.control->families[family].find(number);
+    if (range == nullptr || !range->may_be_vacant) value.vacancy = Vacancy::set;
+    if (range == nullptr) return value;
+    if (range->is_bit) {
+        value.low = 0;
+        value.high = 1;
+        value.integer = true;
+        value.exactness = Exactness::exact;
+    }
+    if (follows_one_path_) {
+        // Inputs change by themselves, too; whoever asks one twice takes it to stay as it is.
+        const bool moves_on = range->changes_by_itself && !range->is_bit;
+        const bool stored = range->on_write == OnWrite::store;
+        const std::uint64_t name = side_by_side(family, static_cast<std::uint32_t>(number));
+        value.symbol =
+            states_.table().symbols({Symbol::Kind::machine, name, moves_on ? machine_time_.acted : 0,
+                                     stored ? machine_time_.stored : 0});
+    }
+    return value;
+}
+
+/// The same index means the same variable.
+Value Transfer::indexed_value(FamilyId family, const Value& index, ExpressionId id) {
+    constexpr std::uint32_t indexed = 1U << 16U;
+    Value value = opaque(id);
+    value.symbol = states_.table().symbols({Symbol::Kind::machine, side_by_side(family | indexed, index.symbol),
+                                            machine_time_.acted, machine_time_.stored});
+    return value;
+}
+
 /// The value of a literal.
 Value Transfer::number(ExpressionId id, double number) {
     SymbolId& known = constants_[id];
@@ -84,21 +116,11 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
             [&](const LoadAt& load) {
                 const Value index = evaluate(state, load.index, Use::index);
                 if (rests_on_vacant(state, load.index)) return opaque(id);
+                if (follows_one_path_ && !index.constant()) return indexed_value(load.family, index, id);
                 return load_at(state, load.family, index, id, use);
             },
             [&](const LoadModal& load) { return load_modal(state, load.group, id); },
-            [&](const LoadMachine& load) {
-                Value value = opaque(id);
-                const VariableRange* range = program_.control->families[load.family].find(load.number);
-                if (range == nullptr || !range->may_be_vacant) value.vacancy = Vacancy::set;
-                if (range != nullptr && range->is_bit) {
-                    value.low = 0;
-                    value.high = 1;
-                    value.integer = true;
-                    value.exactness = Exactness::exact;
-                }
-                return value;
-            },
+            [&](const LoadMachine& load) { return machine_value(load.family, load.number, id); },
             [&](const Apply& apply) {
                 const auto operands = program_.operands_of(apply);
                 constexpr std::size_t most = 4;

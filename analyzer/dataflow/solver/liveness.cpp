@@ -33,6 +33,15 @@ class LiveVariables {
         collect_reads_by_moves();
         for (const flow::Exit& exit : graph.exits) add_read_after(exit, locals);
     }
+    /// Of decisions.
+    LiveVariables(const Program& program, const flow::Graph& graph, const Callees& callees)
+        : program_(program)
+        , graph_(graph)
+        , callees_(&callees) {
+        number_variables();
+        read_by_moves_ = none();
+        for (const flow::Exit& exit : graph.exits) at_exit_.try_emplace(exit.node, none());
+    }
 
     // ---- as a domain
 
@@ -62,14 +71,58 @@ class LiveVariables {
 
     /// From the state after the effect to the one in front of it.
     void pass(flow::NodeId node, EffectId id, LiveSet& live) const {
+        if (of_decisions())
+            pass_decision(node, id, live);
+        else
+            pass_any(node, id, live);
+    }
+
+    [[nodiscard]] std::vector<Variable> members(const LiveSet& live) const {
+        std::vector<Variable> all;
+        for (const auto& [variable, place] : places_)
+            if (!live.empty() && (live[place / word_bits] & bit(place)) != 0) all.push_back(variable);
+        return all;
+    }
+
+    [[nodiscard]] bool holds(const LiveSet& live, Variable variable) const {
+        const auto place = places_.find(program_.meant_by(variable));
+        return place == places_.end() || (live[place->second / word_bits] & bit(place->second)) != 0;
+    }
+
+  private:
+    [[nodiscard]] bool of_decisions() const { return callees_ != nullptr; }
+
+    /// What is stored is read only where somebody decides by it.
+    void pass_decision(flow::NodeId node, EffectId id, LiveSet& live) const {
         std::visit(overloaded{
                        [&](const Assign& what) {
-                           if (const auto* variable = std::get_if<Variable>(&what.target))
-                               replace(node, *variable, live);
-                           else if (const auto* indexed = std::get_if<StoreAt>(&what.target))
-                               add_reads(indexed->index, live);
-                           add_reads(what.value, live);
+                           const auto* variable = std::get_if<Variable>(&what.target);
+                           if (variable != nullptr && !holds(live, *variable)) return;
+                           assign(node, what, live);
                        },
+                       [&](const RegionMark& what) { add_reads(what.condition, live); },
+                       [&](const Guarded& what) { add_reads(what.condition, live); },
+                       [&](const Jump& what) { add_reads(what.target, live); },
+                       [&](const Call& what) {
+                           const Summary& summary = (*callees_)(id).summary;
+                           if (summary.known && summary.may_stop) call(what, live);
+                       },
+                       [](const auto&) {},
+                   },
+                   program_.effects[id].what);
+    }
+
+    void assign(flow::NodeId node, const Assign& what, LiveSet& live) const {
+        if (const auto* variable = std::get_if<Variable>(&what.target))
+            replace(node, *variable, live);
+        else if (const auto* indexed = std::get_if<StoreAt>(&what.target))
+            add_reads(indexed->index, live);
+        add_reads(what.value, live);
+    }
+
+    void pass_any(flow::NodeId node, EffectId id, LiveSet& live) const {
+        std::visit(overloaded{
+                       [&](const Assign& what) { assign(node, what, live); },
                        [&](const SetModal& what) { add_reads(what.value, live); },
                        [&](const EvaluateWords& what) {
                            for (const ExpressionId value : program_.values_of(what)) add_reads(value, live);
@@ -98,12 +151,6 @@ class LiveVariables {
                    program_.effects[id].what);
     }
 
-    [[nodiscard]] bool holds(const LiveSet& live, Variable variable) const {
-        const auto place = places_.find(program_.meant_by(variable));
-        return place == places_.end() || (live[place->second / word_bits] & bit(place->second)) != 0;
-    }
-
-  private:
     void number_variables() {
         const auto number = [&](Variable variable) {
             places_.try_emplace(program_.meant_by(variable), places_.size());
@@ -224,11 +271,19 @@ class LiveVariables {
     std::unordered_map<Variable, std::size_t, VariableHash> places_; ///< in a set
     LiveSet read_by_moves_;
     std::unordered_map<flow::NodeId, LiveSet> at_exit_;
+    const Callees* callees_ = nullptr; ///< of decisions
 };
 
 Liveness::Liveness(const Program& program, const flow::Graph& graph, Locals locals)
+    : Liveness(graph, std::make_unique<const LiveVariables>(program, graph, locals)) {}
+
+Liveness Liveness::of_decisions(const Program& program, const flow::Graph& graph, const Callees& callees) {
+    return {graph, std::make_unique<const LiveVariables>(program, graph, callees)};
+}
+
+Liveness::Liveness(const flow::Graph& graph, std::unique_ptr<const LiveVariables> variables)
     : graph_(&graph)
-    , variables_(std::make_unique<const LiveVariables>(program, graph, locals)) {
+    , variables_(std::move(variables)) {
     flow::Solution<LiveSet> solution;
     flow::solve<flow::Direction::backward>(graph, *variables_, solution);
     after_ = std::move(solution.before);
@@ -245,6 +300,10 @@ bool Liveness::is_live_after(EffectId effect, Variable variable) const {
     const Slice effects = graph_->nodes[*node].effects;
     for (Id i = effects.first + effects.count; i > effect + 1;) variables_->pass(*node, --i, live);
     return variables_->holds(live, variable);
+}
+
+std::vector<Variable> Liveness::live_before(flow::NodeId node) const {
+    return variables_->members(variables_->run(node, after_[node]));
 }
 
 } // namespace maclint::dataflow

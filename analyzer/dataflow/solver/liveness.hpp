@@ -1,6 +1,7 @@
 //! Which values may still be read: what is not is a store that nobody needs.
 #pragma once
 
+#include "analyzer/dataflow/solver/summary.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/program/model.hpp"
 
@@ -24,6 +25,10 @@ class Liveness {
 
     /// Solves at once. The references must outlive the liveness.
     Liveness(const Program& program, const flow::Graph& graph, Locals locals);
+    /// Of this program's decisions alone: only what a condition, the target of a jump or a call that may not
+    /// come back depends on is read.
+    [[nodiscard]] static Liveness of_decisions(const Program& program, const flow::Graph& graph,
+                                               const Callees& callees);
     Liveness(Liveness&&) noexcept;
     Liveness& operator=(Liveness&&) noexcept;
     ~Liveness();
@@ -31,8 +36,12 @@ class Liveness {
     /// Whether what the variable holds after the effect may be read: here, by a called program, or when this
     /// one has ended. True where nothing is known, as of a variable that the program does not name.
     [[nodiscard]] bool is_live_after(EffectId effect, Variable variable) const;
+    /// The variables that the program names and whose value before the node may be read.
+    [[nodiscard]] std::vector<Variable> live_before(flow::NodeId node) const;
 
   private:
+    Liveness(const flow::Graph& graph, std::unique_ptr<const LiveVariables> variables);
+
     const flow::Graph* graph_;
     std::unique_ptr<const LiveVariables> variables_;
     std::vector<LiveSet> after_; ///< every node

@@ -39,8 +39,7 @@ void Transfer::enter(flow::NodeId node) {
 
 State Transfer::run(flow::NodeId node, State state) {
     enter(node);
-    evaluated_.reset();
-    compared_.reset();
+    turn_back();
     const flow::Node& n = graph_.nodes[node];
     if (n.is_run) {
         run_of_plain_blocks(state, node);

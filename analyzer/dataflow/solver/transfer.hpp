@@ -15,8 +15,29 @@ class Transfer {
     /// ends it.
     void record_in(FactLists* facts) { facts_ = facts; }
 
+    /// From now on a value of the machine has the same symbol wherever it is read, until it is stored or, where
+    /// it changes by itself, until the machine does something: right for who follows one path.
+    void follow_one_path() { follows_one_path_ = true; }
+    /// The last node of the path that moved the machine, called a program or waited; and that stored in a value
+    /// of the machine.
+    struct MachineTime {
+        flow::NodeId acted = 0, stored = 0;
+        friend bool operator==(const MachineTime&, const MachineTime&) = default;
+    };
+    void set_machine_time(MachineTime time) { machine_time_ = time; }
+
+    /// What the expression is in the state after the node that was run last.
+    [[nodiscard]] Value value_in(const State& after, ExpressionId id) {
+        return evaluate(after, id, Use::copy);
+    }
+
     /// The state after the node.
     [[nodiscard]] State run(flow::NodeId node, State state);
+    /// The next edge is one of another node, or of another state, than were run last.
+    void turn_back() {
+        evaluated_.reset();
+        compared_.reset();
+    }
     /// The state on an edge of the node that was run last, given the state after it; not reached when the
     /// edge cannot be taken.
     [[nodiscard]] State along(const flow::Edge& edge, State after);
@@ -32,6 +53,8 @@ class Transfer {
     [[nodiscard]] bool rests_on_vacant(const State& state, ExpressionId index);
     [[nodiscard]] Value load_modal(const State& state, GroupId group, ExpressionId id);
     [[nodiscard]] Value opaque(ExpressionId id);
+    [[nodiscard]] Value machine_value(FamilyId family, std::int32_t number, ExpressionId id);
+    [[nodiscard]] Value indexed_value(FamilyId family, const Value& index, ExpressionId id);
     [[nodiscard]] Value opaque_variable(Variable variable, std::uint32_t what_for);
     [[nodiscard]] Truth evaluate_condition(const State& state, ExpressionId id);
     [[nodiscard]] Truth evaluate_chain(const State& state, std::span<const ExpressionId> operands, bool all);
@@ -89,6 +112,8 @@ class Transfer {
         Value left, right;
     };
     std::optional<Compared> compared_;
+    bool follows_one_path_ = false;
+    MachineTime machine_time_;
 };
 
 } // namespace maclint::dataflow

@@ -1,0 +1,147 @@
+//! Intervals for comparisons with numbers, the three cases of "less, equal, greater" for those of two values.
+#include "analyzer/execution/assumptions.hpp"
+
+#include "analyzer/dataflow/domain/arithmetic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace maclint::execution {
+namespace {
+
+using dataflow::SymbolId;
+using dataflow::Value;
+
+constexpr unsigned below = 1, same = 2, above = 4;
+
+/// Where the left side can lie beside the right one.
+unsigned places(Operation operation) {
+    switch (operation) {
+    case Operation::less: return below;
+    case Operation::less_equal: return below | same;
+    case Operation::equal: return same;
+    case Operation::greater_equal: return same | above;
+    case Operation::greater: return above;
+    default: return below | above;
+    }
+}
+
+/// What is left of the numbers that a value can be.
+class Numbers {
+  public:
+    explicit Numbers(const Value& value)
+        : low_(value.low)
+        , high_(value.high)
+        , whole_(value.integer) {}
+
+    void cut(Operation operation, double number) {
+        counts_ = counts_ && std::floor(number) == number;
+        const unsigned where = places(operation);
+        if (where == (below | above)) return excluded_.push_back(number);
+        if ((where & above) == 0) lower_to(number, (where & same) == 0);
+        if ((where & below) == 0) raise_to(number, (where & same) == 0);
+    }
+
+    [[nodiscard]] bool none_left() const {
+        if (low_ > high_ || (low_ == high_ && (low_open_ || high_open_ || is_excluded(low_)))) return true;
+        return (counts_ || whole_) && no_whole_number_left();
+    }
+
+  private:
+    void lower_to(double number, bool open) {
+        if (number > high_) return;
+        high_open_ = open || (number == high_ && high_open_);
+        high_ = number;
+    }
+    void raise_to(double number, bool open) {
+        if (number < low_) return;
+        low_open_ = open || (number == low_ && low_open_);
+        low_ = number;
+    }
+    [[nodiscard]] bool is_excluded(double number) const {
+        return std::ranges::find(excluded_, number) != excluded_.end();
+    }
+    [[nodiscard]] bool no_whole_number_left() const {
+        const double first = low_open_ ? std::floor(low_) + 1 : std::ceil(low_);
+        const double last = high_open_ ? std::ceil(high_) - 1 : std::floor(high_);
+        if (first > last) return true;
+        if (last - first >= static_cast<double>(excluded_.size())) return false;
+        for (double number = first; number <= last; ++number)
+            if (!is_excluded(number)) return false;
+        return true;
+    }
+
+    double low_, high_;
+    bool low_open_ = false, high_open_ = false;
+    bool whole_;
+    bool counts_ = true; ///< it was compared with whole numbers only
+    std::vector<double> excluded_;
+};
+
+} // namespace
+
+std::optional<Assumptions::Id> Assumptions::add(Id known, Operation operation, const Value& left,
+                                                const Value& right) {
+    Assumption now{left.symbol, left.symbol, operation, 0, false, known};
+    const Value* subject = &left;
+    if (!semantics::is_vacancy_test(operation)) {
+        if (left.constant()) {
+            if (right.constant()) return known; // decided without any assumption
+            std::swap(now.subject, now.other);
+            subject = &right;
+            now = {right.symbol, left.symbol, dataflow::mirrored(operation), 0, false, known};
+        } else {
+            now.other = right.symbol;
+        }
+        const auto number = (subject == &left ? right : left).constant();
+        now.with_number = number.has_value();
+        now.number = number.value_or(0);
+        if (now.subject == 0 || now.other == 0) return known; // values of which nothing is said
+        if (!number && now.subject > now.other) {
+            std::swap(now.subject, now.other);
+            now.operation = dataflow::mirrored(now.operation);
+        }
+    }
+    if (contradicts(now, *subject)) return std::nullopt;
+    all_.push_back(now);
+    return static_cast<Id>(all_.size());
+}
+
+bool Assumptions::contradicts(const Assumption& now, const Value& subject) const {
+    if (now.with_number) return leaves_no_number(now, subject);
+    if (semantics::is_vacancy_test(now.operation)) {
+        for (Id id = now.earlier; id != none; id = (*this)[id].earlier) {
+            const Assumption& earlier = (*this)[id];
+            if (earlier.subject == now.subject && semantics::is_vacancy_test(earlier.operation) &&
+                earlier.operation != now.operation)
+                return true;
+        }
+        return false;
+    }
+    unsigned left = places(now.operation);
+    if (now.subject == now.other) left &= same;
+    for (Id id = now.earlier; id != none; id = (*this)[id].earlier) {
+        const Assumption& earlier = (*this)[id];
+        if (!earlier.with_number && !semantics::is_vacancy_test(earlier.operation) &&
+            earlier.subject == now.subject && earlier.other == now.other)
+            left &= places(earlier.operation);
+    }
+    return left == 0;
+}
+
+bool Assumptions::leaves_no_number(const Assumption& now, const Value& subject) const {
+    Numbers numbers(subject);
+    const auto cut = [&](const Assumption& assumed) {
+        // A vacant value is not equal to 0, and counts as 0 beside LT, LE, GE and GT.
+        const bool or_vacant = assumed.operation == Operation::not_equal && assumed.number == 0 &&
+                               subject.vacancy != dataflow::Vacancy::set;
+        if (!or_vacant) numbers.cut(assumed.operation, assumed.number);
+    };
+    cut(now);
+    for (Id id = now.earlier; id != none; id = (*this)[id].earlier)
+        if ((*this)[id].with_number && (*this)[id].subject == now.subject) cut((*this)[id]);
+    return numbers.none_left();
+}
+
+} // namespace maclint::execution

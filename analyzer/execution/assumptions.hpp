@@ -1,0 +1,44 @@
+//! What the decisions on a path say of the values they were about, and whether they can all be so.
+#pragma once
+
+#include "analyzer/dataflow/domain/value.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace maclint::execution {
+
+/// Grows with every decision; what two paths have in common they share. Two decisions are about the same when
+/// their symbols are equal: whoever adds one sees to it that equal symbols are equal values on the path.
+class Assumptions {
+  public:
+    using Id = std::uint32_t;
+    static constexpr Id none = 0;
+
+    /// All of `known`, and that the comparison of `left` with `right` is true; for a vacancy test `right` is not
+    /// looked at. Nothing when these cannot all be so: #1EQ50 was true, and so is #1NE50. Comparisons of a
+    /// value with whole numbers alone are taken to speak of whole numbers: those who count through the cases
+    /// of a variable, #7EQ1, #7EQ2 …, mean them.
+    [[nodiscard]] std::optional<Id> add(Id known, Operation operation, const dataflow::Value& left,
+                                        const dataflow::Value& right);
+
+    /// A value that something is assumed of.
+    struct Assumption {
+        dataflow::SymbolId subject;
+        dataflow::SymbolId other; ///< of the other side; for a vacancy test that of the subject
+        Operation operation;
+        double number; ///< of the other side, where that is a constant
+        bool with_number;
+        Id earlier;
+    };
+    [[nodiscard]] const Assumption& operator[](Id id) const { return all_[id - 1]; }
+
+  private:
+    [[nodiscard]] bool contradicts(const Assumption& now, const dataflow::Value& subject) const;
+    [[nodiscard]] bool leaves_no_number(const Assumption& now, const dataflow::Value& subject) const;
+
+    std::vector<Assumption> all_;
+};
+
+} // namespace maclint::execution

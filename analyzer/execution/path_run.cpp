@@ -1,0 +1,172 @@
+//! Steps of the solver, taken one path at a time.
+#include "analyzer/execution/path_run.hpp"
+
+#include "analyzer/dataflow/domain/arithmetic.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace maclint::execution {
+namespace {
+
+using dataflow::Symbol;
+using dataflow::SymbolId;
+using dataflow::Value;
+
+} // namespace
+
+PathRun::PathRun(const ProgramAnalysis& analysis)
+    : analysis_(analysis)
+    , program_(analysis.program())
+    , graph_(analysis.graph())
+    , states_(program_, analysis.data().knowledge())
+    , transfer_(program_, graph_, states_, analysis.data().callees())
+    , reads_modal_state_(std::ranges::any_of(program_.expressions, [](const Expression& expression) {
+        return std::holds_alternative<LoadModal>(expression.node);
+    })) {
+    transfer_.follow_one_path();
+}
+
+PathRun::Point PathRun::run(flow::NodeId node, Point point) {
+    transfer_.set_machine_time(point.time);
+    point.state = transfer_.run(node, point.state);
+    const flow::Node& n = graph_.nodes[node];
+    if (acts(node)) point.time.acted = node;
+    if (stores_in_machine(n)) point.time.stored = node;
+    transfer_.set_machine_time(point.time);
+    return point;
+}
+
+bool PathRun::acts(flow::NodeId id) const {
+    const flow::Node& node = graph_.nodes[id];
+    if (node.is_run) return true;
+    for (Id i = node.effects.first; i < node.effects.first + node.effects.count; ++i) {
+        const auto& what = program_.effects[i].what;
+        if (!std::holds_alternative<Assign>(what) && !std::holds_alternative<Guarded>(what) &&
+            !std::holds_alternative<RegionMark>(what) && !std::holds_alternative<Jump>(what))
+            return true;
+    }
+    return false;
+}
+
+bool PathRun::stores_in_machine(const flow::Node& node) const {
+    for (Id i = node.effects.first; i < node.effects.first + node.effects.count; ++i)
+        if (const auto* assign = std::get_if<Assign>(&program_.effects[i].what);
+            assign != nullptr && !std::holds_alternative<Variable>(assign->target))
+            return true;
+    return false;
+}
+
+// ---- decisions
+
+std::optional<PathRun::Point> PathRun::along(flow::EdgeId id, const Point& after) {
+    const flow::Edge& edge = graph_.edges[id];
+    Point next = after;
+    transfer_.turn_back();
+    transfer_.set_machine_time(after.time);
+    next.state = transfer_.along(edge, after.state);
+    if (!next.state.reached) return std::nullopt;
+    // A condition that not all channels ask says nothing of the others.
+    const bool asked_by_all = graph_.channels_at(edge.from).running == graph_.all_channels;
+    if (edge.condition && asked_by_all && !assume(next, after.state, *edge.condition, edge.holds))
+        return std::nullopt;
+    return next;
+}
+
+/// Takes what must be so when the condition turned out like this; choices between alternatives are left out.
+bool PathRun::assume(Point& point, const dataflow::State& before, ExpressionId condition, bool holds) {
+    const auto* apply = std::get_if<Apply>(&program_.expressions[condition].node);
+    if (apply == nullptr) return true;
+    const auto operands = program_.operands_of(*apply);
+    if (apply->operation == Operation::not_of) return assume(point, before, operands.front(), !holds);
+    if (apply->operation != (holds ? Operation::all_of : Operation::any_of))
+        return assume_one(point, before, *apply, holds);
+    return std::ranges::all_of(
+        operands, [&](ExpressionId operand) { return assume(point, before, operand, holds); });
+}
+
+bool PathRun::assume_one(Point& point, const dataflow::State& before, const Apply& apply, bool holds) {
+    const auto operands = program_.operands_of(apply);
+    const bool test = semantics::is_vacancy_test(apply.operation);
+    if (!test && !(dataflow::is_comparison(apply.operation) && operands.size() == 2)) return true;
+    const Operation operation = holds ? apply.operation : dataflow::opposite(apply.operation);
+    const Value left = transfer_.value_in(before, operands.front());
+    const Value right = test ? left : transfer_.value_in(before, operands.back());
+    const auto assumed = assumptions_.add(point.assumed, operation, left, right);
+    if (assumed) point.assumed = *assumed;
+    return assumed.has_value();
+}
+
+// ---- loops
+
+PathRun::Point PathRun::after_changes(const Changes& changes, flow::NodeId head, Point point) {
+    const auto unknown = [&](Variable variable) {
+        Value value;
+        value.symbol = states_.table().symbols({Symbol::Kind::joined, dataflow::key_of(variable), head, 1});
+        return value;
+    };
+    for (const SpaceId space : changes.spaces)
+        states_.havoc(point.state, space, {dataflow::Origin::Kind::effect, head, head});
+    for (const Variable variable : changes.variables) states_.write(point.state, variable, unknown(variable));
+    if (!changes.machine) return point;
+    point.time = {head, head};
+    for (GroupId group = 0; group < program_.control->groups.size(); ++group)
+        dataflow::for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
+            dataflow::ModalValue value = states_.read(point.state, dataflow::ChannelGroup{channel, group});
+            value.unknown = true;
+            states_.write(point.state, dataflow::ChannelGroup{channel, group}, std::move(value));
+        });
+    return point;
+}
+
+// ---- what makes a difference
+
+void PathRun::collect_leaves(SymbolId id, std::vector<SymbolId>& leaves) const {
+    const Symbol& symbol = states_.table().symbols[id];
+    const bool is_known = symbol.kind == Symbol::Kind::constant || symbol.kind == Symbol::Kind::vacant;
+    if (id == 0 || is_known) return; // 0: a result of one operand has no other
+    if (symbol.kind != Symbol::Kind::result) {
+        leaves.push_back(id);
+        return;
+    }
+    collect_leaves(symbol.b, leaves);
+    if (symbol.c != symbol.b) collect_leaves(symbol.c, leaves);
+}
+
+/// Something can be compared later that the assumption is about.
+bool PathRun::can_matter(const Assumptions::Assumption& assumption, std::span<const SymbolId> leaves) const {
+    std::vector<SymbolId> own;
+    collect_leaves(assumption.subject, own);
+    collect_leaves(assumption.other, own);
+    return std::ranges::all_of(own, [&](SymbolId leaf) {
+        return states_.table().symbols[leaf].kind == Symbol::Kind::machine ||
+               std::ranges::binary_search(leaves, leaf);
+    });
+}
+
+std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable> deciding) {
+    std::uint64_t print = dataflow::side_by_side(point.time.acted, point.time.stored);
+    std::vector<SymbolId> leaves;
+    for (const Variable variable : deciding) {
+        const Value value = states_.read(point.state, variable);
+        print = dataflow::mix(print, states_.table().values(value));
+        collect_leaves(value.symbol, leaves);
+    }
+    std::ranges::sort(leaves);
+    for (Assumptions::Id id = point.assumed; id != Assumptions::none; id = assumptions_[id].earlier) {
+        const Assumptions::Assumption& assumption = assumptions_[id];
+        if (!can_matter(assumption, leaves)) continue;
+        print = dataflow::mix(print, dataflow::side_by_side(assumption.subject, assumption.other));
+        print = dataflow::mix(print, std::bit_cast<std::uint64_t>(assumption.number));
+        print = dataflow::mix(print, static_cast<std::uint64_t>(assumption.operation));
+    }
+    if (!reads_modal_state_) return print;
+    for (GroupId group = 0; group < program_.control->groups.size(); ++group) {
+        const dataflow::ModalValue value = states_.read(point.state, graph_.all_channels, group);
+        print = dataflow::mix(print, hash_mixed(value));
+    }
+    return print;
+}
+
+} // namespace maclint::execution

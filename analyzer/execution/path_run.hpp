@@ -1,0 +1,68 @@
+//! A run along one path with unknowns: numbers where they are known, elsewhere symbols, of which equal ones
+//! are equal values, and what the decisions on the path have assumed of them.
+#pragma once
+
+#include "analyzer/dataflow/solver/transfer.hpp"
+#include "analyzer/execution/assumptions.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace maclint::execution {
+
+/// What some blocks may change, each of them run any number of times.
+struct Changes {
+    std::vector<Variable> variables; ///< sorted, each once
+    std::vector<SpaceId> spaces;     ///< of which any variable may change
+    bool machine = false;            ///< modal state, and what the machine does
+};
+
+class PathRun {
+  public:
+    /// What is known at a place of the path.
+    struct Point {
+        dataflow::State state;
+        Assumptions::Id assumed = Assumptions::none;
+        dataflow::Transfer::MachineTime time;
+    };
+
+    /// The analysis must outlive the run.
+    explicit PathRun(const ProgramAnalysis& analysis);
+
+    [[nodiscard]] Point at_start() const { return {states_.at_entry(), Assumptions::none, {}}; }
+    /// From before the node to after it.
+    [[nodiscard]] Point run(flow::NodeId node, Point point);
+    /// From after an edge's node to the end of the edge; nothing when who came this way cannot take it.
+    [[nodiscard]] std::optional<Point> along(flow::EdgeId edge, const Point& after);
+    /// Whatever the changes have made of the point. `head`: the node at which that is.
+    [[nodiscard]] Point after_changes(const Changes& changes, flow::NodeId head, Point point);
+    /// Nothing that was assumed on the way is sure any more.
+    static void forget_assumptions(Point& point) { point.assumed = Assumptions::none; }
+
+    /// What makes a difference later, when only decisions on these variables come: two points that agree in it
+    /// can go the same ways.
+    [[nodiscard]] std::uint64_t fingerprint(const Point& point, std::span<const Variable> deciding);
+
+    /// Whether the node does anything but calculate, decide and jump.
+    [[nodiscard]] bool acts(flow::NodeId node) const;
+
+  private:
+    [[nodiscard]] bool stores_in_machine(const flow::Node& node) const;
+    [[nodiscard]] bool assume(Point& point, const dataflow::State& before, ExpressionId condition, bool holds);
+    [[nodiscard]] bool assume_one(Point& point, const dataflow::State& before, const Apply& apply, bool holds);
+    void collect_leaves(dataflow::SymbolId symbol, std::vector<dataflow::SymbolId>& leaves) const;
+    [[nodiscard]] bool can_matter(const Assumptions::Assumption& assumption,
+                                  std::span<const dataflow::SymbolId> leaves) const;
+
+    const ProgramAnalysis& analysis_;
+    const Program& program_;
+    const flow::Graph& graph_;
+    dataflow::States states_; ///< of its own: rules ask on several threads
+    dataflow::Transfer transfer_;
+    Assumptions assumptions_;
+    bool reads_modal_state_; ///< somewhere in the program
+};
+
+} // namespace maclint::execution
