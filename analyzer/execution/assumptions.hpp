@@ -16,10 +16,10 @@ class Assumptions {
     using Id = std::uint32_t;
     static constexpr Id none = 0;
 
-    /// All of `known`, and that the comparison of `left` with `right` is true; for a vacancy test `right` is not
-    /// looked at. Nothing when these cannot all be so: #1EQ50 was true, and so is #1NE50. Comparisons of a
-    /// value with whole numbers alone are taken to speak of whole numbers: those who count through the cases
-    /// of a variable, #7EQ1, #7EQ2 …, mean them.
+    /// All of `known`, and that the comparison of `left` with `right` is true; for a vacancy test `right` is
+    /// not looked at. Nothing when these cannot all be so: #1EQ50 was true, and so is #1NE50. Comparisons of
+    /// a value with whole numbers alone are taken to speak of whole numbers: those who count through the
+    /// cases of a variable, #7EQ1, #7EQ2 …, mean them.
     [[nodiscard]] std::optional<Id> add(Id known, Operation operation, const dataflow::Value& left,
                                         const dataflow::Value& right);
 

@@ -82,8 +82,8 @@ bool PathRun::assume(Point& point, const dataflow::State& before, ExpressionId c
     if (apply->operation == Operation::not_of) return assume(point, before, operands.front(), !holds);
     if (apply->operation != (holds ? Operation::all_of : Operation::any_of))
         return assume_one(point, before, *apply, holds);
-    return std::ranges::all_of(
-        operands, [&](ExpressionId operand) { return assume(point, before, operand, holds); });
+    return std::ranges::all_of(operands,
+                               [&](ExpressionId operand) { return assume(point, before, operand, holds); });
 }
 
 bool PathRun::assume_one(Point& point, const dataflow::State& before, const Apply& apply, bool holds) {

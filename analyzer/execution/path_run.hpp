@@ -41,8 +41,8 @@ class PathRun {
     /// Nothing that was assumed on the way is sure any more.
     static void forget_assumptions(Point& point) { point.assumed = Assumptions::none; }
 
-    /// What makes a difference later, when only decisions on these variables come: two points that agree in it
-    /// can go the same ways.
+    /// What makes a difference later, when only decisions on these variables come: two points that agree in
+    /// it can go the same ways.
     [[nodiscard]] std::uint64_t fingerprint(const Point& point, std::span<const Variable> deciding);
 
     /// Whether the node does anything but calculate, decide and jump.
@@ -50,8 +50,10 @@ class PathRun {
 
   private:
     [[nodiscard]] bool stores_in_machine(const flow::Node& node) const;
-    [[nodiscard]] bool assume(Point& point, const dataflow::State& before, ExpressionId condition, bool holds);
-    [[nodiscard]] bool assume_one(Point& point, const dataflow::State& before, const Apply& apply, bool holds);
+    [[nodiscard]] bool assume(Point& point, const dataflow::State& before, ExpressionId condition,
+                              bool holds);
+    [[nodiscard]] bool assume_one(Point& point, const dataflow::State& before, const Apply& apply,
+                                  bool holds);
     void collect_leaves(dataflow::SymbolId symbol, std::vector<dataflow::SymbolId>& leaves) const;
     [[nodiscard]] bool can_matter(const Assumptions::Assumption& assumption,
                                   std::span<const dataflow::SymbolId> leaves) const;

@@ -121,7 +121,8 @@ std::vector<flow::EdgeId> PathSearch::ways_from(flow::NodeId node, std::uint32_t
 
 void PathSearch::go_back() {
     if (!decisions_)
-        decisions_ = dataflow::Liveness::of_decisions(analysis_.program(), graph_, analysis_.data().callees());
+        decisions_ =
+            dataflow::Liveness::of_decisions(analysis_.program(), graph_, analysis_.data().callees());
     const Place& place = places_.back();
     if (place.fingerprint != 0) failed_.insert(place.fingerprint);
     on_path_[place.node] = static_cast<std::uint8_t>(on_path_[place.node] & ~(1U << place.leg));
@@ -133,7 +134,8 @@ bool PathSearch::failed_before(flow::NodeId node, std::uint32_t leg, const Point
                                std::uint64_t& fingerprint) {
     const auto [deciding, fresh] = deciding_.try_emplace(node);
     if (fresh) deciding->second = decisions_->live_before(node);
-    fingerprint = dataflow::mix(run_.fingerprint(point, deciding->second), dataflow::side_by_side(node, leg)) | 1U;
+    fingerprint =
+        dataflow::mix(run_.fingerprint(point, deciding->second), dataflow::side_by_side(node, leg)) | 1U;
     return failed_.contains(fingerprint);
 }
 
@@ -141,7 +143,8 @@ bool PathSearch::failed_before(flow::NodeId node, std::uint32_t leg, const Point
 
 const Changes* PathSearch::changes_of_rounds(flow::NodeId head, std::span<const flow::NodeId> barred) {
     const Rounds& rounds = rounds_of(head);
-    const bool passed = std::ranges::any_of(rounds.nodes, [&](flow::NodeId n) { return is_barred(barred, n); });
+    const bool passed =
+        std::ranges::any_of(rounds.nodes, [&](flow::NodeId n) { return is_barred(barred, n); });
     return rounds.nodes.empty() || passed ? nullptr : &rounds.changes;
 }
 

@@ -1,5 +1,5 @@
-//! Looks for a path that the control can take: forward from the program's start, one decision after the other,
-//! back to the last one that can turn out otherwise where it cannot go on.
+//! Looks for a path that the control can take: forward from the program's start, one decision after the
+//! other, back to the last one that can turn out otherwise where it cannot go on.
 #pragma once
 
 #include "analyzer/dataflow/solver/liveness.hpp"
@@ -31,8 +31,8 @@ class PathSearch {
     explicit PathSearch(const ProgramAnalysis& analysis);
 
     /// A path from the program's start along all legs, each edge of which can be taken by who came this way.
-    /// Loops on it are left after any number of rounds, unless a barred node stands in one: that one is passed
-    /// without a round.
+    /// Loops on it are left after any number of rounds, unless a barred node stands in one: that one is
+    /// passed without a round.
     [[nodiscard]] PathFound find(std::span<const Leg> legs);
 
   private:
@@ -76,7 +76,7 @@ class PathSearch {
     std::vector<std::uint8_t> on_path_;                ///< of every node, a bit for each leg
     std::vector<Place> places_;
     std::unordered_map<flow::NodeId, Rounds> rounds_;
-    std::optional<dataflow::Liveness> decisions_;                ///< once a way has failed
+    std::optional<dataflow::Liveness> decisions_;                      ///< once a way has failed
     std::unordered_map<flow::NodeId, std::vector<Variable>> deciding_; ///< before a node
     std::unordered_set<std::uint64_t> failed_; ///< fingerprints from which no way leads on
     std::size_t visits_ = 0;

@@ -20,14 +20,14 @@ namespace maclint::queries {
 [[nodiscard]] std::vector<const dataflow::Store*>
 last_stores_before(const ProgramAnalysis& analysis, Variable variable, const dataflow::Loop& loop);
 
-/// A path from the program's start to the node that the control can take and on which nothing can have changed
-/// the variable. `search` is one of the same program.
+/// A path from the program's start to the node that the control can take and on which nothing can have
+/// changed the variable. `search` is one of the same program.
 [[nodiscard]] execution::PathFound path_without_assignment(execution::PathSearch& search,
-                                                           const ProgramAnalysis& analysis,
-                                                           Variable variable, flow::NodeId node);
+                                                           const ProgramAnalysis& analysis, Variable variable,
+                                                           flow::NodeId node);
 
-/// Whether the control can come over `first` to `then` by a path that meets none of the nodes `barred` (sorted)
-/// between the two. False, too, when the search gives up.
+/// Whether the control can come over `first` to `then` by a path that meets none of the nodes `barred`
+/// (sorted) between the two. False, too, when the search gives up.
 [[nodiscard]] bool can_follow(const ProgramAnalysis& analysis, flow::NodeId first, flow::NodeId then,
                               std::span<const flow::NodeId> barred = {});
 

@@ -6,6 +6,7 @@
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/origins.hpp"
+#include "analyzer/queries/vacant_uses.hpp"
 
 #include <algorithm>
 #include <set>
@@ -43,8 +44,8 @@ std::vector<Variable> series_taken(const ProgramAnalysis& analysis) {
     return taken;
 }
 
-/// How the program can get here without setting the variable. A comparison may be the very test that takes care
-/// of vacancy.
+/// How the program can get here without setting the variable. A comparison may be the very test that takes
+/// care of vacancy.
 execution::PathFound path_to(execution::PathSearch& search, const ProgramAnalysis& analysis,
                              const dataflow::Read& read) {
     const bool may_be_a_test = may_hold_vacant(analysis.program(), read.variable);
@@ -67,7 +68,31 @@ bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
 bool uses_unset(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     return read.use != dataflow::Use::vacancy_test && is_as_at_entry(analysis, read) &&
            analysis.data().is_vacant_at_entry(read.variable) &&
-           !asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node, read.variable);
+           !asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node, read.variable) &&
+           is_used(analysis, read);
+}
+
+/// Puts the read to those that go back to the same mistake.
+void add_to(std::vector<UnsetReads>& groups, const ProgramAnalysis& analysis, UnsetRead found) {
+    const bool never = found.read->value.vacancy == dataflow::Vacancy::vacant;
+    MissingCase missing;
+    if (!never && found.path)
+        missing = missing_case_on(analysis, *found.path, found.read->variable, found.read->node);
+    const auto& formals = analysis.control().formals;
+    const auto is_formal = [&](const dataflow::Read& read) {
+        return std::ranges::find(formals, read.variable) != formals.end();
+    };
+    const auto group = std::ranges::find_if(groups, [&](const UnsetReads& reads) {
+        if (!never) return is_same_case(analysis.program(), reads.missing, missing);
+        const dataflow::Read& first = *reads.first.read;
+        return first.value.vacancy == dataflow::Vacancy::vacant && is_formal(first) == is_formal(*found.read);
+    });
+    if (group == groups.end()) {
+        groups.push_back({std::move(found), {}, std::move(missing)});
+        return;
+    }
+    group->others.push_back(found.read);
+    if (missing.subjects.size() < group->missing.subjects.size()) group->missing = std::move(missing);
 }
 
 bool lacks_a_value(const ProgramAnalysis& analysis, const dataflow::Read& read) {
@@ -106,10 +131,10 @@ bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect, 
     return is_owed_to_missing_value(analysis, effect, expression, seen);
 }
 
-std::vector<UnsetRead> find_unset_reads(const ProgramAnalysis& analysis) {
-    std::vector<UnsetRead> found;
+std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
+    std::vector<UnsetReads> groups;
     // Without arguments a called program may be one that shares its caller's locals.
-    if (!analysis.is_main() && !analysis.is_macro()) return found;
+    if (!analysis.is_main() && !analysis.is_macro()) return groups;
     const std::vector<Variable> series = series_taken(analysis);
     std::vector<std::pair<Variable, int>> attempts;
     std::optional<execution::PathSearch> search; // most programs have no such read
@@ -122,10 +147,11 @@ std::vector<UnsetRead> find_unset_reads(const ProgramAnalysis& analysis) {
         if (!search) search.emplace(analysis);
         auto path = path_to(*search, analysis, read).path;
         if (!path && read.value.vacancy != dataflow::Vacancy::vacant) continue;
+        if (!goes_on_after(*search, analysis, read)) continue;
         tried->second = most_attempts; // once a variable
-        found.push_back({&read, std::move(path)});
+        add_to(groups, analysis, {&read, std::move(path)});
     }
-    return found;
+    return groups;
 }
 
 } // namespace maclint::queries

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/queries/missing_cases.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
@@ -30,9 +31,16 @@ struct UnsetRead {
     std::optional<std::vector<flow::EdgeId>> path;
 };
 
+/// Reads that go back to one mistake.
+struct UnsetReads {
+    UnsetRead first;                           ///< in the text
+    std::vector<const dataflow::Read*> others; ///< of other variables
+    MissingCase missing; ///< in which the variables are not set; no subjects: they never are
+};
+
 /// The first such read of each variable. Left out are reads that ask for the vacancy or stand beside a
-/// question for it, counting (#33=#33+1 takes vacant for 0), and what repeated I, J and K of a call may set.
-/// None in a program that may share the variables of its caller.
-[[nodiscard]] std::vector<UnsetRead> find_unset_reads(const ProgramAnalysis& analysis);
+/// question for it, counting (#33=#33+1 takes vacant for 0), those that make no use of the value, and what
+/// repeated I, J and K of a call may set. None in a program that may share the variables of its caller.
+[[nodiscard]] std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis);
 
 } // namespace maclint::queries

@@ -4,6 +4,7 @@
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
+#include "rules/variables/unset_words.hpp"
 
 #include <algorithm>
 
@@ -29,20 +30,30 @@ extern const Rule uninitialised_local{
     .facts = dataflow::facts<dataflow::Read, dataflow::Comparison, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages =
-        {{"main", "'{0}' is vacant here: this program has not set it, and a program that nobody calls gets "
-                  "no arguments. Set it first, or correct the number."},
-         {"called", "'{0}' is vacant here: this program has not set it, and no letter of a call stands for "
-                    "it, unless I, J and K are repeated. Set it first, or correct the number."},
-         {"not-passed", "'{0}' is vacant here: this program has not set it, and no caller passes it. Set it "
-                        "first, or pass the argument."},
-         {"some-paths", "'{0}' is vacant here when the path that sets it is not taken. Set it on every path, "
-                        "or test it with EQ #0 first."},
-         {"undefined", "'{0}' has no value here: this program has not set it. Set it first, or correct the "
+        {{"main",
+          "Nothing has set {0} before this block: a program that nobody calls gets no arguments. Set it "
+          "first, or correct the number."},
+         {"called",
+          "Nothing has set {0} before this block, and no letter of a call stands for it, unless I, J "
+          "and K are repeated. Set it first, or correct the number."},
+         {"not-passed",
+          "Nothing has set {0} before this block, and no caller passes it. Set it first, or pass "
+          "the argument."},
+         {"cases", "Variable {0} may be vacant here: set only for {1}. Set it in the other cases, too, or "
+                   "refuse them with an alarm."},
+         {"depends",
+          "Variable {0} may be vacant here: whether it is set depends on {1}. Set it on every path, "
+          "or test it with EQ #0 first."},
+         {"some-paths",
+          "Variable {0} may be vacant here: not every path sets it. Set it on every path, or test "
+          "it with EQ #0 first."},
+         {"undefined", "Nothing has set {0} before this block: it has no value. Set it first, or correct the "
                        "name."},
-         {"undefined-not-passed", "'{0}' has no value here: no caller passes it. Pass it in the call."},
+         {"undefined-not-passed",
+          "Variable {0} has no value here: no caller passes it. Pass it in the call."},
          {"undefined-some-paths",
-          "'{0}' has no value here when the path that sets it is not taken. Set it on "
-          "every path."}},
+          "Variable {0} may have no value here: not every path sets it. Set it on every "
+          "path."}},
     .bad = {{"fanuc", R"nc(
 O0209(FACE)
 #100=10.
@@ -82,9 +93,15 @@ END
 
 namespace {
 
-std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+std::string_view message_for(const ProgramAnalysis& analysis, const queries::UnsetReads& reads) {
+    const dataflow::Read& read = *reads.first.read;
     const bool vacant = queries::may_hold_vacant(analysis.program(), read.variable);
-    if (read.value.vacancy == dataflow::Vacancy::maybe) return vacant ? "some-paths" : "undefined-some-paths";
+    if (read.value.vacancy == dataflow::Vacancy::maybe) {
+        if (!vacant) return "undefined-some-paths";
+        return reads.missing.subjects.empty()  ? "some-paths"
+               : reads.missing.numbers.empty() ? "depends"
+                                               : "cases";
+    }
     const auto& formals = analysis.control().formals;
     const bool formal = std::ranges::find(formals, read.variable) != formals.end();
     if (!vacant) return formal ? "undefined-not-passed" : "undefined";
@@ -92,23 +109,22 @@ std::string_view message_for(const ProgramAnalysis& analysis, const dataflow::Re
     return formal ? "not-passed" : "called";
 }
 
-/// An alias, not the variable after it; without the brackets around it.
-std::string as_written(const Program& program, Span span) {
-    std::string name = quoted(program, span);
-    while (name.size() > 2 && (name.front() == '[' || name.front() == '('))
-        name = name.substr(1, name.size() - 2);
-    return name;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const auto& [read, path] : queries::find_unset_reads(analysis)) {
-        const Span span = analysis.program().expressions[read->expression].span;
-        const std::string name = as_written(analysis.program(), span);
-        Finding& finding = reporter.report({analysis, *read}, span, message_for(analysis, *read), {name});
+    for (const queries::UnsetReads& reads : queries::find_unset_reads(analysis)) {
+        const dataflow::Read& read = *reads.first.read;
+        const Span span = analysis.program().expressions[read.expression].span;
+        const std::string name = as_written(analysis, read.expression);
+        Finding& finding =
+            reporter.report({analysis, read}, span, message_for(analysis, reads),
+                            {names_of(analysis, reads), words_for_cases(analysis, reads.missing)});
+        for (const dataflow::Read* other : reads.others)
+            finding.related.push_back({analysis.source(),
+                                       analysis.program().expressions[other->expression].span,
+                                       "the same is true of " + as_written(analysis, other->expression)});
         finding.path.push_back(
-            related_at(analysis, read->value.vacancy_origin, name + " has no value when the program begins"));
-        for (RelatedLocation& step :
-             path ? steps_along(analysis, *path) : path_between(analysis, 0, read->node))
+            related_at(analysis, read.value.vacancy_origin, name + " has no value when the program begins"));
+        for (RelatedLocation& step : reads.first.path ? steps_along(analysis, *reads.first.path)
+                                                      : path_between(analysis, 0, read.node))
             finding.path.push_back(std::move(step));
         finding.path.push_back({analysis.source(), span, name + " is read"});
     }

@@ -511,8 +511,8 @@ void HeldAgainstFacts::end(bool machine_stood_still) {
     levels_.clear();
 }
 
-/// Where a run has come, a search comes, too; where the run met no node twice, over its nodes alone. A path may
-/// end where a program called from there has stopped for good.
+/// Where a run has come, a search comes, too; where the run met no node twice, over its nodes alone. A path
+/// may end where a program called from there has stopped for good.
 void HeldAgainstFacts::check_path(const Level& level) {
     const flow::Graph& graph = level.analysis->graph();
     std::vector<bool> met(graph.nodes.size(), false);

@@ -24,8 +24,8 @@ class RandomEnvironment {
     explicit RandomEnvironment(Dice& dice)
         : dice_(dice) {}
 
-    /// `main`: modal groups have their codes of reset. `still`: the machine's values stay as they are during a
-    /// run, and all numbers are whole: so whoever writes a program thinks of them.
+    /// `main`: modal groups have their codes of reset. `still`: the machine's values stay as they are during
+    /// a run, and all numbers are whole: so whoever writes a program thinks of them.
     execution::Environment in_front_of(const ControlModel& control, bool main, bool still) {
         still_ = still;
         machine_.clear();

@@ -32,8 +32,7 @@ std::vector<ExpressionId> conditions_of(const Program& program) {
 }
 
 TEST(Conditions, NameTheVariablesThatTheyRead) {
-    const auto workspace =
-        test::analyse_fanuc(text_of({"#1GT[#2+3]", "#1GT#[#2]", "#1GT#4003"}));
+    const auto workspace = test::analyse_fanuc(text_of({"#1GT[#2+3]", "#1GT#[#2]", "#1GT#4003"}));
     const Program& program = workspace->programs().front().program();
     const auto conditions = conditions_of(program);
     const auto first = dataflow::variables_of(program, conditions[0]);
@@ -46,16 +45,9 @@ TEST(Conditions, NameTheVariablesThatTheyRead) {
 }
 
 TEST(Conditions, AreTheSameWhenTheySayTheSame) {
-    const auto workspace = test::analyse_fanuc(text_of({"#1GT[#2+3]",
-                                                        "#1GT#2+3",
-                                                        "#1GT[#2+4]",
-                                                        "#1GE[#2+3]",
-                                                        "#[#1]EQ#4003",
-                                                        "#[#1]EQ#4003",
-                                                        "#[#2]EQ#4003",
-                                                        "#[#1]EQ#4001",
-                                                        "#5041EQ1",
-                                                        "#5042EQ1"}));
+    const auto workspace = test::analyse_fanuc(
+        text_of({"#1GT[#2+3]", "#1GT#2+3", "#1GT[#2+4]", "#1GE[#2+3]", "#[#1]EQ#4003", "#[#1]EQ#4003",
+                 "#[#2]EQ#4003", "#[#1]EQ#4001", "#5041EQ1", "#5042EQ1"}));
     const Program& program = workspace->programs().front().program();
     const auto conditions = conditions_of(program);
     const auto same = [&](std::size_t a, std::size_t b) {
@@ -102,8 +94,7 @@ TEST(Conditions, ComeAcrossVacantVariablesWhereTheControlHasThem) {
 }
 
 TEST(Conditions, TellWhetherTheyTestVacancy) {
-    const auto workspace =
-        test::analyse_fanuc(text_of({"#1EQ#0", "[#2EQ1]AND[#1NE#0]", "#1EQ0"}));
+    const auto workspace = test::analyse_fanuc(text_of({"#1EQ#0", "[#2EQ1]AND[#1NE#0]", "#1EQ0"}));
     const ProgramAnalysis& analysis = workspace->programs().front();
     const Program& program = analysis.program();
     const auto conditions = conditions_of(program);

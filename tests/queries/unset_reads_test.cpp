@@ -17,8 +17,10 @@ namespace {
 std::vector<std::int32_t> unset_in(const std::string& text) {
     const auto workspace = test::analyse_fanuc(text);
     std::vector<std::int32_t> numbers;
-    for (const UnsetRead& found : find_unset_reads(workspace->programs().back()))
-        numbers.push_back(found.read->variable.number);
+    for (const UnsetReads& found : find_unset_reads(workspace->programs().back())) {
+        numbers.push_back(found.first.read->variable.number);
+        for (const dataflow::Read* other : found.others) numbers.push_back(other->variable.number);
+    }
     return numbers;
 }
 

@@ -191,7 +191,7 @@ TEST(TransferValue, IsAskedForBesideItsTestInTheSameCondition) {
 TEST(UninitialisedLocal, IsNamedAsItIsWrittenAndMayBeAskedForInTheSameCondition) {
     const std::string head = "VAR\n#_a=#l1\nMACHINING\n";
     const std::string tail = "\nTHEN\nG0 X1\nENDIF\nM30\nEND\n";
-    EXPECT_THAT(messages("MAC209", head + "IF #_a>3" + tail), ElementsAre(HasSubstr("'#_a'")));
+    EXPECT_THAT(messages("MAC209", head + "IF #_a>3" + tail), ElementsAre(HasSubstr("set #_a before")));
     EXPECT_THAT(lines("MAC209", head + "IF DEF(_a) AND (#_a>3)" + tail), IsEmpty());
 }
 

@@ -27,7 +27,8 @@ TEST(UninitialisedLocal, IsNoneWhenAProgramTakesASeriesOfIJAndK) {
     const std::string series = "G0 X#4 Y#5 Z#6\nX#7 Y#8 Z#9\nX#10 Y#11 Z#12\nX#13 Y#14 Z#15\n";
     EXPECT_THAT(lines_raised("MAC209", "O9001\n" + series + "M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC209", "O9001\n" + series + "X#33\nM99\n"), ElementsAre(6));
-    EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 X#10 Y#11 Z#12\nM99\n"), ElementsAre(2, 2));
+    EXPECT_THAT(messages_raised("MAC209", "O9001\nG0 X#10 Y#11 Z#12\nM99\n"),
+                ElementsAre(HasSubstr("#10 and #12")));
     EXPECT_THAT(messages_raised("MAC209", "O9001\nG0 X#24 Y#10\nM99\n"),
                 ElementsAre(HasSubstr("unless I, J and K are repeated")));
 }
@@ -44,7 +45,7 @@ TEST(UninitialisedLocal, IsNoVacancyTestAndNoCountFromVacant) {
 TEST(UninitialisedLocal, SetOnOneWayOnlyIsToldWithTheOtherWay) {
     const std::string text = "O1\nIF[#1004EQ1]GOTO3\n#31=5\nN3 G0 X#31\nM30\n";
     EXPECT_THAT(messages_raised("MAC209", text),
-                ElementsAre(HasSubstr("when the path that sets it is not taken")));
+                ElementsAre(HasSubstr("whether it is set depends on #1004")));
     EXPECT_THAT(path_raised("MAC209", text), ElementsAre(1, 2, 2, 4));
 }
 
@@ -118,7 +119,46 @@ TEST(UninitialisedLocal, ATestOfAnotherVariableOnTheWayIsHeeded) {
 TEST(UninitialisedLocal, AnIndexMadeOfAVacantVariableIsToldThere) {
     EXPECT_THAT(lines_raised("MAC209", "O1\nG0 X#[#31+10]\nM30\n"), ElementsAre(2));
     EXPECT_THAT(messages_raised("MAC209", "O1\nG0 X#[#31+10]\nM30\n"),
-                ElementsAre(::testing::HasSubstr("'#31'")));
+                ElementsAre(::testing::HasSubstr("set #31 before")));
+}
+
+TEST(UninitialisedLocal, IsToldOnceForAllThatOneCaseLeavesUnset) {
+    const std::string table = "O9001(C#3)\nIF[#4120EQ12]THEN#31=#3\nIF[#4120EQ12]THEN#32=4\n"
+                              "IF[#4120EQ11]THEN#31=1\nIF[#4120EQ11]THEN#32=3\n";
+    EXPECT_THAT(messages_raised("MAC209", table + "G0 X#31\nY#32\nM99\n"),
+                ElementsAre(HasSubstr("#31 and #32 may be vacant here: set only for #4120 = 11 or 12.")));
+    // Two cases are two mistakes.
+    EXPECT_THAT(lines_raised("MAC209", table + "IF[#4111EQ5]THEN#33=1\nG0 X#31\nY#33\nM99\n"),
+                ElementsAre(7, 8));
+    // Refused, there is no such case.
+    EXPECT_THAT(lines_raised("MAC209", table + "IF[#4120LT11]GOTO9\nIF[#4120GT12]GOTO9\nG0 X#31\nM99\n"
+                                               "N9 #3000=1(TOOL)\n"),
+                IsEmpty());
+}
+
+TEST(UninitialisedLocal, PassedOnIsNotUsed) {
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 Y#25\nG65 P9853 E#14\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 Y#25\n#148=#16\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 Y#25\n#31=#16\nG65 P9853 E#31\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 Y#25\n#31=#16*2\n#31=5.\nG0 X#31\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 Y#25\n#31=#16\n#30=#31\nG0 X#30\nM99\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 Y#25\n#148=#16*2\nM99\n"), ElementsAre(3));
+}
+
+TEST(UninitialisedLocal, AWordThatIsIgnoredOnTheWayToAnAlarmDoesNoHarm) {
+    const std::string begin = "O9001\nIF[#1EQ#0]GOTO9\n#31=#5003\nG0 Z#1\nG0 Z#31\nM99\n";
+    EXPECT_THAT(lines_raised("MAC209", begin + "N9 G0 Z#31\n#3000=91(INPUT)\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", begin + "N9 G0 Z#31\nM99\n"), ElementsAre(7));
+    // What is calculated on the way there does not matter either where the word does not.
+    EXPECT_THAT(lines_raised("MAC209", begin + "N9 G0 Z#31\nIF[#1NE#0]GOTO8\n#3000=91\nN8 M99\n"), IsEmpty());
+}
+
+TEST(UninitialisedLocal, ManyTestsOfOneValueAreNotTooMany) {
+    const std::string text =
+        "O9001\nIF[#4012EQ54]GOTO2\nIF[#4012EQ55]GOTO2\nIF[#4012EQ56]GOTO2\nIF[#4012EQ57]GOTO2\nGOTO9\n"
+        "N2\nIF[#4012EQ54]THEN#500=1\nIF[#4012EQ55]THEN#501=1\nIF[#4012LE55]THEN#31=#24\n"
+        "G1 X[#21-#31] F#9\nN9 M99\n";
+    EXPECT_THAT(lines_raised("MAC209", text), ElementsAre(11));
 }
 
 } // namespace

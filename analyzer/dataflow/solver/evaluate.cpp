@@ -43,8 +43,9 @@ Value Transfer::machine_value(FamilyId family, std::int32_t number, ExpressionId
 Value Transfer::indexed_value(FamilyId family, const Value& index, ExpressionId id) {
     constexpr std::uint32_t indexed = 1U << 16U;
     Value value = opaque(id);
-    value.symbol = states_.table().symbols({Symbol::Kind::machine, side_by_side(family | indexed, index.symbol),
-                                            machine_time_.acted, machine_time_.stored});
+    value.symbol =
+        states_.table().symbols({Symbol::Kind::machine, side_by_side(family | indexed, index.symbol),
+                                 machine_time_.acted, machine_time_.stored});
     return value;
 }
 

@@ -15,11 +15,11 @@ class Transfer {
     /// ends it.
     void record_in(FactLists* facts) { facts_ = facts; }
 
-    /// From now on a value of the machine has the same symbol wherever it is read, until it is stored or, where
-    /// it changes by itself, until the machine does something: right for who follows one path.
+    /// From now on a value of the machine has the same symbol wherever it is read, until it is stored or,
+    /// where it changes by itself, until the machine does something: right for who follows one path.
     void follow_one_path() { follows_one_path_ = true; }
-    /// The last node of the path that moved the machine, called a program or waited; and that stored in a value
-    /// of the machine.
+    /// The last node of the path that moved the machine, called a program or waited; and that stored in a
+    /// value of the machine.
     struct MachineTime {
         flow::NodeId acted = 0, stored = 0;
         friend bool operator==(const MachineTime&, const MachineTime&) = default;

@@ -1,0 +1,21 @@
+//! Whether it matters that what is read is vacant.
+#pragma once
+
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/execution/path_search.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+namespace maclint::queries {
+
+/// Whether the program does something with the value of the read: it moves by it, calculates with it, decides
+/// by it. It does not where it only passes it on, as an argument or to a variable that nobody of this program
+/// reads in turn, and where what it calculates is replaced before it is read.
+[[nodiscard]] bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read);
+
+/// Whether the program can go on after the read as if nothing was wrong, when nothing has set the variable
+/// that is read: a word that is ignored does no harm on the way to an alarm. `search` is one of the same
+/// program.
+[[nodiscard]] bool goes_on_after(execution::PathSearch& search, const ProgramAnalysis& analysis,
+                                 const dataflow::Read& read);
+
+} // namespace maclint::queries

@@ -1,0 +1,45 @@
+//! Lists of variables and numbers as a sentence has them.
+#include "rules/variables/unset_words.hpp"
+
+#include "rules/path.hpp"
+
+#include <span>
+
+namespace maclint::rules {
+namespace {
+
+/// "1, 2 or 3", where `last` is " or ".
+std::string list_of(const ProgramAnalysis& analysis, std::span<const ExpressionId> expressions,
+                    std::string_view last) {
+    std::string text;
+    for (std::size_t i = 0; i < expressions.size(); ++i) {
+        if (i != 0) text += i + 1 == expressions.size() ? last : std::string_view(", ");
+        text += as_written(analysis, expressions[i]);
+    }
+    return text;
+}
+
+} // namespace
+
+std::string as_written(const ProgramAnalysis& analysis, ExpressionId expression) {
+    std::string name = quoted(analysis.program(), analysis.program().expressions[expression].span);
+    while (name.size() > 2 && (name.front() == '[' || name.front() == '('))
+        name = name.substr(1, name.size() - 2);
+    return name;
+}
+
+std::string names_of(const ProgramAnalysis& analysis, const queries::UnsetReads& reads) {
+    const std::string first = as_written(analysis, reads.first.read->expression);
+    if (reads.others.empty()) return first;
+    if (reads.others.size() == 1)
+        return first + " and " + as_written(analysis, reads.others.front()->expression);
+    return first + " and " + std::to_string(reads.others.size()) + " others";
+}
+
+std::string words_for_cases(const ProgramAnalysis& analysis, const queries::MissingCase& missing) {
+    std::string subjects = list_of(analysis, missing.subjects, " and ");
+    if (missing.numbers.empty()) return subjects;
+    return subjects + " = " + list_of(analysis, missing.numbers, " or ");
+}
+
+} // namespace maclint::rules
