@@ -45,6 +45,13 @@ struct Fix {
     std::vector<Edit> edits; ///< none of which touch each other, see Finding::offer
 };
 
+/// Whether the control can take the paths that a finding shows.
+enum class Proof : std::uint8_t {
+    path,    ///< it can, or none is shown
+    gave_up, ///< the search met its bound: the finding counts for less
+    no_path, ///< it cannot: there is no finding
+};
+
 /// `text` with {0}, {1} … replaced.
 [[nodiscard]] std::string fill(std::string_view text, const std::vector<std::string>& arguments);
 
@@ -60,6 +67,7 @@ struct Finding {
     std::vector<RelatedLocation>
         path; ///< in execution order, the finding's own place last; empty: no data flow involved
     std::optional<Fix> fix;
+    Proof proof = Proof::path;
 
     /// Takes the fix, unless it changes nothing, or the same bytes twice: then the finding has none.
     void offer(Fix offered);

@@ -72,8 +72,11 @@ struct Rule {
     /// one.
     std::string_view yields_to = {};
     std::string_view also = {};   ///< codes that the bad examples raise, too, under the default selection
-    dataflow::FactSet facts = {}; ///< that the check asks for, itself or through what it calls
+    /// That the check asks for, itself or through what it calls; what a search for paths asks for is known.
+    dataflow::FactSet facts = {};
     bool data_flow = false; ///< findings carry a path (SARIF codeFlows); a test demands it of the bad example
+    /// The defect stands in the text: the path only shows how the control comes there.
+    bool stands_without_path = false;
     std::vector<Message> messages;
     std::vector<Example> bad;  ///< raises exactly this rule
     std::vector<Example> good; ///< raises nothing
@@ -98,6 +101,8 @@ struct Selection {
     std::vector<const Rule*> rules;
 };
 
+/// What the rule asks data flow for.
+[[nodiscard]] dataflow::FactSet facts_for(const Rule& rule);
 /// What the selected rules ask data flow for.
 [[nodiscard]] dataflow::FactSet facts_for(const Selection& selection);
 

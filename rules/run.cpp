@@ -31,6 +31,10 @@ std::vector<Finding> check_words(const Selection& selection, const ProgramAnalys
 const ControlModel& control_of(const ProgramFile& file) { return *file.control; }
 const ControlModel& control_of(const ProgramAnalysis& program) { return program.control(); }
 
+Severity one_less(Severity severity) {
+    return severity == Severity::error ? Severity::warning : Severity::note;
+}
+
 /// Everything that the selected rules find in a file or a program.
 template<class Thing>
 std::vector<Finding> check(const Selection& selection, const Thing& thing) {
@@ -39,7 +43,12 @@ std::vector<Finding> check(const Selection& selection, const Thing& thing) {
         if (!applies_to(*rule, control_of(thing))) continue;
         Reporter reporter(*rule);
         run_check(*rule, thing, reporter);
-        std::ranges::move(reporter.take(), std::back_inserter(findings));
+        for (Finding& finding : reporter.take()) {
+            const Proof proof = rule->stands_without_path ? Proof::path : finding.proof;
+            if (proof == Proof::no_path) continue;
+            if (proof == Proof::gave_up) finding.severity = one_less(finding.severity);
+            findings.push_back(std::move(finding));
+        }
     }
     std::ranges::move(check_words(selection, thing), std::back_inserter(findings));
     return findings;
@@ -47,9 +56,14 @@ std::vector<Finding> check(const Selection& selection, const Thing& thing) {
 
 } // namespace
 
+dataflow::FactSet facts_for(const Rule& rule) {
+    constexpr dataflow::FactSet of_paths = dataflow::facts<dataflow::Store, dataflow::Clobber>();
+    return rule.data_flow ? rule.facts | of_paths : rule.facts;
+}
+
 dataflow::FactSet facts_for(const Selection& selection) {
     dataflow::FactSet facts;
-    for (const Rule* rule : selection.rules) facts |= rule->facts;
+    for (const Rule* rule : selection.rules) facts |= facts_for(*rule);
     return facts;
 }
 

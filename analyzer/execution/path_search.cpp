@@ -55,10 +55,17 @@ PathFound PathSearch::find(std::span<const Leg> legs) {
         place.taken = way;
         arrived = arrive(graph_.edges[way].to, place.leg, *next);
     }
-    if (!arrived) return found;
+    return arrived ? path_gone() : found;
+}
+
+PathFound PathSearch::path_gone() const {
+    PathFound found;
     found.path.emplace();
-    for (const Place& place : places_)
+    for (const Place& place : places_) {
+        found.ends.resize(place.leg, found.path->size());
         if (place.taken) found.path->push_back(*place.taken);
+    }
+    found.ends.resize(legs_.size(), found.path->size());
     return found;
 }
 

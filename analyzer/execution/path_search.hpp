@@ -22,6 +22,7 @@ struct Leg {
 
 struct PathFound {
     std::optional<std::vector<flow::EdgeId>> path; ///< from the program's start
+    std::vector<std::size_t> ends; ///< of each leg: how many edges of the path lead there
     bool gave_up = false; ///< none was found among as many as were tried; there may be one
 };
 
@@ -52,6 +53,7 @@ class PathSearch {
     /// Whether all legs have been gone.
     [[nodiscard]] bool arrive(flow::NodeId node, std::uint32_t leg, Point point);
     void go_back();
+    [[nodiscard]] PathFound path_gone() const;
     [[nodiscard]] bool failed_before(flow::NodeId node, std::uint32_t leg, const Point& point,
                                      std::uint64_t& fingerprint);
     [[nodiscard]] std::vector<flow::EdgeId> ways_from(flow::NodeId node, std::uint32_t leg) const;

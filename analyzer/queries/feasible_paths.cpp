@@ -87,4 +87,13 @@ bool can_follow(const ProgramAnalysis& analysis, flow::NodeId first, flow::NodeI
     return found.path.has_value();
 }
 
+execution::PathFound path_on_from(const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to) {
+    execution::PathSearch search(analysis);
+    execution::PathFound found = search.find(std::array{execution::Leg{from, {}}, execution::Leg{to, {}}});
+    if (found.path)
+        found.path->erase(found.path->begin(),
+                          found.path->begin() + static_cast<std::ptrdiff_t>(found.ends.front()));
+    return found;
+}
+
 } // namespace maclint::queries

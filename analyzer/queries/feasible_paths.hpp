@@ -31,4 +31,9 @@ last_stores_before(const ProgramAnalysis& analysis, Variable variable, const dat
 [[nodiscard]] bool can_follow(const ProgramAnalysis& analysis, flow::NodeId first, flow::NodeId then,
                               std::span<const flow::NodeId> barred = {});
 
+/// A path from one node to the other that the control can take, when it has come from the program's start to the
+/// first. `ends` of it means nothing.
+[[nodiscard]] execution::PathFound path_on_from(const ProgramAnalysis& analysis, flow::NodeId from,
+                                                flow::NodeId to);
+
 } // namespace maclint::queries

@@ -19,6 +19,7 @@ extern const Rule do_without_while{
     .severity = Severity::warning,
     .precision = Precision::very_high,
     .data_flow = true,
+    .stands_without_path = true,
     .messages = {{"plain", "The loop of '{0}' has no condition and no exit, so it never ends. Give it a "
                            "WHILE, or leave it with IF and GOTO."}},
     .bad = {{"fanuc", R"nc(

@@ -22,6 +22,7 @@ extern const Rule jump_into_loop{
     .precision = Precision::very_high,
     .needs = {Capability::jumps},
     .data_flow = true,
+    .stands_without_path = true,
     .messages = {{"plain",
                   "'{0}' enters the loop of '{1}' (line {2}) from outside, which the control forbids. "
                   "Jump to the block of the loop's beginning instead."}},

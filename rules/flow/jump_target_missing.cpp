@@ -25,6 +25,7 @@ extern const Rule jump_target_missing{
     .needs = {Capability::jumps},
     .facts = dataflow::facts<dataflow::ComputedJump>(),
     .data_flow = true,
+    .stands_without_path = true,
     .messages =
         {{"constant", "'{0}' jumps to N{1}, which this program does not have. Add the sequence number, or "
                       "correct the jump."},

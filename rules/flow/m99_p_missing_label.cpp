@@ -23,6 +23,7 @@ extern const Rule m99_p_missing_label{
     .needs = {Capability::jumps},
     .facts = dataflow::facts<dataflow::ExitState>(),
     .data_flow = true,
+    .stands_without_path = true,
     .messages = {{"plain",
                   "'{0}' returns to N{1}, which the caller {2} does not have. Add the sequence number "
                   "there, or return without P."},
