@@ -12,6 +12,8 @@
 
 namespace maclint::dataflow {
 
+struct KnownStart;
+
 class Analysis {
   public:
     /// Solves at once. The references, and those that `callees` holds, must outlive the analysis. Facts of
@@ -24,6 +26,8 @@ class Analysis {
 
     [[nodiscard]] const Facts& facts() const { return facts_; }
     [[nodiscard]] const Summary& summary() const { return summary_; }
+    /// What the call runs.
+    [[nodiscard]] Callee callee(EffectId call) const { return callees_(call); }
     [[nodiscard]] Entry entry() const;
     /// Whether any path leads to the node.
     [[nodiscard]] bool reached(flow::NodeId node) const { return reached_[node]; }
@@ -31,6 +35,9 @@ class Analysis {
     [[nodiscard]] bool passable(flow::EdgeId edge) const { return passable_[edge]; }
     /// The first edge of a path from the program's start that cannot be taken by who came this way.
     [[nodiscard]] std::optional<flow::EdgeId> first_impossible(std::span<const flow::EdgeId> path) const;
+
+    /// Whether some path leads back to the caller when the program is begun with this.
+    [[nodiscard]] bool comes_back(const KnownStart& start) const;
 
     [[nodiscard]] const ValueTable& table() const;
     [[nodiscard]] const Origin& origin(OriginId id) const { return table().origins[id]; }
