@@ -105,6 +105,13 @@ bool is_zero_as_on_paper(const ProgramAnalysis& analysis, const dataflow::Value&
     return Calculation(analysis.data().table()).is_zero_as_on_paper(value.symbol);
 }
 
+bool is_as_written(const dataflow::Value& value) {
+    constexpr double decimals = 1e9;
+    constexpr double largest = 1e6; // above that a double has no room for so many decimals
+    const auto number = value.constant();
+    return number && std::abs(*number) < largest && std::round(*number * decimals) / decimals == *number;
+}
+
 bool is_distance(const ProgramAnalysis& analysis, const dataflow::Value& value) {
     return operation_of(analysis, value) == Operation::absolute &&
            Calculation(analysis.data().table()).operation_of(symbol_of(analysis, value).b) ==

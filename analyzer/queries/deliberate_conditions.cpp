@@ -76,7 +76,7 @@ DeliberateConditions::DeliberateConditions(const ProgramAnalysis& analysis)
 bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition) const {
     const Sides sides = sides_of(analysis_, condition);
     if (sides.open) return false;
-    if (settings_.is_all_that_is_read(condition.effect)) return true;
+    if (settings_.is_all_that_is_read(condition.expression, condition.effect)) return true;
     if (leaves_nothing_to_run(condition)) return false;
     if (only_clamps(analysis_, condition) || repeats_another(condition) || does_what_another_does(condition))
         return true;

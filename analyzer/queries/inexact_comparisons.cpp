@@ -10,6 +10,10 @@ namespace {
 
 using dataflow::Value;
 
+bool is_rounded(const Value& value) {
+    return value.exactness == dataflow::Exactness::rounded && !is_as_written(value);
+}
+
 /// Whether a number is whole: x EQ FIX[x]. Of a quotient only where it is divided by a whole number: 0.3/0.1
 /// is not 3.
 bool asks_for_whole(const ProgramAnalysis& analysis, const Value& left, const Value& right) {
@@ -40,9 +44,9 @@ std::optional<InexactSide> inexact_side(const ProgramAnalysis& analysis, const S
                                         const dataflow::Comparison& comparison) {
     using Why = InexactSide::Why;
     if (!is_decided_exactly(analysis, comparison)) {
-        if (comparison.left.exactness == dataflow::Exactness::rounded)
+        if (is_rounded(comparison.left))
             return InexactSide{comparison.left_expression, Why::rounded, comparison.left.rounding, nullptr};
-        if (comparison.right.exactness == dataflow::Exactness::rounded)
+        if (is_rounded(comparison.right))
             return InexactSide{comparison.right_expression, Why::rounded, comparison.right.rounding, nullptr};
         for (const ExpressionId side : {comparison.left_expression, comparison.right_expression})
             if (const dataflow::Store* sum = sum_in(analysis, sums, side))

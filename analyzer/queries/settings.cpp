@@ -26,8 +26,9 @@ Settings::Settings(const ProgramAnalysis& analysis)
     }
 }
 
-bool Settings::is_all_that_is_read(EffectId effect) const {
-    return std::ranges::all_of(analysis_.facts().at<dataflow::Read>(effect),
+bool Settings::is_all_that_is_read(ExpressionId condition, EffectId effect) const {
+    return dataflow::variables_of(analysis_.program(), condition).closed &&
+           std::ranges::all_of(analysis_.facts().at<dataflow::Read>(effect),
                                [this](const dataflow::Read& read) { return is_setting(read, most_steps); });
 }
 

@@ -15,9 +15,9 @@ class Settings {
   public:
     explicit Settings(const ProgramAnalysis& analysis);
 
-    /// Whether what the effect reads comes from nothing but numbers that stand in the program, or in one that
-    /// it calls: directly, through copies and arithmetic, or on several paths with a number each.
-    [[nodiscard]] bool is_all_that_is_read(EffectId effect) const;
+    /// Whether what the effect's condition reads comes from nothing but numbers that stand in the program, or
+    /// in one that it calls: directly, through copies and arithmetic, or on several paths with a number each.
+    [[nodiscard]] bool is_all_that_is_read(ExpressionId condition, EffectId effect) const;
     /// Whether one of the variables read there does.
     [[nodiscard]] bool is_read(EffectId effect) const;
 

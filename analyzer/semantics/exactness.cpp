@@ -1,8 +1,6 @@
 //! A table of what each operation does to whole and exact numbers.
 #include "analyzer/semantics/exactness.hpp"
 
-#include "analyzer/semantics/concrete.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,18 +95,6 @@ Exactness of_quotient(const AbstractValue& dividend, const AbstractValue& diviso
     return Exactness::rounded;
 }
 
-/// Sums and products of two numbers that stand in the program, whose result is the number that one would
-/// write for it: -0.642-2.130 is -2.772.
-bool is_as_on_paper(Operation operation, const AbstractValue& a, const AbstractValue& b) {
-    if (operation == Operation::modulo || a.low != a.high || b.low != b.high) return false;
-    constexpr double decimals = 1e9;
-    const std::array<double, 2> operands{a.low, b.low};
-    const Result result = compute(operation, operands);
-    const auto* number = std::get_if<double>(&result);
-    return number != nullptr && std::abs(*number) < 1e6 &&
-           std::round(*number * decimals) / decimals == *number;
-}
-
 Exactness of_sum_or_product(const AbstractValue& a, const AbstractValue& b) {
     const Exactness operands = std::max(a.exactness, b.exactness);
     if (operands == Exactness::rounded || (a.integer && b.integer)) return operands;
@@ -135,9 +121,7 @@ bool gives_whole_numbers(Operation operation, const AbstractValue& first, const 
 Exactness exactness_of(Operation operation, const AbstractValue& first, const AbstractValue& second) {
     switch (find_row(operation).rounds) {
     case R::never: return std::max(first.exactness, second.exactness);
-    case R::unless_whole:
-        if (is_as_on_paper(operation, first, second)) return std::max(first.exactness, second.exactness);
-        return of_sum_or_product(first, second);
+    case R::unless_whole: return of_sum_or_product(first, second);
     case R::unless_whole_power: // 3 to the power of -1 is rounded, 2 to the power of 0.5, too
         return std::max(of_sum_or_product(first, second), gives_whole_numbers(operation, first, second)
                                                               ? Exactness::exact

@@ -1,5 +1,4 @@
 //! MAC710: EQ or NE between numbers that rounding has touched.
-#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/queries/inexact_comparisons.hpp"
 #include "analyzer/queries/inexact_counters.hpp"
 #include "analyzer/queries/inexact_sums.hpp"

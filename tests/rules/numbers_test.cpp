@@ -111,7 +111,7 @@ TEST(ConstantCondition, OfASettingIsForTheUserToChange) {
         IsEmpty());
 }
 
-TEST(ConstantCondition, OfAVariableThatWasSetAnewIsReported) {
+TEST(ConstantCondition, OfAVariableThatWasSetAnewIsASetting) {
     EXPECT_THAT(lines_raised("MAC718", "O1\n#100=#500\n#100=4\nIF[#100NE4]GOTO1\nG0 X1\nN1 M30\n"),
                 IsEmpty());
 }

@@ -71,7 +71,7 @@ TEST(UninitialisedLocal, NeedsAWayWhoseTestsDoNotContradictEachOther) {
 TEST(ZeroTest, MissesAnArgumentThatIsNotPassed) {
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#6EQ0]GOTO9\nG0 Z[#6*2]\nN9 M99\n"), ElementsAre(2));
     EXPECT_THAT(messages_raised("MAC220", "O9001\nIF[0 NE #6]GOTO9\nM99\nN9 G0 Z[#6*2]\nM99\n"),
-                ElementsAre(HasSubstr("is also true when #6 is vacant")));
+                ElementsAre(HasSubstr("Check passed when #6 (K) is left out")));
 }
 
 TEST(ZeroTest, BesideAVacancyTestTreatsBothCases) {
