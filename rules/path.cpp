@@ -5,6 +5,8 @@
 #include "analyzer/queries/path_steps.hpp"
 #include "analyzer/source/encoding.hpp"
 
+#include <array>
+#include <charconv>
 #include <cstddef>
 
 namespace maclint {
@@ -79,6 +81,12 @@ std::string quoted(const Program& program, Span span) {
     }
     while (!folded.empty() && folded.back() == ' ') folded.pop_back();
     return folded;
+}
+
+std::string number_word(double number) {
+    std::array<char, 32> digits{};
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+    return {digits.data(), error == std::errc{} ? end : digits.data()};
 }
 
 std::string line_number(const ProgramFile& file, Offset offset) {

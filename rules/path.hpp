@@ -34,6 +34,9 @@ namespace maclint {
 /// Source text for a message: UTF-8, white space folded, 40 characters at most.
 [[nodiscard]] std::string quoted(const Program& program, Span span);
 
+/// A number as a word of a message: "0.5", "12".
+[[nodiscard]] std::string number_word(double number);
+
 /// 1-based line of a byte, as a word of a message.
 [[nodiscard]] std::string line_number(const ProgramFile& file, Offset offset);
 

@@ -1,5 +1,6 @@
 //! Cycles of the flow graph that are never left.
 #include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/loop_stops.hpp"
 #include "analyzer/dataflow/loops.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ class InescapableCycleSearch {
         , stops_(graph.nodes.size(), false) {
         for (const flow::Exit& exit : graph.exits) stops_[exit.node] = true;
         for (const CallMade& call : analysis.facts().all<CallMade>())
-            stops_[call.node] = stops_[call.node] || call.may_stop;
+            stops_[call.node] = stops_[call.node] || (call.may_stop && !call.known);
         for (flow::NodeId node = 0; node < graph.nodes.size(); ++node) look_at_effects(node);
     }
 
@@ -30,7 +31,8 @@ class InescapableCycleSearch {
         std::vector<Loop> inescapable_cycles;
         for (std::uint32_t component = 0; component < components_.members.size(); ++component) {
             if (!is_closed(component)) continue;
-            if (const auto cycle = cycle_of(component)) inescapable_cycles.push_back(*cycle);
+            if (const auto cycle = cycle_of(component); cycle && !a_call_may_stop(*cycle))
+                inescapable_cycles.push_back(*cycle);
         }
         std::ranges::sort(inescapable_cycles, {}, &Loop::head);
         return inescapable_cycles;
@@ -52,6 +54,15 @@ class InescapableCycleSearch {
                    std::ranges::all_of(adjacency_[node],
                                        [&](std::uint32_t to) { return components_.of[to] == component; });
         });
+    }
+
+    [[nodiscard]] bool a_call_may_stop(const Loop& cycle) const {
+        const LoopChanges changes(cycle, analysis_.facts());
+        bool may_stop = false;
+        for_each_in_body(cycle, analysis_.facts().all<CallMade>(), [&](const CallMade& call) {
+            may_stop = may_stop || may_stop_later(program_, analysis_, call, changes);
+        });
+        return may_stop;
     }
 
     [[nodiscard]] std::optional<Loop> cycle_of(std::uint32_t component) const {

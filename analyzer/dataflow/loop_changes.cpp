@@ -1,7 +1,6 @@
 //! Gathers the assignments in a loop's body, and what else changes variables there.
 #include "analyzer/dataflow/loop_changes.hpp"
 
-#include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/loops.hpp"
 
@@ -15,8 +14,10 @@ LoopChanges::LoopChanges(const Loop& loop, const Facts& facts) {
     for_each_in_body(loop, facts.all<Clobber>(), [&](const Clobber& clobber) {
         if (clobber.variable)
             clobbered_.push_back(key_of(*clobber.variable));
-        else if (std::ranges::find(spaces_, clobber.space) == spaces_.end())
-            spaces_.push_back(clobber.space);
+        else if (std::ranges::none_of(spaces_, [&](const Clobber& known) {
+                     return known.space == clobber.space && known.spared == clobber.spared;
+                 }))
+            spaces_.push_back(clobber);
     });
     std::ranges::sort(assigned_);
     std::ranges::sort(clobbered_);
@@ -27,7 +28,7 @@ bool LoopChanges::assigned(Variable variable) const {
 }
 
 bool LoopChanges::clobbered(Variable variable) const {
-    return std::ranges::find(spaces_, variable.space) != spaces_.end() ||
+    return std::ranges::any_of(spaces_, [&](const Clobber& space) { return space.may_change(variable); }) ||
            std::ranges::binary_search(clobbered_, key_of(variable));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/facts.hpp"
 
 #include <vector>
@@ -24,7 +25,7 @@ class LoopChanges {
   private:
     [[nodiscard]] bool assigned(Variable variable) const;
     std::vector<Key> assigned_, clobbered_; ///< sorted
-    std::vector<SpaceId> spaces_;           ///< of which anything may change
+    std::vector<Clobber> spaces_;           ///< that change anything of a space
 };
 
 } // namespace maclint::dataflow

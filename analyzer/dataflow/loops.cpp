@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/loops.hpp"
 
 #include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/loop_stops.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -27,7 +28,7 @@ class LoopSearch {
         , mark_(graph.nodes.size(), 0) {
         for (const flow::Exit& exit : graph.exits) mark(exit.node, true, false);
         for (const CallMade& call : analysis.facts().all<CallMade>())
-            mark(call.node, call.may_stop, !call.known);
+            mark(call.node, call.may_stop && !call.known, !call.known);
         target_.reserve(graph.edges.size());
         for (const flow::Edge& edge : graph.edges) target_.push_back(edge.to);
         sources_.reserve(graph.nodes.size(), graph.edges.size());
@@ -47,6 +48,9 @@ class LoopSearch {
             Loop loop = loop_of(edge);
             if (budget_ == 0) break; // its body is not complete
             loop.changes = LoopChanges(loop, analysis_.facts());
+            for_each_in_body(loop, analysis_.facts().all<CallMade>(), [&](const CallMade& call) {
+                loop.can_stop = loop.can_stop || may_stop_later(program_, analysis_, call, loop.changes);
+            });
             loops.push_back(std::move(loop));
         }
         std::ranges::sort(loops, {}, [this](const Loop& loop) {

@@ -90,6 +90,12 @@ std::string ControlModel::spell(GroupId group, double code) const {
     return groups[group].letter + text;
 }
 
+std::optional<char> ControlModel::letter_of(Variable variable) const {
+    const auto formal = std::ranges::find(formals, variable);
+    const auto index = static_cast<std::size_t>(formal - formals.begin());
+    return index < formal_letters.size() ? std::optional(formal_letters[index]) : std::nullopt;
+}
+
 std::optional<std::string> ControlModel::variable_of(GroupId group) const {
     for (const VariableFamily& family : families)
         for (const VariableRange& range : family.ranges)

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -173,12 +174,27 @@ struct VariableRange {
     bool is_bit = false;        ///< 0 or 1, nothing else
     bool is_code = false;       ///< a modal code, of which group is not known
     bool may_be_vacant = false; ///< of machine values: there may be none, as of a probe that touched nothing
+    std::optional<double> last_number = {}; ///< of machine values: whole numbers from 0 to this
+};
+
+/// What programmers mean by an index of which too little is known. An assumption: no control enforces it.
+struct IndexCustom {
+    /// `#[2000+#1]`: with a number of this size in a sum, or more, the sum is that number or up to `reach`
+    /// more; what is taken away from such a number does not lead to local variables either.
+    double least_base = std::numeric_limits<double>::infinity();
+    double reach = 0;
+    /// `#[#111+6]`: variables that all programs share point to variables that all programs share.
+    bool shared_points_to_shared = false;
+    /// `#[#1]=#0`: what counts the index is not among what it reaches.
+    bool spares_index = false;
+    std::string_view source = {};
 };
 
 /// All variable numbers that one kind of index can reach (`#[…]`).
 struct VariableFamily {
     std::string_view name;
     std::vector<VariableRange> ranges;
+    IndexCustom custom = {};
     /// The row that holds `number`, or nullptr.
     [[nodiscard]] const VariableRange* find(std::int64_t number) const;
 };
@@ -275,6 +291,7 @@ struct ControlModel {
     std::vector<CallKind> calls;
     std::vector<Variable>
         formals; ///< local variables that an argument letter of a call reaches (specification I)
+    std::vector<char> formal_letters = {}; ///< the letter of each; empty: their names hold it
     std::vector<std::array<Variable, 3>> series =
         {}; ///< those that the first, second … I, J and K of a call reach (specification II)
     bool vacant_equals_zero;        ///< whether EQ and NE take vacant for 0
@@ -290,6 +307,8 @@ struct ControlModel {
     [[nodiscard]] std::optional<GroupId> group_with(ModalRole role) const;
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;
+    /// The letter of a call that reaches the variable; nothing where there is none.
+    [[nodiscard]] std::optional<char> letter_of(Variable variable) const;
     /// The variable that reads the group, "#4109" for the feed; nothing where there is none.
     [[nodiscard]] std::optional<std::string> variable_of(GroupId group) const;
     /// The code as it is written: "G91", "G54.1".

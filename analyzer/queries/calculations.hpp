@@ -17,4 +17,18 @@ namespace maclint::queries {
 [[nodiscard]] bool is_rounded_result(const ProgramAnalysis& analysis, const dataflow::Value& value,
                                      const dataflow::Value& of);
 
+/// Whether the value is a quotient whose divisor may have decimals.
+[[nodiscard]] bool is_quotient_of_decimals(const ProgramAnalysis& analysis, const dataflow::Value& value);
+
+/// Whether rounding cannot make the value 0, nor keep it from being 0: products and quotients, roots and
+/// amounts of such, sums of squares. A sine of 180 degrees is not.
+[[nodiscard]] bool is_zero_as_on_paper(const ProgramAnalysis& analysis, const dataflow::Value& value);
+
+/// Whether the value is one number, known, and the one that somebody would write for it: -0.642-2.130 is
+/// -2.772, but 0.1+0.2 is not 0.3.
+[[nodiscard]] bool is_as_written(const dataflow::Value& value);
+
+/// Whether the value is the ABS of a difference.
+[[nodiscard]] bool is_distance(const ProgramAnalysis& analysis, const dataflow::Value& value);
+
 } // namespace maclint::queries

@@ -2,7 +2,8 @@
 #include "analyzer/queries/deliberate_conditions.hpp"
 
 #include "analyzer/dataflow/facts/comparison.hpp"
-#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/origins.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -11,19 +12,31 @@
 namespace maclint::queries {
 namespace {
 
+const Guarded* guarded_by(const Program& program, EffectId effect) {
+    return std::get_if<Guarded>(&program.effects[effect].what);
+}
+
 std::optional<Label> jump_target(const Program& program, EffectId effect) {
-    const auto* guarded = std::get_if<Guarded>(&program.effects[effect].what);
+    const Guarded* guarded = guarded_by(program, effect);
     if (guarded == nullptr || guarded->effects.count != 1) return std::nullopt;
     const auto* jump = std::get_if<Jump>(&program.effects[guarded->effects.first].what);
     return jump == nullptr ? std::nullopt : flow::constant_target(program, jump->target);
 }
 
+/// The text of what the condition guards.
+std::string_view guarded_text(const Program& program, EffectId effect) {
+    const Guarded* guarded = guarded_by(program, effect);
+    if (guarded == nullptr || guarded->effects.count != 1) return {};
+    const Span span = program.effects[guarded->effects.first].span;
+    return program.text.substr(span.begin, span.end - span.begin);
+}
+
 /// What the condition guards: IF[#1GT#2]THEN#1=#2 makes sure, whether it is needed or not.
-bool only_clamps(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
-                 const dataflow::ReadSet& reads) {
+bool only_clamps(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     const Program& program = analysis.program();
-    const auto* guarded = std::get_if<Guarded>(&program.effects[condition.effect].what);
+    const Guarded* guarded = guarded_by(program, condition.effect);
     if (guarded == nullptr) return false;
+    const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
     return std::ranges::any_of(program.effects_in(guarded->effects), [&](const Effect& effect) {
         const auto* assign = std::get_if<Assign>(&effect.what);
         const auto* variable = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
@@ -32,19 +45,16 @@ bool only_clamps(const ProgramAnalysis& analysis, const dataflow::Condition& con
 }
 
 struct Sides {
-    bool constant = true; ///< all are known numbers
-    bool vacant = false;  ///< one has never been set
-    bool open = true;     ///< no comparison is decided by itself: #1LT8 OR #1GT6
+    bool vacant = false; ///< one has never been set
+    bool open = true;    ///< no comparison is decided by itself: #1LT8 OR #1GT6
 };
 
 Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     Sides sides;
     for (const auto& comparison : analysis.facts().at<dataflow::Comparison>(condition.effect)) {
         sides.open &= comparison.truth.can_hold && comparison.truth.can_fail;
-        for (const dataflow::Value* value : {&comparison.left, &comparison.right}) {
-            sides.constant &= value->constant().has_value();
+        for (const dataflow::Value* value : {&comparison.left, &comparison.right})
             sides.vacant |= value->vacancy == dataflow::Vacancy::vacant;
-        }
     }
     return sides;
 }
@@ -52,41 +62,27 @@ Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condi
 } // namespace
 
 DeliberateConditions::DeliberateConditions(const ProgramAnalysis& analysis)
-    : analysis_(analysis) {
+    : analysis_(analysis)
+    , settings_(analysis) {
     const Program& program = analysis.program();
-    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
-        Assigned& assigned = assigned_[dataflow::key_of(store.variable)];
-        ++assigned.count;
-        assigned.literal &= std::holds_alternative<Literal>(program.expressions[store.expression].node);
-    }
-    for (const dataflow::Condition& condition : analysis.facts().all<dataflow::Condition>())
+    for (const dataflow::Condition& condition : analysis.facts().all<dataflow::Condition>()) {
         if (const auto target = jump_target(program, condition.effect))
             first_tests_.try_emplace(*target, condition.node);
+        else if (const auto text = guarded_text(program, condition.effect); !text.empty())
+            ++guarded_[text];
+    }
 }
 
 bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition) const {
     const Sides sides = sides_of(analysis_, condition);
-    const dataflow::ReadSet reads = dataflow::variables_of(analysis_.program(), condition.expression);
     if (sides.open) return false;
-    if (sides.constant) return depends_on_settings(reads);
-    if (only_clamps(analysis_, condition, reads) || repeats_another(condition)) return true;
-    if (reads_setting(reads)) return true;
+    if (settings_.is_all_that_is_read(condition.expression, condition.effect)) return true;
+    if (leaves_nothing_to_run(condition)) return false;
+    if (only_clamps(analysis_, condition) || repeats_another(condition) || does_what_another_does(condition))
+        return true;
+    if (settings_.is_read(condition.effect)) return true;
     // What is left over after all other cases were tested may be tested once more.
     return condition.truth.can_hold || sides.vacant;
-}
-
-/// Everything that is read is set at most once, or a number that users edit decides.
-bool DeliberateConditions::depends_on_settings(const dataflow::ReadSet& reads) const {
-    return reads_setting(reads) || std::ranges::all_of(reads.variables, [this](Variable variable) {
-               return assigned(variable).count <= 1;
-           });
-}
-
-/// A number that users edit in the program's head decides.
-bool DeliberateConditions::reads_setting(const dataflow::ReadSet& reads) const {
-    return std::ranges::any_of(reads.variables, [this](Variable variable) {
-        return assigned(variable).count == 1 && assigned(variable).literal;
-    });
 }
 
 /// An earlier test sends to the same place: the second is not needed, but does no harm.
@@ -95,9 +91,43 @@ bool DeliberateConditions::repeats_another(const dataflow::Condition& condition)
     return target && first_tests_.at(*target) < condition.node;
 }
 
-DeliberateConditions::Assigned DeliberateConditions::assigned(Variable variable) const {
-    const auto found = assigned_.find(dataflow::key_of(variable));
-    return found == assigned_.end() ? Assigned{} : found->second;
+/// IF[#6GT1]GOTO3, IF[#6NE4]GOTO3: one of the two is always true, and what stands in front of N3 never runs.
+bool DeliberateConditions::leaves_nothing_to_run(const dataflow::Condition& condition) const {
+    if (!condition.truth.can_hold || !repeats_another(condition)) return false;
+    const auto& graph = analysis_.graph();
+    std::optional<flow::NodeId> after, target;
+    for (const flow::EdgeId id : graph.out[condition.node]) {
+        const flow::Edge& edge = graph.edges[id];
+        if (edge.condition) (edge.holds ? target : after) = edge.to;
+    }
+    return after && !analysis_.data().reached(*after) && after != target;
+}
+
+/// IF[#6LT54]THEN#31=-1, IF[#6LT55]THEN#31=-1: one of the two is not needed, but does no harm.
+bool DeliberateConditions::does_what_another_does(const dataflow::Condition& condition) const {
+    if (condition.truth.can_hold) return false;
+    const auto found = guarded_.find(guarded_text(analysis_.program(), condition.effect));
+    return found != guarded_.end() && found->second > 1;
+}
+
+std::optional<Reason> reason_for(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
+    const Program& program = analysis.program();
+    for (const dataflow::Read& read : analysis.facts().at<dataflow::Read>(condition.effect)) {
+        const auto number = read.value.constant();
+        const auto set = effect_of_origin(analysis, read.value.origin);
+        if (number && set) return Reason{read.variable, *number, program.effects[*set].span, {}};
+    }
+    const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
+    std::optional<Reason> reason;
+    for (const dataflow::Comparison& other : analysis.facts().all<dataflow::Comparison>()) {
+        if (other.node >= condition.node) break;
+        for (const ExpressionId side : {other.left_expression, other.right_expression}) {
+            const auto variable = plain_variable(program, side);
+            if (variable && std::ranges::find(reads.variables, *variable) != reads.variables.end())
+                reason = Reason{{}, 0, program.expressions[other.expression].span, other.expression};
+        }
+    }
+    return reason;
 }
 
 } // namespace maclint::queries

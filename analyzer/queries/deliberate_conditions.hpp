@@ -2,13 +2,12 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/read_set.hpp"
-#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/queries/settings.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
-#include <cstddef>
 #include <map>
-#include <unordered_map>
+#include <string_view>
 
 namespace maclint::queries {
 
@@ -19,22 +18,31 @@ class DeliberateConditions {
 
     /// Whether a condition that is always true, or never, may be meant so: numbers that users edit decide it,
     /// it only makes sure of a limit, repeats a test, or tests what other cases left over. Not: one that is
-    /// decided by the other parts of it, as #1LT8 OR #1GT6 is.
+    /// decided by the other parts of it, as #1LT8 OR #1GT6 is, and one after which no block is left to run.
     [[nodiscard]] bool may_be_meant(const dataflow::Condition& condition) const;
 
   private:
-    struct Assigned {
-        std::size_t count = 0;
-        bool literal = true;
-    };
-    [[nodiscard]] Assigned assigned(Variable variable) const;
-    [[nodiscard]] bool depends_on_settings(const dataflow::ReadSet& reads) const;
-    [[nodiscard]] bool reads_setting(const dataflow::ReadSet& reads) const;
     [[nodiscard]] bool repeats_another(const dataflow::Condition& condition) const;
+    [[nodiscard]] bool leaves_nothing_to_run(const dataflow::Condition& condition) const;
+    [[nodiscard]] bool does_what_another_does(const dataflow::Condition& condition) const;
 
     const ProgramAnalysis& analysis_;
-    std::unordered_map<dataflow::Key, Assigned> assigned_;
+    Settings settings_;
     std::map<Label, flow::NodeId> first_tests_; ///< facts are in the order of nodes
+    std::map<std::string_view, int> guarded_;   ///< how many conditions guard what reads like this
 };
+
+/// Why a condition is decided where it stands.
+struct Reason {
+    /// A variable that it asks for, and the one number that this is; nothing: an earlier test decides.
+    std::optional<Variable> variable;
+    double number = 0;
+    Span since;                          ///< what set the variable, or the earlier test
+    std::optional<ExpressionId> earlier; ///< of the same variable
+};
+
+/// Nothing when neither a number nor one earlier test tells why.
+[[nodiscard]] std::optional<Reason> reason_for(const ProgramAnalysis& analysis,
+                                               const dataflow::Condition& condition);
 
 } // namespace maclint::queries

@@ -10,16 +10,21 @@ namespace {
 
 using dataflow::Value;
 
-/// Whether a number is whole: x EQ FIX[x].
-bool asks_for_whole(const ProgramAnalysis& analysis, const Value& left, const Value& right) {
-    return is_rounded_result(analysis, left, right) || is_rounded_result(analysis, right, left);
+bool is_rounded(const Value& value) {
+    return value.exactness == dataflow::Exactness::rounded && !is_as_written(value);
 }
 
-/// Products and quotients are 0 exactly when an operand is.
+/// Whether a number is whole: x EQ FIX[x]. Of a quotient only where it is divided by a whole number: 0.3/0.1
+/// is not 3.
+bool asks_for_whole(const ProgramAnalysis& analysis, const Value& left, const Value& right) {
+    const auto asks = [&](const Value& rounded, const Value& of) {
+        return is_rounded_result(analysis, rounded, of) && !is_quotient_of_decimals(analysis, of);
+    };
+    return asks(left, right) || asks(right, left);
+}
+
 bool is_safe_against_zero(const ProgramAnalysis& analysis, const Value& value, const Value& zero) {
-    if (zero.constant() != 0.0) return false;
-    const auto operation = operation_of(analysis, value);
-    return operation == Operation::multiply || operation == Operation::divide;
+    return zero.constant() == 0.0 && operation_of(analysis, value) && is_zero_as_on_paper(analysis, value);
 }
 
 /// IF[#14GT#2]THEN#14=#2 … IF[#14EQ#2]
@@ -28,16 +33,29 @@ bool is_copy_asked_for(const ProgramAnalysis& analysis, ExpressionId expression,
     return variable && is_copied_into(analysis, *variable, other);
 }
 
+/// ABS[a-b] EQ 0: somebody who asks for a distance knows that the two are hardly ever equal.
+bool is_distance_to_nothing(const ProgramAnalysis& analysis, const Value& value, const Value& zero) {
+    return zero.constant() == 0.0 && !value.integer && is_distance(analysis, value);
+}
+
 } // namespace
 
 std::optional<InexactSide> inexact_side(const ProgramAnalysis& analysis, const Sums& sums,
                                         const dataflow::Comparison& comparison) {
-    if (comparison.left.exactness == dataflow::Exactness::rounded)
-        return InexactSide{comparison.left_expression, comparison.left.rounding, nullptr};
-    if (comparison.right.exactness == dataflow::Exactness::rounded)
-        return InexactSide{comparison.right_expression, comparison.right.rounding, nullptr};
-    for (const ExpressionId side : {comparison.left_expression, comparison.right_expression})
-        if (const dataflow::Store* sum = sum_in(analysis, sums, side)) return InexactSide{side, 0, sum};
+    using Why = InexactSide::Why;
+    if (!is_decided_exactly(analysis, comparison)) {
+        if (is_rounded(comparison.left))
+            return InexactSide{comparison.left_expression, Why::rounded, comparison.left.rounding, nullptr};
+        if (is_rounded(comparison.right))
+            return InexactSide{comparison.right_expression, Why::rounded, comparison.right.rounding, nullptr};
+        for (const ExpressionId side : {comparison.left_expression, comparison.right_expression})
+            if (const dataflow::Store* sum = sum_in(analysis, sums, side))
+                return InexactSide{side, Why::sum, 0, sum};
+    }
+    if (is_distance_to_nothing(analysis, comparison.left, comparison.right))
+        return InexactSide{comparison.left_expression, Why::distance, 0, nullptr};
+    if (is_distance_to_nothing(analysis, comparison.right, comparison.left))
+        return InexactSide{comparison.right_expression, Why::distance, 0, nullptr};
     return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include "analyzer/queries/inexact_sums.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include <cstdint>
 #include <optional>
 
 namespace maclint::queries {
@@ -12,17 +13,23 @@ namespace maclint::queries {
 /// What makes a side of a comparison inexact.
 struct InexactSide {
     ExpressionId side;
-    dataflow::OriginId rounding; ///< where it was rounded; 0: summed up by `sum`
-    const dataflow::Store* sum;  ///< nullptr when it was rounded
+    enum class Why : std::uint8_t {
+        rounded,  ///< by an operation, at `rounding`
+        sum,      ///< of steps that may have decimals
+        distance, ///< of measured or passed numbers, as ABS[#1-#2]: nobody knows how exact they are
+    } why;
+    dataflow::OriginId rounding;
+    const dataflow::Store* sum; ///< nullptr when it is none
 };
 
-/// The first side that was rounded, else the first that is one of the sums; nothing when neither is.
+/// The first side that was rounded, else the first that is one of the sums, else a distance that is compared
+/// with 0; nothing where the comparison tells the truth all the same.
 [[nodiscard]] std::optional<InexactSide> inexact_side(const ProgramAnalysis& analysis, const Sums& sums,
                                                       const dataflow::Comparison& comparison);
 
-/// Whether EQ and NE tell the truth of the two sides although one is rounded: both are one value, a product
-/// or quotient is compared with 0, a number with itself made whole, or a variable with what is copied into
-/// it.
+/// Whether EQ and NE tell the truth of the two sides although one is rounded: both are one value, what is 0
+/// only where it is on paper is compared with 0, a number with itself made whole, or a variable with what is
+/// copied into it.
 [[nodiscard]] bool is_decided_exactly(const ProgramAnalysis& analysis,
                                       const dataflow::Comparison& comparison);
 

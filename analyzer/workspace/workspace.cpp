@@ -212,7 +212,8 @@ class WorkspaceBuilder {
             const CallSite* site = analysis.call_at(call);
             // Within a cycle no summary is there yet: its calls count as unknown, whatever the order of work.
             if (site == nullptr || !site->target || site->in_cycle) return dataflow::Callee{unknown, {}};
-            return dataflow::Callee{programs[*site->target].summary(), site->references};
+            const ProgramAnalysis& called = programs[*site->target];
+            return dataflow::Callee{called.summary(), site->references, &called.data()};
         };
         analysis.regions_ = flow::pair_regions(program);
         analysis.graph_ = flow::build_graph(program, analysis.regions_, [&](EffectId call) {

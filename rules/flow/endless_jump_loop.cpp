@@ -23,9 +23,10 @@ extern const Rule endless_jump_loop{
     .precision = Precision::high,
     .needs = {Capability::jumps},
     .data_flow = true,
-    .messages = {{"plain",
-                  "'{0}' repeats the blocks from line {1} on for ever: no path leads out of them. Count "
-                  "the passes, or leave them with IF and GOTO."}},
+    .messages =
+        {{"plain",
+          "Endless loop: '{0}' goes back to line {1}, and nothing in between ever leaves it. Count the "
+          "passes, or leave them with IF and GOTO."}},
     .bad = {{"fanuc", R"nc(
 O9336(WAIT)
 N10 G0 X0

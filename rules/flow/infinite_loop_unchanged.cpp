@@ -27,12 +27,15 @@ extern const Rule infinite_loop_unchanged{
     .severity_elsewhere = {{"dinplus", Severity::warning}},
     .precision = Precision::high,
     .data_flow = true,
-    .messages = {{"unchanged",
-                  "The loop of '{0}' never ends once it runs: nothing in it changes {1}. Change the "
-                  "variable in the loop, or leave the loop."},
-                 {"no-exit",
-                  "The loop of '{0}' never ends: nothing leads out of it. Count in a variable that "
-                  "its condition asks, or leave it."}},
+    .messages =
+        {{"unchanged",
+          "Endless loop: once '{0}' is entered, nothing in it changes {1}. Change the variable in the "
+          "loop, or leave the loop."},
+         {"own-block",
+          "Endless loop: '{0}' jumps to its own block, and nothing changes {1} there: the control hangs "
+          "without an alarm."},
+         {"no-exit", "Endless loop: nothing leads out of '{0}'. Count in a variable that "
+                     "its condition asks, or leave it."}},
     .bad = {{"fanuc", R"nc(
 O9319(ROWS)
 #33=0
@@ -113,8 +116,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Cause cause = by ? Cause{analysis, *by} : Cause{analysis, span};
         std::vector<std::string> words{quoted(analysis.program(), span)};
         if (!deciders->empty()) words.push_back(list(analysis.program(), *deciders));
-        Finding& finding =
-            reporter.report(cause, span, deciders->empty() ? "no-exit" : "unchanged", std::move(words));
+        const bool own_block = !loop.region && loop.body.size() <= 2;
+        const std::string_view id = deciders->empty() ? "no-exit" : own_block ? "own-block" : "unchanged";
+        Finding& finding = reporter.report(cause, span, id, std::move(words));
         trace_round(finding, analysis, loop, "and nothing has changed");
     }
 }

@@ -9,6 +9,7 @@
 #include "rules/trace.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace maclint::rules {
 
@@ -25,36 +26,31 @@ extern const Rule constant_condition{
            "meant, or an earlier test already went away with the case.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::Condition, dataflow::Comparison, dataflow::Store>(),
+    .facts = dataflow::facts<dataflow::Condition, dataflow::Comparison, dataflow::Store, dataflow::Read>(),
     .data_flow = true,
-    .messages = {{"never", "'{0}' is never true here. Correct the condition, or remove what it guards."},
-                 {"always", "'{0}' is always true here. Correct the condition, or remove it."}},
+    .messages = {{"decided", "Condition {1} true: '{0}'. Correct it, or remove it."},
+                 {"number", "Condition {1} true: '{0}', because {2} is {3} since line {4}."},
+                 {"tested",
+                  "Condition {1} true: '{0}', because of the test '{2}' in line {3}. Correct one of them."}},
     .bad = {{"fanuc", R"nc(
 O9718(LEVELS, K LEVEL)
+#33=0
 IF[#6GT5]GOTO1
-IF[#6GT10]GOTO2
-G90 G0 Z0
-M99
-N1 G90 G0 Z10.
-M99
-N2 G90 G0 Z20.
-M99
+IF[#6GT10]THEN#33=20.
+G90 G0 Z#33
+N1 M99
 )nc"},
             {"dinplus", R"nc(
 MACHINING
 N10 INPUT("Diameter",#l1)
-N20 IF #l1>50
+N20 IF #l1<=50
 N30 THEN
-N40 #l3=0.4
-N50 ELSE
-N60 #l3=0.25
-N70 IF #l1>80
-N80 THEN
-N90 #l3=0.5
-N100 ENDIF
-N110 ENDIF
-N120 G95 F#l3
-N130 M30
+N40 IF #l1>80
+N50 THEN
+N60 G95 F0.5
+N70 ENDIF
+N80 ENDIF
+N90 M30
 END
 )nc"},
             {"dinplus", R"nc(
@@ -67,30 +63,23 @@ END
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9718(LEVELS, K LEVEL)
-IF[#6GT10]GOTO2
-IF[#6GT5]GOTO1
-G90 G0 Z0
-M99
-N1 G90 G0 Z10.
-M99
-N2 G90 G0 Z20.
-M99
+#33=0
+IF[#6GT10]GOTO1
+IF[#6GT5]THEN#33=20.
+G90 G0 Z#33
+N1 M99
 )nc"},
              {"dinplus", R"nc(
 MACHINING
 N10 INPUT("Diameter",#l1)
-N20 IF #l1>50
+N20 IF #l1<=50
 N30 THEN
-N40 #l3=0.4
-N50 ELSE
-N60 #l3=0.25
-N70 IF #l1>30
-N80 THEN
-N90 #l3=0.3
-N100 ENDIF
-N110 ENDIF
-N120 G95 F#l3
-N130 M30
+N40 IF #l1>30
+N50 THEN
+N60 G95 F0.5
+N70 ENDIF
+N80 ENDIF
+N90 M30
 END
 )nc"}},
     .sources = {"T"},
@@ -109,19 +98,29 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
     return !deliberate.may_be_meant(condition);
 }
 
+void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Condition& condition) {
+    const bool always = condition.truth.can_hold;
+    const Span span = analysis.program().expressions[condition.expression].span;
+    std::vector<std::string> words{quoted(analysis.program(), span), always ? "always" : "never"};
+    const auto reason = queries::reason_for(analysis, condition);
+    if (reason) {
+        words.push_back(reason->variable ? analysis.program().spell(*reason->variable)
+                                         : quoted(analysis.program(), reason->since));
+        if (reason->variable) words.push_back(number_word(reason->number));
+        words.push_back(line_number(analysis.file(), reason->since.begin));
+    }
+    const std::string_view id = !reason ? "decided" : reason->variable ? "number" : "tested";
+    Finding& finding = reporter.report({analysis, condition}, span, id, std::move(words));
+    trace(finding, analysis, condition.node, always ? "it is always true" : "it is never true");
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const Program& program = analysis.program();
     if (analysis.regions().balance_unknown) return; // a loop that cannot be read may repeat the block
     std::optional<queries::DeliberateConditions> deliberate; // most programs have no such condition
     for (const dataflow::Condition& condition : analysis.facts().all<dataflow::Condition>()) {
-        const dataflow::Truth truth = condition.truth;
-        if (truth.can_hold == truth.can_fail) continue;
+        if (condition.truth.can_hold == condition.truth.can_fail) continue;
         if (!deliberate) deliberate.emplace(analysis);
-        if (!is_defect(analysis, condition, *deliberate)) continue;
-        const Span span = program.expressions[condition.expression].span;
-        Finding& finding = reporter.report({analysis, condition}, span, truth.can_hold ? "always" : "never",
-                                           {quoted(program, span)});
-        trace(finding, analysis, condition.node, truth.can_hold ? "it is always true" : "it is never true");
+        if (is_defect(analysis, condition, *deliberate)) report(analysis, reporter, condition);
     }
 }
 

@@ -1,13 +1,14 @@
 //! MAC710: EQ or NE between numbers that rounding has touched.
-#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/queries/inexact_comparisons.hpp"
 #include "analyzer/queries/inexact_counters.hpp"
 #include "analyzer/queries/inexact_sums.hpp"
+#include "analyzer/queries/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace maclint::rules {
@@ -29,18 +30,23 @@ extern const Rule float_equality{
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::Comparison, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"equal",
-                  "'{0}' may be false for numbers that are equal on paper: '{1}' is rounded. Compare "
-                  "the distance instead: whether its ABS is less than 0.001."},
-                 {"not-equal",
-                  "'{0}' may be true for numbers that are equal on paper: '{1}' is rounded. Compare "
-                  "the distance instead: whether its ABS is 0.001 or more."},
-                 {"sum-equal",
-                  "'{0}' may be false when the steps added to {1} have decimals: ten steps of 0.1 are not 1. "
-                  "Compare the distance instead: whether its ABS is less than 0.001."},
-                 {"sum-not-equal",
-                  "'{0}' may stay true for ever when the steps added to {1} have decimals: ten steps of "
-                  "0.1 are not 1. Compare the distance instead: whether its ABS is 0.001 or more."}},
+    .messages =
+        {{"equal",
+          "Equality of computed numbers: '{0}' may be false although both are equal on paper: '{1}' is "
+          "rounded (line {2}). Ask whether the ABS of the difference is less than 0.001."},
+         {"not-equal",
+          "Equality of computed numbers: '{0}' may be true although both are equal on paper: '{1}' "
+          "is rounded (line {2}). Ask whether the ABS of the difference is 0.001 or more."},
+         {"distance",
+          "Distance of exactly 0: in '{0}' the last digit of a measured or calculated number decides. "
+          "Compare '{1}' with a tolerance, as 0.001."},
+         {"sum-equal",
+          "Equality of a sum: '{0}' may be false when the steps added to {1} have decimals: ten steps "
+          "of 0.1 are not 1. Ask whether the ABS of the difference is less than 0.001."},
+         {"sum-not-equal",
+          "Equality of a sum: '{0}' may stay true for ever when the steps added to {1} have "
+          "decimals: ten steps of 0.1 are not 1. Ask whether the ABS of the difference is 0.001 "
+          "or more."}},
     .bad = {{"fanuc", R"nc(
 O9710(HALF A TURN, A ANGLE)
 #33=#1/3
@@ -85,22 +91,27 @@ namespace {
 
 void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Comparison& comparison,
             const queries::InexactSide& inexact) {
-    const Program& program = analysis.program();
+    using Why = queries::InexactSide::Why;
+    const auto& program = analysis.program();
     const Span span = program.expressions[comparison.expression].span;
-    const std::string side = quoted(program, program.expressions[inexact.side].span);
+    std::vector<std::string> words{quoted(program, span),
+                                   quoted(program, program.expressions[inexact.side].span)};
     const bool equal = comparison.operation == Operation::equal;
-    if (inexact.sum == nullptr) {
-        Finding& finding = reporter.report({analysis, comparison}, span, equal ? "equal" : "not-equal",
-                                           {quoted(program, span), side});
-        trace(finding, analysis, inexact.rounding, "the result is rounded here", comparison.node,
-              "and compared here");
-        return;
-    }
-    Finding& finding = reporter.report({analysis, comparison}, span, equal ? "sum-equal" : "sum-not-equal",
-                                       {quoted(program, span), side});
-    trace(finding, analysis, inexact.sum->node,
-          related_at_effect(analysis, inexact.sum->effect, "a step is added in every pass"), comparison.node,
-          "and the sum is compared here");
+    std::string_view id = inexact.why == Why::distance ? "distance" : equal ? "equal" : "not-equal";
+    if (inexact.why == Why::sum) id = equal ? "sum-equal" : "sum-not-equal";
+    if (inexact.why == Why::rounded)
+        words.push_back(
+            line_number(analysis.file(), queries::span_of_origin(analysis, inexact.rounding).begin));
+    Finding& finding = reporter.report({analysis, comparison}, span, id, std::move(words));
+    const auto node = comparison.node;
+    if (inexact.why == Why::rounded)
+        trace(finding, analysis, inexact.rounding, "the result is rounded here", node, "and compared here");
+    else if (inexact.sum == nullptr)
+        trace(finding, analysis, node, "the distance is compared with 0");
+    else
+        trace(finding, analysis, inexact.sum->node,
+              related_at_effect(analysis, inexact.sum->effect, "a step is added in every pass"), node,
+              "and the sum is compared here");
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
@@ -110,10 +121,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
         const auto inexact = queries::inexact_side(analysis, sums, comparison);
-        if (!inexact || queries::is_decided_exactly(analysis, comparison) ||
-            queries::decides(counters, comparison))
-            continue;
-        report(analysis, reporter, comparison, *inexact);
+        if (inexact && !queries::decides(counters, comparison))
+            report(analysis, reporter, comparison, *inexact);
     }
 }
 

@@ -23,12 +23,13 @@ extern const Rule vacancy_lost_in_arithmetic{
     .needs = {Capability::vacancy},
     .facts = dataflow::facts<dataflow::Comparison>(),
     .data_flow = true,
-    .messages = {{"never-vacant",
-                  "'{0}' is never true: '{1}' is the result of arithmetic, which takes vacant for 0. "
-                  "Test the variable itself with EQ #0."},
-                 {"always-set",
-                  "'{0}' is always true: '{1}' is the result of arithmetic, which takes vacant for 0. "
-                  "Test the variable itself with NE #0."}},
+    .messages =
+        {{"never-vacant",
+          "Vacancy test of a result: '{0}' is never true, because arithmetic in '{1}' takes vacant for "
+          "0. Compare with 0 if zero was meant, or test the variable itself before the calculation."},
+         {"always-set",
+          "Vacancy test of a result: '{0}' is always true, because arithmetic in '{1}' takes vacant for "
+          "0. Compare with 0 if zero was meant, or test the variable itself before the calculation."}},
     .bad = {{"fanuc", R"nc(
 O9222(FACE, K DEPTH)
 IF[[#6*1]EQ#0]GOTO9

@@ -1,13 +1,17 @@
 //! MAC228: a variable that every path to the test has set is tested for vacancy.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/argument_names.hpp"
 #include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/dead_guards.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/unset_reads.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
+
+#include <utility>
 
 namespace maclint::rules {
 
@@ -27,13 +31,25 @@ extern const Rule vacancy_test_never_true{
     .facts = dataflow::facts<dataflow::Comparison, dataflow::Store>(),
     .data_flow = true,
     .messages =
-        {{"never-vacant",
-          "'{0}' is never true: {1} has been set on every path that leads here. Test what it was made "
-          "of, or write 'EQ 0' if the value 0 is meant."},
-         {"always-set",
-          "'{0}' is always true: {1} has been set on every path that leads here. Test what it was made "
-          "of, or write 'NE 0' if the value 0 is meant."}},
+        {{"set",
+          "Test of a variable that is never vacant: '{0}' is {1} true, because {2} has been set on every "
+          "path (line {3}). Compare it with 0 if the value 0 is meant."},
+         {"overwritten",
+          "Test of an overwritten variable: '{0}' is {1} true, because {2} got another value in "
+          "line {3}. Test the value from the call before that."},
+         {"kept", "Test of an overwritten variable: '{0}' is {1} true, because {2} got another value in line "
+                  "{3}. Its value from the call is in {4}: test that."}},
     .bad = {{"fanuc", R"nc(
+O9228(DRILL, Z DEPTH)
+#33=#26
+#26=#5003-#26
+G90 G1 Z#26
+IF[#26EQ#0]GOTO9
+G0 Z#33
+M99
+N9 #3000=1(Z MISSING)
+)nc"},
+            {"fanuc", R"nc(
 O9228(CLEARANCE FROM R AND Z)
 #33=#18-#26
 IF[#33EQ#0]GOTO9
@@ -48,6 +64,13 @@ IF[#33EQ0]GOTO9
 G90 G1 Z#33
 M99
 N9 #3000=1(R IS Z)
+)nc"},
+             {"fanuc", R"nc(
+O9228(VALUE OF THE MACHINE BUILDER)
+#24=#900018
+IF[#24EQ#0]GOTO9
+G90 G0 X#24
+N9 M99
 )nc"}},
     .sources = {"SEED-001:415", "MITSU-326"},
     .check = &check,
@@ -55,36 +78,49 @@ N9 #3000=1(R IS Z)
 
 namespace {
 
-const dataflow::Store* last_store_before(const ProgramAnalysis& analysis, Variable variable,
-                                         flow::NodeId node) {
-    const dataflow::Store* last = nullptr;
-    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
-        if (store.variable == variable && store.node < node) last = &store;
-    return last;
+/// What callers may have passed in it was meant, not what it was overwritten with. A test that makes no
+/// difference, and one of a variable that no call sets, are not worth more than a note.
+bool is_defect(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison, Variable variable) {
+    return analysis.control().spaces[variable.space].scope == Scope::frame &&
+           !queries::is_harmless_guard(analysis, comparison, variable);
+}
+
+void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Comparison& comparison,
+            Variable variable) {
+    const Program& program = analysis.program();
+    const bool vacant = comparison.operation == Operation::is_vacant;
+    const Span span = program.expressions[comparison.expression].span;
+    const dataflow::Store* store = queries::last_store_before(analysis, variable, comparison.node);
+    const Span set = store == nullptr ? span : program.effects[store->effect].span;
+    std::vector<std::string> words{quoted(program, span), vacant ? "never" : "always",
+                                   queries::with_letter(program, variable),
+                                   line_number(analysis.file(), set.begin)};
+    std::string_view id = program.control->letter_of(variable) ? "overwritten" : "set";
+    const auto keeper = queries::keeper_of_argument(analysis, variable, comparison.node);
+    if (keeper) {
+        words.push_back(program.spell(*keeper));
+        id = "kept";
+    }
+    Finding& finding = reporter.report({analysis, comparison}, span, id, std::move(words));
+    if (!keeper && !is_defect(analysis, comparison, variable)) finding.severity = Severity::note;
+    const std::string name = program.spell(variable);
+    const std::string ends = name + " is tested for vacancy";
+    if (store != nullptr)
+        trace(finding, analysis, store->node, {analysis.source(), set, name + " is set"}, comparison.node,
+              ends);
+    else
+        trace(finding, analysis, comparison.node, ends);
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const Program& program = analysis.program();
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
-        const bool vacant = comparison.operation == Operation::is_vacant;
-        if (!vacant && comparison.operation != Operation::is_set) continue;
-        if (comparison.left.vacancy != dataflow::Vacancy::set) continue;
-        const auto variable = queries::plain_variable(program, comparison.left_expression);
-        if (!variable || !queries::may_hold_vacant(program, *variable) ||
-            !queries::assigned_on_every_path(analysis, *variable, comparison.node))
+        if (comparison.operation != Operation::is_vacant && comparison.operation != Operation::is_set)
             continue;
-        const Span span = program.expressions[comparison.expression].span;
-        const std::string name = program.spell(*variable);
-        Finding& finding =
-            reporter.report({analysis, comparison}, span, vacant ? "never-vacant" : "always-set",
-                            {quoted(program, span), name});
-        const std::string ends = name + " is tested for vacancy";
-        if (const dataflow::Store* store = last_store_before(analysis, *variable, comparison.node))
-            trace(finding, analysis, store->node,
-                  {analysis.source(), program.effects[store->effect].span, name + " is set"}, comparison.node,
-                  ends);
-        else
-            trace(finding, analysis, comparison.node, ends);
+        if (comparison.left.vacancy != dataflow::Vacancy::set) continue;
+        const auto variable = queries::plain_variable(analysis.program(), comparison.left_expression);
+        if (variable && queries::may_hold_vacant(analysis.program(), *variable) &&
+            queries::assigned_on_every_path(analysis, *variable, comparison.node))
+            report(analysis, reporter, comparison, *variable);
     }
 }
 

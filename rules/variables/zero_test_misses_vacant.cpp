@@ -1,7 +1,10 @@
 //! MAC220: a test for 0 does not catch a missing argument.
+#include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/queries/argument_names.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/unset_reads.hpp"
+#include "analyzer/queries/after_zero_test.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -25,11 +28,14 @@ extern const Rule zero_test_misses_vacant{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::vacancy},
-    .facts = dataflow::facts<dataflow::Comparison>(),
+    .facts = dataflow::facts<dataflow::Comparison, dataflow::Read, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"equal", "'{0}' is not true when {1} is vacant. Test for both: add a test with EQ #0."},
+    .messages = {{"equal",
+                  "Check skipped when {1} is left out: it is vacant then, not 0, '{0}' is false, and "
+                  "line {2} uses it. Test it with EQ #0 as well."},
                  {"not-equal",
-                  "'{0}' is also true when {1} is vacant. Test for both: add a test with NE #0."}},
+                  "Check passed when {1} is left out: it is vacant then, not 0, '{0}' is true, and "
+                  "line {2} uses it. Test it with NE #0 as well."}},
     .bad = {{"fanuc", R"nc(
 O9220(PECK, K DEPTH OF ONE PECK)
 IF[#6EQ0]GOTO9
@@ -95,11 +101,16 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             std::ranges::find(choices, *variable) != choices.end() ||
             tests_both(analysis, comparison, *variable))
             continue;
+        const dataflow::Read* use = queries::use_after_zero_test(analysis, comparison, value, *variable);
+        if (use == nullptr) continue;
         const Span span = program.expressions[comparison.expression].span;
+        const Span used = program.expressions[use->expression].span;
         const std::string name = program.spell(*variable);
         Finding& finding = reporter.report({analysis, comparison}, span,
                                            comparison.operation == Operation::equal ? "equal" : "not-equal",
-                                           {quoted(program, span), name});
+                                           {quoted(program, span), queries::with_letter(program, *variable),
+                                            line_number(analysis.file(), used.begin)});
+        finding.related.push_back({analysis.source(), used, name + " is used here"});
         trace(finding, analysis, value.vacancy_origin, name + " may be vacant from here on", comparison.node,
               name + " is compared with 0");
     }

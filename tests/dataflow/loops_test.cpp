@@ -120,7 +120,9 @@ TEST(Loops, CanStopWhereTheProgramOrAProgramCalledMayStop) {
     EXPECT_EQ(traits("", "/M0\n"), Traits(true, false));
     EXPECT_EQ(traits("", "G65P77\n"), Traits(true, true));
     EXPECT_EQ(traits("", "G65P2\n", "O2\n#100=1\nM99\n"), Traits(false, false));
-    EXPECT_EQ(traits("", "G65P2\n", "O2\nIF[#1EQ#0]THEN#3000=1\nM99\n"), Traits(true, false));
+    EXPECT_EQ(traits("", "G65P2\n", "O2\nIF[#500EQ1]THEN#3000=1\nM99\n"), Traits(false, false));
+    EXPECT_EQ(traits("", "G65P2\n", "O2\nIF[#5043GT1]THEN#3000=1\nM99\n"), Traits(true, false));
+    EXPECT_EQ(traits("", "G65P2\n", "O2\nIF[#500EQ1]THEN#3006=1\nM99\n"), Traits(true, false));
     EXPECT_EQ(traits("", "#2=[[\n").second, true); // a block that nobody can read
 }
 

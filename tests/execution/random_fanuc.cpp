@@ -75,7 +75,7 @@ class Writer {
         case 12: return line("GOTO@");
         case 13: return dice_.one_in(3) ? line("GOTO" + variable()) : line("IF[" + condition() + "]GOTO@");
         case 14:
-        case 15: return line(skip() + "#[" + index() + "]=" + expression(1));
+        case 15: return line(skip() + "#[" + store_index() + "]=" + expression(1));
         case 16: return line(skip() + std::string(dice_.one_of(plain_words)));
         case 17: return line(std::string(dice_.one_of(plain_words)));
         case 18: return line(computed_words());
@@ -166,6 +166,17 @@ class Writer {
         case 1: return std::to_string(dice_.between(100, 103));
         case 2: return "100+ABS[" + variable() + "]";
         default: return variable() + "+" + std::to_string(dice_.one_of(std::array{1, 2, 100}));
+        }
+    }
+
+    /// As programmers write it, see IndexCustom: what is counted is not what is stored in, and variables that all
+    /// programs share lead to no local one.
+    std::string store_index() {
+        switch (dice_.below(4)) {
+        case 0: return "#4007-39"; // local 1 to 3
+        case 1: return std::to_string(dice_.between(100, 103));
+        case 2: return "100+ABS[#1]";
+        default: return std::to_string(dice_.one_of(std::array{1, 100, 101})) + "+#1000";
         }
     }
 

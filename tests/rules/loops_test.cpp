@@ -18,7 +18,7 @@ TEST(UnchangedLoop, NeverEnds) {
     EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG91 G0 X1\nEND1\nM99\n"), ElementsAre(2));
     EXPECT_THAT(lines_raised("MAC319", "O9001\nN1 G91 G0 X1\nIF[#1EQ5]GOTO1\nM99\n"), ElementsAre(3));
     EXPECT_THAT(messages_raised("MAC319", "O9001\nWHILE[1EQ1]DO1\nG91 G0 X1\nEND1\nM99\n"),
-                ElementsAre(HasSubstr("nothing leads out of it")));
+                ElementsAre(HasSubstr("nothing leads out of")));
 }
 
 TEST(UnchangedLoop, EndsWhenItsBodyCanLeaveIt) {
@@ -136,6 +136,33 @@ TEST(LoopStep, NamedByABlockThatCannotBeReadMayHaveBeenTestedThere) {
                              "O9001\nOR[#17EQ#0]GOTO5\n#33=0\nWHILE[#33LT9]DO1\n#33=#33+#17\nG0 X#33\nEND1\n"
                              "N5 M99\n"),
                 IsEmpty());
+}
+
+TEST(UnchangedLoop, IsExcusedByAnAlarmOfACallOnlyWhereSomethingDecidesItAnew) {
+    const auto loop = [](std::string_view call, std::string_view condition, std::string_view loop_step = "") {
+        return "O9001\nWHILE[#1LT5]DO1\n" + std::string(call) + "\n" + std::string(loop_step) +
+               "END1\nM99\nO9010\nIF[" + std::string(condition) + "]GOTO9\nM99\nN9#3000=1\n";
+    };
+    EXPECT_THAT(lines_raised("MAC319", loop("G65P9010", "#500EQ1")), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC319", loop("G65P9010", "#1EQ1")), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC319", loop("G65P9010A#2", "#1EQ1")), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC319", loop("G65P9010", "#5043GT1")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", loop("G65P9010A#5043", "#1EQ1")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", loop("G65P9010", "#500EQ1", "#500=#500+1\n")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", loop("G65P9010A#2", "#1EQ1", "#2=#2+1\n")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", loop("M98P9010", "#2EQ1", "#2=#2+1\n")), IsEmpty());
+    // The callee counts itself, or what decides is made of what the machine tells.
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG65P9010\nEND1\nM99\nO9010\n#500=#500+1\n"
+                                       "IF[#500GT9]GOTO9\nM99\nN9#3000=1\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG65P9010\nEND1\nM99\nO9010\n#2=#5043-1\n"
+                                       "IF[#2GT9]GOTO9\nM99\nN9#3000=1\n"),
+                IsEmpty());
+}
+
+TEST(UnchangedLoop, ThatJumpsToItsOwnBlockHangsTheControl) {
+    EXPECT_THAT(messages_raised("MAC319", "O9001\nN51IF[#26EQ#0]GOTO51\nM99\n"),
+                ElementsAre(HasSubstr("its own block")));
 }
 
 } // namespace

@@ -9,6 +9,7 @@ namespace {
 using test::lines_raised;
 using test::messages_raised;
 using test::path_raised;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -110,9 +111,9 @@ TEST(ConstantCondition, OfASettingIsForTheUserToChange) {
         IsEmpty());
 }
 
-TEST(ConstantCondition, OfAVariableThatWasSetAnewIsReported) {
+TEST(ConstantCondition, OfAVariableThatWasSetAnewIsASetting) {
     EXPECT_THAT(lines_raised("MAC718", "O1\n#100=#500\n#100=4\nIF[#100NE4]GOTO1\nG0 X1\nN1 M30\n"),
-                ElementsAre(4));
+                IsEmpty());
 }
 
 TEST(ConstantCondition, LeavesEndlessLoopsAndVacancyToOthers) {
@@ -138,6 +139,79 @@ TEST(ConstantCondition, AfterALoopThatCannotBeReadProvesNothing) {
     EXPECT_THAT(lines_raised("MAC718", "O1\n#28=1\nWHILE[#28LT5]]DO1\nIF[#28LT5000]GOTO9\n#28=#28+1\nEND1\n"
                                        "N9 M30\n"),
                 IsEmpty());
+}
+
+TEST(ConstantCondition, OfSettingsIsMeant) {
+    const auto decided_by = [](std::string_view settings, std::string_view condition) {
+        return "O9001\n" + std::string(settings) + "\nIF[" + std::string(condition) +
+               "]GOTO6\nG0X1.\nN6#101=#24\n#6=#24\nM99\nO9750\n#143=0.(SETTING)\nM99\n";
+    };
+    EXPECT_THAT(lines_raised("MAC718", decided_by("#101=10.(HEIGHT)", "#101GT0")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC718", decided_by("#14=1.(X)\n#15=2.(Y)\n#6=#14+#15", "#6EQ0")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC718", decided_by("M98P9750", "#143EQ0")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC718", decided_by("M98P9750\n#6=#143*2", "#6EQ0")), IsEmpty());
+}
+
+TEST(ConstantCondition, OfWhatATestHasFoundOutIsNone) {
+    EXPECT_THAT(messages_raised("MAC718",
+                                "O9001\n#33=#1\nIF[#33NE5]GOTO9\nG0X1.\nIF[#33GT5]GOTO8\nG0X2.\nN8G0X3.\n"
+                                "N9M99\n"),
+                ElementsAre(AllOf(HasSubstr("never true"), HasSubstr("#33 is 5"))));
+    EXPECT_THAT(messages_raised("MAC718", "O9001\nIF[#6GT5]GOTO1\nIF[#6GT10]GOTO2\nM99\nN1 M99\nN2 M99\n"),
+                ElementsAre(AllOf(HasSubstr("[#6GT5]"), HasSubstr("line 2"))));
+}
+
+TEST(ConstantCondition, AfterAnotherWithTheSameTargetLeavesNothingToRun) {
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6GT1]GOTO3\nIF[#6NE4]GOTO3\nG0X1.\nN3M99\n"),
+                ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6NE1]GOTO3\nIF[#6NE4]GOTO3\nG0X1.\nN3M99\n"),
+                ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6LT1]GOTO3\nIF[#6GT4]GOTO3\nG0X1.\nN3M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6GT1]GOTO3\nIF[#6LE1]GOTO4\nN4G0X1.\nN3M99\n"), IsEmpty());
+}
+
+TEST(ConstantCondition, ThatDoesWhatAnotherDoesIsHarmless) {
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6LT50]GOTO9\nIF[#6LT40]THEN#31=-1\nIF[#6LT60]THEN#31=-1\n"
+                                       "G0X#31\nN9M99\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6LT50]GOTO9\nIF[#6LT40]THEN#31=-2\nIF[#6LT60]THEN#31=-1\n"
+                                       "G0X#31\nN9M99\n"),
+                ElementsAre(3));
+}
+
+TEST(FloatEquality, WithZeroIsSafeWhereRoundingCannotMakeIt) {
+    const auto asked = [](std::string_view expression) {
+        return "O9001\n#33=" + std::string(expression) + "\nIF[#33EQ0]GOTO9\nG0X[1/#33]\nN9 M99\n";
+    };
+    for (const std::string_view safe :
+         {"SQRT[#1*#1+#2*#2]", "ABS[#1/3]", "[#1-#2]/3", "SQRT[#1]*#2", "FIX[#1/3]", "-[#1/#2]"})
+        EXPECT_THAT(lines_raised("MAC710", asked(safe)), IsEmpty()) << safe;
+    for (const std::string_view unsafe :
+         {"ABS[COS[#1]]", "#1/3-#2", "SQRT[#1*#1-#2*#2/3]", "SIN[#1]*#2", "#1*0.1-#2"})
+        EXPECT_THAT(lines_raised("MAC710", asked(unsafe)), ElementsAre(3)) << unsafe;
+}
+
+TEST(FloatEquality, OfADistanceToNothingIsReported) {
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[ABS[#18-#5043]EQ0]GOTO9\nG0X1.\nN9 M99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[ABS[#18-#5043]NE0]GOTO9\nG0X1.\nN9 M99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[ABS[#18-#5043]LE0.01]GOTO9\nG0X1.\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[ABS[#4120-#4111]EQ0]GOTO9\nG0X1.\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[ABS[#18]EQ0]GOTO9\nG0X1.\nN9 M99\n"), IsEmpty());
+}
+
+TEST(FloatEquality, WithTheWholePartAsksWhetherAQuotientOfDecimalsIsWhole) {
+    EXPECT_THAT(lines_raised("MAC710", "O9001\n#33=#26/#17\nIF[#33EQFIX[#33]]GOTO9\nG0X1.\nN9 M99\n"),
+                ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC710", "O9001\n#33=#26/0.3\nIF[#33EQFIX[#33]]GOTO9\nG0X1.\nN9 M99\n"),
+                ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC710", "O9001\n#33=#26/10\nIF[#33EQFIX[#33]]GOTO9\nG0X1.\nN9 M99\n"),
+                IsEmpty());
+}
+
+TEST(FloatEquality, OfASumOfTwoWrittenNumbersIsExactWhereItIsTheWrittenSum) {
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[#5004EQ[-0.642-2.130]]GOTO9\nN9 M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[#5004EQ[0.1+0.2]]GOTO9\nN9 M99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[#5004EQ[-0.642+#500]]GOTO9\nN9 M99\n"), ElementsAre(2));
 }
 
 } // namespace

@@ -9,6 +9,7 @@ namespace {
 using test::lines_raised;
 using test::messages_raised;
 using test::path_raised;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -69,9 +70,9 @@ TEST(UninitialisedLocal, NeedsAWayWhoseTestsDoNotContradictEachOther) {
 }
 
 TEST(ZeroTest, MissesAnArgumentThatIsNotPassed) {
-    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#6EQ0]GOTO9\nG0 Z#6\nN9 M99\n"), ElementsAre(2));
-    EXPECT_THAT(messages_raised("MAC220", "O9001\nIF[0 NE #6]GOTO9\nG0 Z#6\nN9 M99\n"),
-                ElementsAre(HasSubstr("is also true when #6 is vacant")));
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#6EQ0]GOTO9\nG0 Z[#6*2]\nN9 M99\n"), ElementsAre(2));
+    EXPECT_THAT(messages_raised("MAC220", "O9001\nIF[0 NE #6]GOTO9\nM99\nN9 G0 Z[#6*2]\nM99\n"),
+                ElementsAre(HasSubstr("Check passed when #6 (K) is left out")));
 }
 
 TEST(ZeroTest, BesideAVacancyTestTreatsBothCases) {
@@ -159,6 +160,45 @@ TEST(UninitialisedLocal, ManyTestsOfOneValueAreNotTooMany) {
         "N2\nIF[#4012EQ54]THEN#500=1\nIF[#4012EQ55]THEN#501=1\nIF[#4012LE55]THEN#31=#24\n"
         "G1 X[#21-#31] F#9\nN9 M99\n";
     EXPECT_THAT(lines_raised("MAC209", text), ElementsAre(11));
+}
+
+TEST(ZeroTest, MattersOnlyWhereVacantIsCountedWithAfterwards) {
+    // The variable is asked for vacancy before it is used, or set, or not used at all.
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1NE0]GOTO60\n#3000=1\nN60\nG0X1.\nG0Y1.\nG0Z1.\nIF[#1EQ#0]"
+                                       "GOTO70\nG0X[#1+1]\nN70M99\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n#1=5.\n#33=#1+1\nN9M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\nG0X5.\nN9M99\n"), IsEmpty());
+    // Another program may look after it, and a copy counts as well.
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\nG65P9002A#1\nN9M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n#33=#1\nG0X[#33+1]\nN9M99\n"), ElementsAre(2));
+}
+
+TEST(ZeroTest, OfAWordMattersWhereTheOtherSideIsAnAlarm) {
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#20EQ0]GOTO9\nS#20\nN9M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#20EQ0]GOTO9\nS#20\nM99\nN9#3000=1\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#20EQ0]THEN#3000=1\nS#20\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#20NE0]GOTO1\n#3000=1\nN1S#20\nM99\n"), ElementsAre(2));
+}
+
+TEST(ZeroTest, OnAPathThatNobodyCanTakeIsNoDefect) {
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ1.]GOTO7\n#31=2.\nN7G0X0\nIF[#1EQ1.]GOTO8\n"
+                                       "IF[#31EQ0]GOTO8\nG0X[#31*2]\nN8M99\n"),
+                IsEmpty());
+}
+
+TEST(TestOfAnOverwrittenVariable, TellsWhereTheValueFromTheCallIs) {
+    EXPECT_THAT(messages_raised("MAC228", "O9001\n#33=#26\n#26=#5003\nIF[#26EQ#0]GOTO9\nG0Z#33\nN9M99\n"),
+                ElementsAre(AllOf(HasSubstr("#26 (Z)"), HasSubstr("line 3"), HasSubstr("is in #33"))));
+    EXPECT_THAT(messages_raised("MAC228", "O9001\n#26=#5003\nIF[#26EQ#0]GOTO9\nG0Z#26\nN9M99\n"),
+                ElementsAre(HasSubstr("before that")));
+}
+
+TEST(TestOfAnOverwrittenVariable, IsNoneOfAVariableThatNoTableKnows) {
+    EXPECT_THAT(lines_raised("MAC228", "O9001\n#24=#900018\nIF[#24EQ#0]GOTO9\nG0X#24\nN9M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC228", "O9001\n#24=#9123\nIF[#24EQ#0]GOTO9\nG0X#24\nN9M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC228", "O9001\n#24=#4120\nIF[#24EQ#0]GOTO9\nG0X#24\nN9M99\n"),
+                ElementsAre(3));
 }
 
 } // namespace

@@ -76,6 +76,7 @@ Value States::typed(const Value& value, Variable variable) {
     const VariableType type = program_.type_of(variable);
     if (type == VariableType::number || value.vacancy == Vacancy::vacant) return value;
     Value held = value;
+    held.choices = 0;
     if (type == VariableType::text) {
         held.symbol = table_.symbols({Symbol::Kind::opaque, value.symbol, variable.space, 4});
         return held;
@@ -93,6 +94,9 @@ Value States::entry_value(Variable variable) {
     const OriginId origin = table_.origins(Origin::at_entry(variable));
     Value value;
     value.symbol = table_.symbols({Symbol::Kind::entry, key_of(variable), 0, 0});
+    const auto known = std::ranges::find(knowledge_.known, variable, &KnownVariable::variable);
+    if (known != knowledge_.known.end())
+        return known->number ? number_value(table_, *known->number) : vacant_value(table_, origin);
     if (space.scope == Scope::frame) {
         value.vacancy = vacancy_at_entry(variable);
         const auto initial = initial_number(variable);
@@ -204,6 +208,7 @@ Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t
         a.vacancy_origin != 0 && !is_entry_of(b.vacancy_origin, key) ? a.vacancy_origin : b.vacancy_origin;
     if (joined.vacancy_origin == 0) joined.vacancy_origin = a.vacancy_origin;
     joined.rounding = a.rounding != 0 ? a.rounding : b.rounding;
+    joined.choices = table_.either(a, b);
     return joined;
 }
 
@@ -262,6 +267,7 @@ State States::join(const State& a, const State& b, std::uint32_t node) {
 State States::widen(const State& old, const State& now, std::uint32_t node,
                     std::span<const double> thresholds) {
     return merge(old, now, node, [thresholds](const Value& before, Value& after) {
+        if (after.choices != 0) return; // few numbers do not grow for long
         if (after.high > before.high) {
             const auto next = std::ranges::lower_bound(thresholds, after.high);
             after.high = next == thresholds.end() ? semantics::infinity : *next;

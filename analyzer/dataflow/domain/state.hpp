@@ -19,6 +19,13 @@ enum class Entry : std::uint8_t {
     called_unknown, ///< callers unknown: arguments may be missing, modal groups are the caller's
 };
 
+/// A variable whose number is known; nothing: it is vacant.
+struct KnownVariable {
+    Variable variable;
+    std::optional<double> number;
+    friend bool operator==(const KnownVariable&, const KnownVariable&) = default;
+};
+
 /// What the callers tell of a program's local variables.
 struct EntryKnowledge {
     Entry entry;
@@ -32,6 +39,8 @@ struct EntryKnowledge {
     std::span<const std::int32_t> ambiguous_names = {};
     /// Variables that a program further up may hand down; absent: it is unknown which.
     std::optional<std::vector<Variable>> handed_down = std::vector<Variable>{};
+    /// What one call is known to begin with, where only that call is looked at.
+    std::vector<KnownVariable> known = {};
 };
 
 [[nodiscard]] constexpr Key key_of(Variable variable) {

@@ -1,9 +1,22 @@
 //! Interning of values, symbols, origins and modal values.
 #include "analyzer/dataflow/domain/value.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace maclint::dataflow {
+namespace {
+
+/// A value that can be more numbers is one of any.
+constexpr std::size_t most_choices = 8;
+
+void add(Choices& choices, double number) {
+    const auto position = std::ranges::lower_bound(choices.numbers, number);
+    if (position == choices.numbers.end() || *position != number) choices.numbers.insert(position, number);
+}
+
+} // namespace
+
 ValueTable::ValueTable() {
     symbols({Symbol::Kind::opaque, 0, 0, 0});
     origins({Origin::Kind::none, 0, 0});
@@ -15,6 +28,45 @@ void ValueTable::fit() {
     values.fit();
     modals.fit();
     havoc_sets.fit();
+    choice_sets.fit();
+}
+
+std::span<const double> ValueTable::choices_of(const Value& value) const {
+    if (value.choices == 0) return {};
+    const auto& numbers = choice_sets[value.choices - 1].numbers;
+    return {numbers.begin(), numbers.size()};
+}
+
+bool ValueTable::can_be(const Value& value, double number) const {
+    const auto choices = choices_of(value);
+    return value.can_be(number) && (choices.empty() || std::ranges::binary_search(choices, number));
+}
+
+ChoicesId ValueTable::either(const Value& a, const Value& b) {
+    Choices both;
+    for (const Value* value : {&a, &b}) {
+        const auto number = value->constant();
+        const auto choices = choices_of(*value);
+        if (!number && choices.empty()) return 0;
+        if (number) add(both, *number);
+        for (const double choice : choices) add(both, choice);
+    }
+    if (both.numbers.size() < 2 || both.numbers.size() > most_choices) return 0;
+    return choice_sets(both) + 1;
+}
+
+void ValueTable::narrow(Value& value, std::span<const double> numbers) {
+    if (numbers.size() == 1) {
+        const OriginId origin = value.origin;
+        value = number_value(*this, numbers.front());
+        value.origin = origin;
+        return;
+    }
+    Choices left;
+    for (const double number : numbers) add(left, number);
+    value.choices = choice_sets(left) + 1;
+    value.low = numbers.front();
+    value.high = numbers.back();
 }
 
 SymbolId ValueTable::constant(double number) {

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -20,8 +21,9 @@ namespace maclint::dataflow {
 using semantics::Exactness;
 using semantics::Vacancy;
 
-using SymbolId = std::uint32_t; ///< equal symbols at one point of the program are equal values
-using OriginId = std::uint32_t; ///< 0: none
+using SymbolId = std::uint32_t;  ///< equal symbols at one point of the program are equal values
+using OriginId = std::uint32_t;  ///< 0: none
+using ChoicesId = std::uint32_t; ///< 0: none are known
 
 /// Where something came from.
 struct Origin {
@@ -65,6 +67,7 @@ struct Value : semantics::AbstractValue {
     OriginId origin = 0;         ///< the store that made it the content of its variable
     OriginId vacancy_origin = 0; ///< why it can be vacant, or 0 because something else is vacant
     OriginId rounding = 0;       ///< where it was rounded
+    ChoicesId choices = 0; ///< the only numbers that it can be, where paths with different constants meet
 
     /// From now on that is known of it; symbol and origins stay.
     void know(const semantics::AbstractValue& now) { AbstractValue::operator=(now); }
@@ -83,6 +86,12 @@ struct ModalValue {
     SmallVector<ModalPart, 2> parts;
     bool unknown = false;
     friend bool operator==(const ModalValue&, const ModalValue&) = default;
+};
+
+/// A few numbers, sorted.
+struct Choices {
+    SmallVector<double, 4> numbers;
+    friend bool operator==(const Choices&, const Choices&) = default;
 };
 
 /// For each space: 0, or the opaque symbol of what made all its variables unknown that a state's tree does
@@ -113,6 +122,7 @@ constexpr std::uint64_t hash_mixed(const Value& v) {
                        (v.nonzero ? 2U : 0U);
     std::uint64_t hash = mix(flags, side_by_side(v.symbol, v.origin));
     hash = mix(hash, side_by_side(v.vacancy_origin, v.rounding));
+    hash = mix(hash, v.choices);
     hash = mix(hash, std::bit_cast<std::uint64_t>(v.low));
     return mix(hash, std::bit_cast<std::uint64_t>(v.high));
 }
@@ -125,6 +135,13 @@ inline std::uint64_t hash_mixed(const ModalValue& v) {
     for (const ModalPart& part : v.parts) hash = mix(hash, side_by_side(part.symbol, part.origin));
     return hash;
 }
+
+inline std::uint64_t hash_mixed(const Choices& choices) {
+    std::uint64_t hash = 0;
+    for (const double number : choices.numbers) hash = mix(hash, std::bit_cast<std::uint64_t>(number));
+    return hash;
+}
+inline std::uint64_t hash_local(const Choices& choices) { return hash_mixed(choices); }
 
 constexpr std::uint64_t hash_mixed(const HavocSet& havoc) {
     std::uint64_t hash = 0;
@@ -140,9 +157,19 @@ struct ValueTable {
     Interner<Value> values;
     Interner<ModalValue> modals;
     Interner<HavocSet> havoc_sets; ///< most programs have none
+    Interner<Choices> choice_sets;
 
     [[nodiscard]] HavocId remember(const HavocSet& havoc) { return havoc_sets(havoc) + 1; }
     [[nodiscard]] HavocSet havoc(HavocId id) const { return id == 0 ? HavocSet{} : havoc_sets[id - 1]; }
+
+    /// The numbers of a value that is one of a few; none where it is one number or any.
+    [[nodiscard]] std::span<const double> choices_of(const Value& value) const;
+    /// Whether the value can be the number.
+    [[nodiscard]] bool can_be(const Value& value, double number) const;
+    /// What a value is that is one of the two; 0 when that is one number, or too many.
+    [[nodiscard]] ChoicesId either(const Value& a, const Value& b);
+    /// What is left of a value of which only these numbers are left, at least one.
+    void narrow(Value& value, std::span<const double> numbers);
 
     ValueTable();
     void fit();

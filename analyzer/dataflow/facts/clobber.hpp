@@ -13,7 +13,12 @@ struct Clobber {
     flow::NodeId node;
     EffectId effect;
     SpaceId space;
-    std::optional<Variable> variable; ///< empty: any variable of the space
+    std::optional<Variable> variable;    ///< empty: any variable of the space
+    std::optional<Variable> spared = {}; ///< but not this one
+
+    [[nodiscard]] bool may_change(Variable which) const {
+        return variable ? *variable == which : space == which.space && spared != which;
+    }
 };
 
 } // namespace maclint::dataflow

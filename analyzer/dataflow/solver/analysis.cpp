@@ -66,7 +66,7 @@ class AnalysisBuilder {
             if (!before_[node].reached) continue;
             result_.reached_[node] = true;
             const State state = transfer_.run(node, before_[node]);
-            if (leaves[node]) left.emplace_back(node, state);
+            if (leaves[node] && state.reached) left.emplace_back(node, state);
         }
         transfer_.record_in(nullptr);
         for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge)

@@ -12,6 +12,8 @@
 
 namespace maclint::dataflow {
 
+struct KnownStart;
+
 class Analysis {
   public:
     /// Solves at once. The references, and those that `callees` holds, must outlive the analysis. Facts of
@@ -24,6 +26,8 @@ class Analysis {
 
     [[nodiscard]] const Facts& facts() const { return facts_; }
     [[nodiscard]] const Summary& summary() const { return summary_; }
+    /// What the call runs.
+    [[nodiscard]] Callee callee(EffectId call) const { return callees_(call); }
     [[nodiscard]] Entry entry() const;
     /// Whether any path leads to the node.
     [[nodiscard]] bool reached(flow::NodeId node) const { return reached_[node]; }
@@ -32,6 +36,9 @@ class Analysis {
     /// What the program's start and its calls are known to bring.
     [[nodiscard]] const EntryKnowledge& knowledge() const { return knowledge_; }
     [[nodiscard]] const Callees& callees() const { return callees_; }
+
+    /// Whether some path leads back to the caller when the program is begun with this.
+    [[nodiscard]] bool comes_back(const KnownStart& start) const;
 
     [[nodiscard]] const ValueTable& table() const;
     [[nodiscard]] const Origin& origin(OriginId id) const { return table().origins[id]; }

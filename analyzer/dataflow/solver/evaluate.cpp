@@ -19,8 +19,14 @@ Value Transfer::opaque(ExpressionId id) {
 Value Transfer::machine_value(FamilyId family, std::int32_t number, ExpressionId id) {
     Value value = opaque(id);
     const VariableRange* range = program_.control->families[family].find(number);
-    if (range == nullptr || !range->may_be_vacant) value.vacancy = Vacancy::set;
     if (range == nullptr) return value;
+    if (!range->may_be_vacant) value.vacancy = Vacancy::set;
+    if (range->last_number) {
+        value.low = 0;
+        value.high = *range->last_number;
+        value.integer = true;
+        value.exactness = Exactness::exact;
+    }
     if (range->is_bit) {
         value.low = 0;
         value.high = 1;
@@ -278,6 +284,18 @@ void Transfer::know_entry_code(State& state, ChannelGroup of, double code) {
     states_.write(state, of, std::move(value));
 }
 
+/// Of the numbers that the value can be those for which the comparison can be true; false when none is left.
+bool Transfer::keep_choices(Value& value, Operation operation, const Value& other) {
+    std::vector<double> left;
+    for (const double number : states_.table().choices_of(value))
+        if (semantics::compare(operation, semantics::of_number(number), other,
+                               program_.control->vacant_equals_zero)
+                .can_hold)
+            left.push_back(number);
+    if (!left.empty()) states_.table().narrow(value, left);
+    return !left.empty();
+}
+
 void Transfer::refine_variable(State& state, Variable variable, Operation operation, const Value& other) {
     const Value before = states_.read(state, variable);
     Value value = before;
@@ -294,6 +312,10 @@ void Transfer::refine_variable(State& state, Variable variable, Operation operat
             return;
         }
         value.know(*left);
+        if (value.choices != 0 && !keep_choices(value, operation, other)) {
+            state.reached = false;
+            return;
+        }
         if (value.low == value.high && value.vacancy == Vacancy::set && operation == Operation::equal &&
             other.constant()) {
             value = number_value(states_.table(), value.low);

@@ -1,7 +1,9 @@
 //! What a call does to its caller, from the states with which the program is left.
 #include "analyzer/dataflow/solver/summarise.hpp"
 
+#include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/solver/stop_reasons.hpp"
 
 #include <algorithm>
 
@@ -28,6 +30,7 @@ class Summariser {
     void summarise() {
         summary_.known = true;
         summary_.may_stop = may_stop();
+        if (summary_.may_stop) summary_.stop_reasons = find_stop_reasons(program_, graph_, facts_, reached_);
         State left;
         for (const ExitState& exit : facts_.of<ExitState>()) {
             if (exit.exit.kind != flow::ExitKind::returns && exit.exit.kind != flow::ExitKind::runs_off)
@@ -40,6 +43,7 @@ class Summariser {
                 add_resume_label(std::get<Return>(program_.effects[*exit.exit.effect].what));
         }
         summary_.returns = returns();
+        if (summary_.returns) summary_.decides_end = decides_end();
         summary_.written_for_callers = written_for_callers();
         if (!left.reached) return;
         for (std::size_t space = 0; space < most_spaces; ++space)
@@ -80,6 +84,27 @@ class Summariser {
         std::ranges::sort(written);
         written.erase(std::ranges::unique(written).begin(), written.end());
         return written;
+    }
+
+    [[nodiscard]] std::vector<Variable> decides_end() const {
+        std::vector<Variable> deciding;
+        const bool alarms = any_reached([](const Effect& effect) {
+            const auto* stop = std::get_if<Stop>(&effect.what);
+            return stop != nullptr && stop->kind == Stop::Kind::alarm;
+        });
+        if (!alarms) return deciding;
+        const auto add_all = [&](ExpressionId expression) {
+            for (const Variable variable : variables_of(program_, expression).variables)
+                if (!program_.control->spaces[variable.space].named &&
+                    std::ranges::find(deciding, variable) == deciding.end())
+                    deciding.push_back(variable);
+        };
+        (void)any_reached([&](const Effect& effect) {
+            if (const auto* guarded = std::get_if<Guarded>(&effect.what)) add_all(guarded->condition);
+            if (const auto* jump = std::get_if<Jump>(&effect.what)) add_all(jump->target);
+            return false;
+        });
+        return deciding;
     }
 
     [[nodiscard]] bool may_stop() const {

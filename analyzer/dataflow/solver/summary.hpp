@@ -12,6 +12,8 @@
 
 namespace maclint::dataflow {
 
+class Analysis;
+
 struct VariableChange {
     Variable variable;
     Vacancy vacancy;
@@ -37,10 +39,20 @@ using CallersLabel = std::variant<std::int64_t, std::string>;
     return program.spell(label);
 }
 
+/// What decides whether a program stops instead of returning.
+struct StopReasons {
+    bool anything = true; ///< the machine, an operator, a program that is called
+    std::vector<Variable> variables;
+};
+
 struct Summary {
-    bool known = false;   ///< false: the program is not there, everything may change
-    bool returns = true;  ///< at least one path leads back to the block after the call
-    bool may_stop = true; ///< it or what it calls may stop: an alarm, a pause, the program's end
+    bool known = false;       ///< false: the program is not there, everything may change
+    bool returns = true;      ///< at least one path leads back to the block after the call
+    bool may_stop = true;     ///< it or what it calls may stop: an alarm, a pause, the program's end
+    StopReasons stop_reasons; ///< where it may stop
+    /// Variables that conditions and computed jumps read, where it may end in an alarm in place of a return:
+    /// with what they are at a call it may be known that it does. None where a call tells nothing.
+    std::vector<Variable> decides_end;
     std::vector<VariableChange>
         variables; ///< all that it may write and the caller can see (locals for calls that share them)
     std::vector<SpaceId> havoc; ///< spaces of which anything may have changed
@@ -60,6 +72,7 @@ struct PassedReference {
 struct Callee {
     const Summary& summary;                      ///< Summary{} of a program that is not known
     std::span<const PassedReference> references; ///< of a program that is known
+    const Analysis* analysis = nullptr;          ///< of a program that is known
 };
 using Callees = std::function<Callee(EffectId call)>;
 

@@ -1,6 +1,7 @@
 //! Effects: stores, modal groups, calls, and what a plain run leaves behind.
 #include "analyzer/dataflow/solver/transfer.hpp"
 
+#include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 
@@ -73,7 +74,8 @@ State Transfer::along(const flow::Edge& edge, State after) {
         const auto* number = std::get_if<std::int64_t>(&graph_.labels[*edge.label].label);
         if (number == nullptr) return after; // nothing is known of texts
         const auto& jump = std::get<Jump>(program_.effects[*edge.jump].what);
-        if (!evaluate(after, jump.target, Use::jump).can_be(static_cast<double>(*number))) return {};
+        const Value target = evaluate(after, jump.target, Use::jump);
+        if (!states_.table().can_be(target, static_cast<double>(*number))) return {};
     }
     return after;
 }
@@ -167,23 +169,35 @@ void Transfer::store_at(State& state, const StoreAt& target, const Value& value,
             store(state, {range->space, rounded}, value, expression);
         return;
     }
-    clobber_indexed(state, target.family, index);
+    clobber_indexed(state, target.family, target.index, index);
 }
 
 /// The variables of a family that the index can mean may have changed.
-void Transfer::clobber_indexed(State& state, FamilyId of, const Value& index) {
-    for (const VariableRange& range : program_.control->families[of].ranges) {
-        if (range.meaning != Meaning::variable || !(index.low <= range.last && range.first <= index.high))
-            continue;
-        const double first = std::max<double>(index.low, range.first);
-        const double last = std::min<double>(index.high, range.last);
-        if (last - first > most_indexed_variables) {
-            havoc(state, range.space);
-            continue;
-        }
-        for (auto number = static_cast<std::int32_t>(std::lround(first)); number <= std::lround(last);
-             ++number)
-            clobber(state, {range.space, number}, opaque_variable({range.space, number}, 5));
+void Transfer::clobber_indexed(State& state, FamilyId of, ExpressionId index, const Value& known) {
+    const IndexReach reach = reach_of(program_, of, index, known);
+    const VariableFamily& family = program_.control->families[of];
+    std::vector<Variable> spared;
+    if (family.custom.spares_index) spared = variables_of(program_, index).variables;
+    for (const VariableRange& range : family.ranges) {
+        if (range.meaning != Meaning::variable) continue;
+        if (!reach.locals && program_.control->spaces[range.space].scope == Scope::frame) continue;
+        if (reach.numbers.low <= range.last && range.first <= reach.numbers.high)
+            clobber_numbers(state, range, reach, spared);
+    }
+}
+
+void Transfer::clobber_numbers(State& state, const VariableRange& range, const IndexReach& reach,
+                               std::span<const Variable> spared) {
+    const double first = std::max<double>(reach.numbers.low, range.first);
+    const double last = std::min<double>(reach.numbers.high, range.last);
+    if (last - first > most_indexed_variables) {
+        const auto here = std::ranges::find(spared, range.space, &Variable::space);
+        return havoc(state, range.space, here == spared.end() ? std::nullopt : std::optional(*here));
+    }
+    for (auto number = static_cast<std::int32_t>(std::lround(first)); number <= std::lround(last); ++number) {
+        const Variable variable{range.space, number};
+        if (std::ranges::find(spared, variable) == spared.end())
+            clobber(state, variable, opaque_variable(variable, 5));
     }
 }
 
@@ -339,6 +353,10 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
     if (records<CallMade>())
         facts_->add(CallMade{node_, id, summary.known, !summary.known || summary.may_stop});
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
+    if (!comes_back(state, callee, call)) {
+        state.reached = false;
+        return;
+    }
     if (!summary.known) {
         clobber_passed(state, call);
         return run_unknown_program(state, shared_frame);
@@ -378,7 +396,8 @@ void Transfer::clobber_passed(State& state, const Call& call) {
         if (const auto* load = std::get_if<Load>(&node))
             clobber(state, load->variable, opaque_variable(load->variable, 9));
         else if (const auto* indexed = std::get_if<LoadAt>(&node))
-            clobber_indexed(state, indexed->family, evaluate(state, indexed->index, Use::index));
+            clobber_indexed(state, indexed->family, indexed->index,
+                            evaluate(state, indexed->index, Use::index));
     }
 }
 
@@ -427,9 +446,12 @@ void Transfer::havoc_shared(State& state) {
 }
 
 /// Everything in the space may have changed here.
-void Transfer::havoc(State& state, SpaceId space) {
-    if (records<Clobber>()) facts_->add(Clobber{node_, effect_, space, {}});
+void Transfer::havoc(State& state, SpaceId space, std::optional<Variable> spared) {
+    if (records<Clobber>()) facts_->add(Clobber{node_, effect_, space, {}, spared});
+    std::optional<Value> kept;
+    if (spared) kept = states_.read(state, *spared);
     states_.havoc(state, space, {Origin::Kind::effect, effect_, node_});
+    if (spared) states_.write(state, *spared, *kept);
 }
 
 /// The variable may have changed here, by something that is no assignment.

@@ -3,9 +3,24 @@
 
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/fact_lists.hpp"
+#include "analyzer/dataflow/solver/index_reach.hpp"
 #include "analyzer/dataflow/solver/summary.hpp"
 
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
 namespace maclint::dataflow {
+
+/// With what one call begins the program that it means.
+struct KnownStart {
+    std::vector<KnownVariable> known;
+    /// What it passes; absent: the program has no local variables of its own, or it is unknown.
+    std::optional<std::vector<std::pair<Variable, Vacancy>>> arguments;
+    friend bool operator==(const KnownStart&, const KnownStart&) = default;
+};
 
 class Transfer {
   public:
@@ -30,6 +45,9 @@ class Transfer {
     [[nodiscard]] Value value_in(const State& after, ExpressionId id) {
         return evaluate(after, id, Use::copy);
     }
+
+    /// Calls come back whatever they are given.
+    void follow_no_calls() { follows_calls_ = false; }
 
     /// The state after the node.
     [[nodiscard]] State run(flow::NodeId node, State state);
@@ -60,6 +78,7 @@ class Transfer {
     [[nodiscard]] Truth evaluate_chain(const State& state, std::span<const ExpressionId> operands, bool all);
     void refine(State& state, ExpressionId id, bool holds);
     void refine_side(State& state, ExpressionId side, const Value& value, Operation operation, Value other);
+    [[nodiscard]] bool keep_choices(Value& value, Operation operation, const Value& other);
     void refine_variable(State& state, Variable variable, Operation operation, const Value& other);
     void know_entry_code(State& state, ChannelGroup of, double code);
     void refine_entry_code(State& state, const Value& value, Operation operation, const Value& other);
@@ -70,7 +89,9 @@ class Transfer {
     [[nodiscard]] std::optional<Step> step_of(const State& state, Variable variable, ExpressionId value);
     void store(State& state, Variable variable, Value value, ExpressionId expression);
     void store_at(State& state, const StoreAt& target, const Value& value, ExpressionId expression);
-    void clobber_indexed(State& state, FamilyId of, const Value& index);
+    void clobber_indexed(State& state, FamilyId of, ExpressionId index, const Value& known);
+    void clobber_numbers(State& state, const VariableRange& range, const IndexReach& reach,
+                         std::span<const Variable> spared);
     void clobber_passed(State& state, const Call& call);
     [[nodiscard]] bool is_ambiguous(Variable variable) const;
     void set_modal(State& state, const SetModal& set);
@@ -80,11 +101,14 @@ class Transfer {
     void havoc_groups(State& state, std::optional<char> letter);
     void call(State& state, const Call& call);
     void run_program(State& state, EffectId id, const Call& call);
+    [[nodiscard]] KnownStart known_at(const State& state, const Call& call,
+                                      std::span<const Variable> deciding);
+    [[nodiscard]] bool comes_back(const State& state, const Callee& callee, const Call& call);
     void run_unknown_program(State& state, bool shared_frame);
     [[nodiscard]] bool is_modal_call(const ModalPart& part) const;
     void change_handed_down(State& state, const Summary& summary);
     void change_groups(State& state, const Summary& summary);
-    void havoc(State& state, SpaceId space);
+    void havoc(State& state, SpaceId space, std::optional<Variable> spared = {});
     void havoc_shared(State& state);
     void clobber(State& state, Variable variable, const Value& value);
     void move(State& state);
@@ -114,6 +138,13 @@ class Transfer {
     std::optional<Compared> compared_;
     bool follows_one_path_ = false;
     MachineTime machine_time_;
+    /// A call that was followed into the program that it means.
+    struct FollowedCall {
+        KnownStart start;
+        bool comes_back;
+    };
+    bool follows_calls_ = true;
+    std::unordered_map<const Analysis*, std::vector<FollowedCall>> followed_;
 };
 
 } // namespace maclint::dataflow

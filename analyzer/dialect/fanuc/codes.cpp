@@ -57,7 +57,11 @@ constexpr CodeFact facts[] = {
     {'G',  68.2, mill,  no_axes,                   "T: tilted plane, words are origin and angles"},
     {'G',  92,   mill,  no_axes | limits_speed,    "T: coordinate system setting, spindle speed limit"},
     {'G',  92.1, both,  no_axes,                   "T: coordinate system preset"},
+    {'G', 100,   both,  no_axes,                   "T: Haas, mirror image off, axis words name axes"},
+    {'G', 101,   both,  no_axes,                   "T: Haas, mirror image on, axis words name axes"},
     {'G', 103,   both,  own | sync | no_words,     "HAAS-LA: limits look-ahead"},
+    {'G', 136,   both,  own | sync,                "T: Haas, work offset centre measurement (skip)"},
+    {'G', 187,   both,  no_words,                  "T: Haas, smoothness: P and E are its own"},
     {'M',   0,   both,  own | sync,                "MAN-AINANO"},
     {'M',   1,   both,  own | sync,                "MAN-AINANO"},
     {'M',   2,   both,  own | sync,                "MAN-AINANO"},
@@ -72,6 +76,15 @@ constexpr CodeFact facts[] = {
 // clang-format on
 
 std::size_t tenths(double code) { return static_cast<std::size_t>(std::lround(code * 10)); }
+
+/// Codes of a hundred and more are where shops and builders put calls of macros (parameters 6050-6059: G
+/// codes of 1 to 9999). Below that every control has codes of its own.
+void mark_possible_calls(CodeTable& table) {
+    constexpr int first_free = 100;
+    for (std::size_t i = tenths(first_free); i < table.g.size(); i += tenths(1))
+        if (table.g[i].group == no_group && table.g[i].traits == 0)
+            table.g[i].traits = own | no_words | may_call;
+}
 
 CodeTable build(const ControlModel& control) {
     CodeTable table{};
@@ -91,6 +104,7 @@ CodeTable build(const ControlModel& control) {
         else
             table.m[static_cast<std::size_t>(fact.code)] = fact.traits;
     }
+    mark_possible_calls(table);
     table.feed = control.group_with(ModalRole::feed).value_or(no_group);
     table.speed = control.group_with(ModalRole::speed).value_or(no_group);
     table.local_offset = control.group_with(ModalRole::local_offset).value_or(no_group);

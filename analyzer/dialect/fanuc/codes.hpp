@@ -19,6 +19,7 @@ enum Trait : std::uint8_t {
     no_words = 1 << 3,     ///< no word beside it means what it usually does: neither axes nor F nor S
     limits_speed = 1 << 4, ///< S beside it is a limit, not the speed
     without_feed = 1 << 5, ///< moves at rapid traverse, whatever the motion mode is
+    may_call = 1 << 6,     ///< no table knows it: it may call a macro with the words beside it as arguments
 };
 
 /// One row of the code table.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace maclint::fanuc {
 namespace {
@@ -162,7 +163,10 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
             if (!word.literal) computed_.push_back(*word.value);
         }
     }
-    builder_->add_values(computed_, span);
+    if ((traits & may_call) != 0)
+        lower_possible_call(words, span);
+    else
+        builder_->add_values(computed_, span);
     if (moves && (traits & (no_axes | no_words)) == 0) effect({Motion{(traits & without_feed) != 0}, span});
     if ((traits & synchronises) != 0) effect({Synchronise{}, span});
     for (const NcWord& word : words) {
@@ -171,6 +175,20 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
             effect({ToolChange{}, this->span(*word.node)});
         if (word.letter == 'M' && !word.comma && word.literal) lower_machine_function(word, words, span);
     }
+}
+
+/// A macro that a G code of the shop's own may call: what it does is unknown. A word may tell it which local
+/// variable of the caller to set: G310 R8178 P28.
+void BlockLowering::lower_possible_call(std::span<const NcWord> words, Span span) {
+    constexpr double last_local = 33;
+    Exchange exchange;
+    for (const NcWord& word : words) {
+        const bool whole = program_->slice(this->span(*word.node)).find('.') == std::string_view::npos;
+        if (word.literal && whole && word.letter != 'G' && *word.literal >= 1 && *word.literal <= last_local)
+            exchange.in.push_back({spaces::local, static_cast<std::int32_t>(*word.literal)});
+    }
+    if (!exchange.in.empty()) effect({std::move(exchange), span});
+    effect({Call{unreadable(span), calls::g65, arguments_from(words), std::nullopt}, span});
 }
 
 void BlockLowering::lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span) {

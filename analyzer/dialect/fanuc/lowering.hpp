@@ -54,6 +54,7 @@ class BlockLowering : private TreeLowering {
     [[nodiscard]] NcWord record_word(const Node& node);
     void lower_macro_call(std::span<const NcWord> words, Span span);
     void lower_usual_words(std::span<const NcWord> words, Span span);
+    void lower_possible_call(std::span<const NcWord> words, Span span);
     void lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span);
     void lower_subprogram_call(CallKindId kind, const NcWord& code, std::span<const NcWord> words, Span span);
     void lower_local_call(ExpressionId label, Span span);

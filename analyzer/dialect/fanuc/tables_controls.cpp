@@ -65,8 +65,11 @@ ControlModel make(const ControlRow& row, Machine machine) {
     if (row.offset_is_group_12) group_twelve = control.group_with(ModalRole::work_offset);
     control.families = {numbered_variables(control.groups, group_twelve)};
     control.calls = call_kinds();
-    for (const std::int32_t local : local_of_letter)
-        if (local != 0) control.formals.push_back({spaces::local, local});
+    for (std::size_t i = 0; i < local_of_letter.size(); ++i) {
+        if (local_of_letter[i] == 0) continue;
+        control.formals.push_back({spaces::local, local_of_letter[i]});
+        control.formal_letters.push_back(static_cast<char>('A' + i));
+    }
     for (std::int32_t first = 4; first <= 31; first += 3) // ZAPP-ARG: I1 is #4, K10 is #33
         control.series.push_back(
             {{{spaces::local, first}, {spaces::local, first + 1}, {spaces::local, first + 2}}});

@@ -10,6 +10,15 @@ namespace {
 using enum Meaning;
 using enum OnWrite;
 
+/// How an index is meant of which too little is known.
+constexpr IndexCustom index_custom{
+    .least_base = 100,
+    .reach = 999,
+    .shared_points_to_shared = true,
+    .spares_index = true,
+    .source = "T: #[2000+#1] and #[#111+6] in half of all macros; no local variable is meant",
+};
+
 constexpr GroupId modal_groups = 22; ///< #4001-#4022
 
 /// #4001-#4022 and their twins in other hundreds: one row a group. Group 12 is G66 on some controls and
@@ -63,7 +72,7 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 1032,   1099,  machine, here,             0,            forbidden, true,  "input word from the PMC",                 "T"});
     add({ 1100,   1131,  machine, here,             0,            store,     false, "output to the PMC",                       "T; HAAS-LA", true});
     add({ 1132,   1199,  machine, here,             0,            store,     false, "output word to the PMC",                  "T"});
-    add({ 1200,   1999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
+    add({ 1200,   1999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({ 2000,   2999,  machine, here,             0,            store,     false, "tool or work offset",                     "SEED-001:1312-1333; T"});
     add({ 3000,   3000,  machine, here,             0,            alarm,     false, "macro alarm",                             "CNCCI; ZAPP-ALM"});
     add({ 3001,   3002,  machine, here,             0,            store,     true,  "timer",                                   "ZAPP-ALM; TENC-SYS"});
@@ -76,14 +85,22 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 3011,   3012,  machine, here,             0,            forbidden, true,  "date and time",                           "TENC-SYS"});
     add({ 3013,   3900,  machine, here,             0,            store,     true,  "machine value",                           "unknown; Haas: tool and spindle data"});
     add({ 3901,   3902,  machine, here,             0,            store,     true,  "parts counter",                           "TENC-SYS"});
-    add({ 3903,   3999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
+    add({ 3903,   3999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({ 4000,   4000,  machine, here,             0,            forbidden, false, "main program number",                     "TENC-SYS"});
     append_modal(ranges, 4001, "modal G code up to the previous block", group_twelve);
-    add({ 4023,   4108,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1358-1359; T"});
+    add({ 4023,   4106,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1358; T"});
+    add({ 4107,   4107,  machine, here,             0,            forbidden, false, "offset number D",                         "SEED-001:1359; T: three digits", false, false, false, 999});
+    add({ 4108,   4108,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
     add({ 4109,   4109,  modal,   here,             feed,         forbidden, false, "feed F",                                  "SEED-001:1360"});
-    add({ 4110,   4118,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1361-1364"});
+    add({ 4110,   4110,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
+    add({ 4111,   4111,  machine, here,             0,            forbidden, false, "offset number H",                         "SEED-001:1361; T: three digits", false, false, false, 999});
+    add({ 4112,   4112,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
+    add({ 4113,   4113,  machine, here,             0,            forbidden, false, "M code",                                  "SEED-001:1362; T: eight digits at most", false, false, false, 99999999});
+    add({ 4114,   4115,  machine, here,             0,            forbidden, false, "sequence number, program number",         "SEED-001:1363-1364; T: eight digits at most", false, false, false, 99999999});
+    add({ 4116,   4118,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
     add({ 4119,   4119,  modal,   here,             speed,        forbidden, false, "spindle speed S",                         "SEED-001:1365"});
-    add({ 4120,   4200,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1366-1367"});
+    add({ 4120,   4120,  machine, here,             0,            forbidden, false, "tool number T",                           "SEED-001:1366; T: eight digits at most", false, false, false, 99999999});
+    add({ 4121,   4200,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1367"});
     append_modal(ranges, 4201, "modal G code of the block being executed", group_twelve);
     add({ 4223,   4308,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
     add({ 4309,   4309,  modal,   here,             feed,         forbidden, false, "feed F of the block being executed",      "T; MITSU-331"});
@@ -99,15 +116,16 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 5121,   5200,  machine, here,             0,            forbidden, true,  "machine value",                           "T"});
     add({ 5201,   5220,  machine, here,             0,            store,     false, "external work offset",                    "SEED-001:1383"});
     add({ 5221,   5400,  machine, here,             0,            store,     false, "work offset",                             "SEED-001:1384-1389"});
-    add({ 5401,   6999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
+    add({ 5401,   6999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({ 7000,   7999,  machine, here,             0,            store,     false, "additional work offset",                  "TENC-SYS"});
-    add({ 8000,   9999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
+    add({ 8000,   9999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({10000,  19999,  machine, here,             0,            store,     false, "tool offset or additional work offset",   "SEED-001:1312-1335; T"});
-    add({20000,  97999,  machine, here,             0,            store,     true,  "machine value",                           "unknown"});
+    add({20000,  97999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({98000,  98499,  variable,   spaces::common,   0,            store,     false, "common variable",                         "T"});
-    add({98500, 999999,  machine, here,             0,            store,     true,  "machine value",                           "T: six-digit numbers of the 30i"});
+    add({98500, 899999,  machine, here,             0,            store,     true,  "machine value",                           "T: six-digit numbers of the 30i", false, false, true});
+    add({900000, 999999, machine, here,             0,            store,     true,  "common variable of the machine builder",  "T: vacant until something sets them", false, false, true});
     // clang-format on
-    return {"#", std::move(ranges)};
+    return {"#", std::move(ranges), index_custom};
 }
 
 } // namespace maclint::fanuc

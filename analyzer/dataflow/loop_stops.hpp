@@ -1,0 +1,15 @@
+//! Whether a call ends a loop around it by an alarm.
+#pragma once
+
+#include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/loop_changes.hpp"
+#include "analyzer/dataflow/solver/analysis.hpp"
+
+namespace maclint::dataflow {
+
+/// Whether the program that is called may stop in some round of the loop, though not in the first: what
+/// decides that is read from the machine, unknown, or changed by the loop or by what it calls.
+[[nodiscard]] bool may_stop_later(const Program& program, const Analysis& analysis, const CallMade& call,
+                                  const LoopChanges& changes);
+
+} // namespace maclint::dataflow

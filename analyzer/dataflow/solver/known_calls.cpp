@@ -1,0 +1,88 @@
+//! Calls that end in an alarm for the numbers that they are given: they do not come back.
+#include "analyzer/dataflow/solver/analysis.hpp"
+#include "analyzer/dataflow/solver/state_domain.hpp"
+#include "analyzer/dataflow/solver/transfer.hpp"
+#include "analyzer/flow/solve.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace maclint::dataflow {
+namespace {
+
+/// So many calls of one program with other numbers are followed into what they call.
+constexpr std::size_t most_known_calls = 64;
+/// Longer programs are not run again for a call: those that only report an error are short.
+constexpr std::size_t most_nodes = 2000;
+
+} // namespace
+
+/// What of the variables that decide over the callee's end is known at the call. Nothing when none is: what
+/// the call leaves out alone is no reason to look.
+KnownStart Transfer::known_at(const State& state, const Call& call, std::span<const Variable> deciding) {
+    const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
+    FactLists* const facts = std::exchange(facts_, nullptr); // what is read is recorded already
+    KnownStart start;
+    const auto know = [&](Variable variable, const Value& value) {
+        if (std::ranges::find(deciding, variable) == deciding.end()) return;
+        if (const auto number = value.constant())
+            start.known.push_back({variable, number});
+        else if (value.vacancy == Vacancy::vacant)
+            start.known.push_back({variable, std::nullopt});
+    };
+    for (const Variable variable : deciding)
+        if (shared_frame || program_.control->spaces[variable.space].scope != Scope::frame)
+            know(variable, states_.read(state, variable));
+    if (!shared_frame) {
+        start.arguments.emplace();
+        for (const Argument& argument : program_.arguments_of(call)) {
+            const auto* letter = std::get_if<Variable>(&argument.given);
+            if (letter == nullptr) {
+                start.arguments.reset(); // only the workspace knows what it means
+                break;
+            }
+            const Value value = evaluate(state, argument.value, Use::argument);
+            start.arguments->emplace_back(*letter, value.vacancy);
+            know(*letter, value);
+        }
+    }
+    facts_ = facts;
+    return start;
+}
+
+/// Whether the call can come back with what is known here.
+bool Transfer::comes_back(const State& state, const Callee& callee, const Call& call) {
+    if (callee.analysis == nullptr || !follows_calls_ || callee.summary.decides_end.empty()) return true;
+    KnownStart start = known_at(state, call, callee.summary.decides_end);
+    if (start.known.empty()) return true;
+    auto& followed = followed_[callee.analysis];
+    const auto before = std::ranges::find(followed, start, &FollowedCall::start);
+    if (before != followed.end()) return before->comes_back;
+    if (followed.size() >= most_known_calls) return true;
+    const bool comes_back = callee.analysis->comes_back(start);
+    followed.push_back({std::move(start), comes_back});
+    return comes_back;
+}
+
+bool Analysis::comes_back(const KnownStart& start) const {
+    if (graph_->nodes.size() > most_nodes) return true;
+    EntryKnowledge knowledge = knowledge_;
+    knowledge.known = start.known;
+    if (start.arguments) {
+        knowledge.arguments = start.arguments;
+        knowledge.locals_are_callers = false;
+    }
+    States states(*program_, std::move(knowledge));
+    Transfer transfer(*program_, *graph_, states, callees_);
+    transfer.follow_no_calls();
+    StateDomain domain(*program_, states, transfer);
+    flow::Solution<State> solution;
+    flow::solve<flow::Direction::forward>(*graph_, domain, solution);
+    return std::ranges::any_of(graph_->exits, [&](const flow::Exit& exit) {
+        const State& before = solution.before[exit.node];
+        return before.reached && flow::returns_after_call(*program_, exit) &&
+               transfer.run(exit.node, before).reached;
+    });
+}
+
+} // namespace maclint::dataflow

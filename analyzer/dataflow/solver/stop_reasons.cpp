@@ -1,0 +1,100 @@
+//! Goes back from the alarms to the conditions in front of them, and from there to what these read.
+#include "analyzer/dataflow/solver/stop_reasons.hpp"
+
+#include "analyzer/dataflow/domain/read_set.hpp"
+
+#include <algorithm>
+
+namespace maclint::dataflow {
+namespace {
+
+class StopReasonSearch {
+  public:
+    StopReasonSearch(const Program& program, const flow::Graph& graph, const FactLists& facts,
+                     const std::vector<bool>& reached)
+        : program_(program)
+        , graph_(graph)
+        , facts_(facts)
+        , reached_(reached)
+        , leads_(graph.nodes.size(), false) {}
+
+    StopReasons run() {
+        collect_alarms();
+        if (reasons_.anything) return reasons_;
+        go_back();
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node)
+            if (leads_[node]) add_decisions(node);
+        // The list grows: what a variable is made of decides, too.
+        for (std::size_t i = 0; i < reasons_.variables.size() && !reasons_.anything; ++i)
+            add_what_sets(reasons_.variables[i]);
+        return reasons_;
+    }
+
+  private:
+    /// A pause waits for the operator, who may end the program; so may a program that is called.
+    void collect_alarms() {
+        reasons_.anything = std::ranges::any_of(facts_.of<CallMade>(), &CallMade::may_stop);
+        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
+            if (!reached_[node]) continue;
+            for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects)) {
+                const auto* stop = std::get_if<Stop>(&effect.what);
+                if (stop != nullptr && stop->kind == Stop::Kind::alarm) pending_.push_back(node);
+                reasons_.anything |= (stop != nullptr && stop->kind != Stop::Kind::alarm) ||
+                                     std::holds_alternative<UnreadableBlock>(effect.what);
+            }
+        }
+    }
+
+    void go_back() {
+        while (!pending_.empty()) {
+            const flow::NodeId node = pending_.back();
+            pending_.pop_back();
+            for (const flow::EdgeId id : graph_.in[node]) {
+                const flow::NodeId from = graph_.edges[id].from;
+                if (leads_[from] || !reached_[from]) continue;
+                leads_[from] = true;
+                pending_.push_back(from);
+            }
+        }
+    }
+
+    void add_decisions(flow::NodeId node) {
+        for (const flow::EdgeId id : graph_.out[node]) {
+            const flow::Edge& edge = graph_.edges[id];
+            if (edge.condition) add_reads(*edge.condition);
+            if (edge.jump) add_reads(std::get<Jump>(program_.effects[*edge.jump].what).target);
+        }
+    }
+
+    void add_reads(ExpressionId expression) {
+        const ReadSet reads = variables_of(program_, expression);
+        reasons_.anything |= !reads.closed;
+        for (const Variable variable : reads.variables)
+            if (std::ranges::find(reasons_.variables, variable) == reasons_.variables.end())
+                reasons_.variables.push_back(variable);
+    }
+
+    void add_what_sets(Variable variable) {
+        for (const Store& store : facts_.of<Store>())
+            if (store.variable == variable) add_reads(store.expression);
+        reasons_.anything |= std::ranges::any_of(
+            facts_.of<Clobber>(), [&](const Clobber& clobber) { return clobber.may_change(variable); });
+    }
+
+    const Program& program_;
+    const flow::Graph& graph_;
+    const FactLists& facts_;
+    const std::vector<bool>& reached_;
+    std::vector<bool> leads_; ///< of each node: to an alarm
+    std::vector<flow::NodeId> pending_;
+    StopReasons reasons_{.anything = false, .variables = {}};
+};
+
+} // namespace
+
+StopReasons find_stop_reasons(const Program& program, const flow::Graph& graph, const FactLists& facts,
+                              const std::vector<bool>& reached) {
+    return StopReasonSearch(program, graph, facts, reached).run();
+}
+
+} // namespace maclint::dataflow

@@ -1,0 +1,152 @@
+//! Goes on from the side of the test that vacant takes.
+#include "analyzer/queries/after_zero_test.hpp"
+
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/origins.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace maclint::queries {
+namespace {
+
+using dataflow::Comparison;
+using dataflow::Read;
+using dataflow::Use;
+using dataflow::Vacancy;
+using dataflow::Value;
+
+class VacantPath {
+  public:
+    VacantPath(const ProgramAnalysis& analysis, const Comparison& test, const Value& tested,
+               Variable variable)
+        : analysis_(analysis)
+        , test_(test)
+        , tested_(tested)
+        , variable_(variable)
+        , seen_(analysis.graph().nodes.size(), false)
+        , checks_(ends_in_alarm()) {}
+
+    /// The first use, in the order of the paths' lengths, to which the program can come.
+    const Read* first_use() {
+        take_edges(test_.node);
+        for (std::size_t next = 0; next < pending_.size(); ++next) {
+            const flow::NodeId node = pending_[next];
+            if (const Read* use = use_in(node); use != nullptr && is_feasible(*use)) return use;
+            if (!sets_variable(node)) take_edges(node);
+        }
+        return nullptr;
+    }
+
+  private:
+    /// Whether a condition that is this very comparison turns out so for vacant; nothing where vacant does
+    /// not decide it.
+    [[nodiscard]] std::optional<bool> outcome_of(ExpressionId condition, flow::NodeId node) const {
+        for (const Comparison& comparison : analysis_.facts().in<Comparison>(node)) {
+            if (comparison.expression != condition) continue;
+            const auto& program = analysis_.program();
+            if (plain_variable(program, comparison.left_expression) != variable_ &&
+                plain_variable(program, comparison.right_expression) != variable_)
+                return std::nullopt;
+            switch (comparison.operation) {
+            case Operation::is_vacant:
+            case Operation::not_equal: return true;
+            case Operation::is_set:
+            case Operation::equal: return false;
+            default: return std::nullopt;
+            }
+        }
+        return std::nullopt;
+    }
+
+    void take_edges(flow::NodeId node) {
+        for (const flow::EdgeId id : analysis_.graph().out[node]) {
+            const flow::Edge& edge = analysis_.graph().edges[id];
+            if (!analysis_.data().passable(id) || seen_[edge.to]) continue;
+            if (edge.condition) {
+                const auto outcome = outcome_of(*edge.condition, node);
+                if (outcome && *outcome != edge.holds) continue;
+            }
+            seen_[edge.to] = true;
+            pending_.push_back(edge.to);
+        }
+    }
+
+    [[nodiscard]] const Read* use_in(flow::NodeId node) const {
+        const auto reads = analysis_.facts().in<Read>(node);
+        const auto found = std::ranges::find_if(reads, [&](const Read& read) {
+            const bool counts = read.use == Use::arithmetic || (checks_ && read.use == Use::word);
+            return counts && is_tested_value(read);
+        });
+        return found == reads.end() ? nullptr : &*found;
+    }
+
+    [[nodiscard]] bool is_tested_value(const Read& read) const {
+        if (read.value.vacancy != Vacancy::vacant && read.value.vacancy != Vacancy::maybe) return false;
+        return read.value.symbol == tested_.symbol ||
+               (read.variable == variable_ && read.value.vacancy_origin == tested_.vacancy_origin);
+    }
+
+    [[nodiscard]] bool is_feasible(const Read& use) const {
+        return can_follow(analysis_, test_.node, use.node);
+    }
+
+    [[nodiscard]] bool sets_variable(flow::NodeId node) const {
+        return std::ranges::any_of(analysis_.facts().in<dataflow::Store>(node),
+                                   [&](const dataflow::Store& store) { return store.variable == variable_; });
+    }
+
+    /// Whether the side that is meant for 0 leads straight to an alarm.
+    [[nodiscard]] bool ends_in_alarm() const {
+        constexpr int most_nodes = 16;
+        const bool side = test_.operation == Operation::equal;
+        flow::NodeId node = test_.node;
+        for (int i = 0; i < most_nodes; ++i) {
+            std::optional<flow::NodeId> next;
+            for (const flow::EdgeId id : analysis_.graph().out[node]) {
+                const flow::Edge& edge = analysis_.graph().edges[id];
+                if (edge.condition && (node != test_.node || edge.holds != side)) {
+                    if (node != test_.node) return false;
+                    continue;
+                }
+                if (next) return false;
+                next = edge.to;
+            }
+            if (!next) return i != 0; // a call that ends in an alarm
+            node = *next;
+            for (const Effect& effect : analysis_.program().effects_in(analysis_.graph().nodes[node].effects))
+                if (const auto* stop = std::get_if<Stop>(&effect.what))
+                    return stop->kind == Stop::Kind::alarm;
+        }
+        return false;
+    }
+
+    const ProgramAnalysis& analysis_;
+    const Comparison& test_;
+    const Value& tested_;
+    Variable variable_;
+    std::vector<bool> seen_;
+    std::vector<flow::NodeId> pending_;
+    bool checks_;
+};
+
+bool is_path_without_assignment(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node) {
+    execution::PathSearch search(analysis);
+    const execution::PathFound found = path_without_assignment(search, analysis, variable, node);
+    return found.path || found.gave_up;
+}
+
+} // namespace
+
+const Read* use_after_zero_test(const ProgramAnalysis& analysis, const Comparison& test, const Value& tested,
+                                Variable variable) {
+    if (variable_of_origin(analysis, tested.vacancy_origin) == variable &&
+        analysis.data().is_vacant_at_entry(variable) &&
+        !is_path_without_assignment(analysis, variable, test.node))
+        return nullptr;
+    return VacantPath(analysis, test, tested, variable).first_use();
+}
+
+} // namespace maclint::queries

@@ -1,0 +1,114 @@
+//! What stores through an index, calls and computed jumps leave known, seen through the rules that ask.
+#include "tests/rules/raised.hpp"
+
+#include <gmock/gmock.h>
+
+namespace maclint {
+namespace {
+
+using test::lines_raised;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// A variable that one of two paths does not set, after a block.
+std::string set_on_one_path_after(std::string_view block) {
+    return "O9001\n" + std::string(block) + "\nIF[#24GT1.]GOTO1\n#31=1.\nN1G0X#31\nM99\n";
+}
+
+TEST(StoreThroughAnIndex, OfAToolOffsetChangesNoVariable) {
+    const std::string store = "#11=#4111\n#[10000+#11]=#5063\n";
+    EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after("#11=#4111\n#[10000+#11]=#5063")),
+                ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC503", "O9001\n" + store + "G1X#24F#514\nM99\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC505", "O9001\n#6=#4003\n" + store + "G1X#24F#6\nM99\n"), ElementsAre(5));
+}
+
+TEST(StoreThroughAnIndex, FromABaseOrACommonVariableReachesNoLocal) {
+    for (const std::string_view block :
+         {"#[2000+#3]=0", "#[#3+2000]=0", "#[100+#3]=0", "#[500-#3]=0", "#[#111+6]=0", "#[#501+#3]=0"})
+        EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after(block)), ElementsAre(5)) << block;
+    for (const std::string_view block : {"#[#3]=0", "#[#3+6]=0", "#[99+#3]=0", "#[#111]=0", "#[#3-#111]=0"})
+        EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after(block)), IsEmpty()) << block;
+}
+
+TEST(StoreThroughAnIndex, MayChangeCommonVariables) {
+    const auto after = [](std::string_view block) {
+        return "O9001\n#100=0\n" + std::string(block) + "\n#5=#2/#100\nM99\n";
+    };
+    EXPECT_THAT(lines_raised("MAC702", after("#[2000+#3]=1")), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC702", after("#[500+#3]=1")), ElementsAre(4));
+    for (const std::string_view block : {"#[100+#3]=1", "#[#111+6]=1", "#[#3]=1"})
+        EXPECT_THAT(lines_raised("MAC702", after(block)), IsEmpty()) << block;
+}
+
+TEST(StoreThroughAnIndex, InALoopReachesTheRangeOfTheLoop) {
+    const auto cleared = [](std::string_view first, std::string_view last) {
+        return "#27=" + std::string(first) + "\nWHILE[#27LE" + std::string(last) +
+               "]DO1\n#[#27]=1\n#27=#27+1\nEND1";
+    };
+    EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after(cleared("135", "149"))), ElementsAre(9));
+    EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after(cleared("30", "33"))), IsEmpty());
+}
+
+TEST(StoreThroughAnIndex, SparesWhatCountsIt) {
+    EXPECT_THAT(lines_raised("MAC320", "O9001\n#1=135\nWHILE[#1LE149]DO1\n#[#1]=#0\n#1=#1-1\nEND1\nM99\n"),
+                ElementsAre(5));
+    EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\n#[#1]=9\nEND1\nM99\n"), ElementsAre(2));
+}
+
+/// A variable that a path with an error does not set; that path ends with the blocks.
+std::string not_set_after(std::string_view error, std::string_view callee) {
+    return "O9001\nIF[#26NE#0]GOTO1\n" + std::string(error) + "\nGOTO2\nN1#31=#26\nN2G0Z#31\nM99\n" +
+           std::string(callee);
+}
+
+TEST(CallThatEndsInAnAlarm, ForANumberInACommonVariableDoesNotComeBack) {
+    const std::string by_jump = "O9700\nGOTO#149\nN260#3000=91(Z MISSING)\nN500M99\n";
+    const std::string by_test = "O9700\nIF[#149NE260]GOTO500\n#3000=91(Z MISSING)\nN500M99\n";
+    for (const std::string& callee : {by_jump, by_test}) {
+        EXPECT_THAT(lines_raised("MAC209", not_set_after("#149=260\nG65P9700", callee)), IsEmpty());
+        EXPECT_THAT(lines_raised("MAC209", not_set_after("#149=260\nM98P9700", callee)), IsEmpty());
+        EXPECT_THAT(lines_raised("MAC209", not_set_after("#149=500\nG65P9700", callee)), ElementsAre(7));
+        EXPECT_THAT(lines_raised("MAC209", not_set_after("#149=#500\nG65P9700", callee)), ElementsAre(7));
+    }
+}
+
+TEST(CallThatEndsInAnAlarm, ForAnArgumentDoesNotComeBack) {
+    const std::string callee =
+        "O9700\nIF[#8EQ#0]GOTO1\n#149=#8\nN1\nGOTO#149\nN260#3000=91(Z MISSING)\nN500M99\n";
+    EXPECT_THAT(lines_raised("MAC209", not_set_after("G65P9700E260.", callee)), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", not_set_after("G65P9700E500.", callee)), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC209", not_set_after("G65P9700E#8", callee)), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC209", not_set_after("#149=260\nG65P9700", callee)), IsEmpty());
+}
+
+TEST(ComputedJump, GoesWhereTheNumbersThatReachItLead) {
+    const auto program = [](std::string_view second) {
+        return "O9001\n#32=50\nN50IF[#24LE#7]GOTO56\n#32=" + std::string(second) +
+               "\nGOTO63\nN56IF[#1EQ#0]GOTO58\n#29=#17\nGOTO64\nN58GOTO#32\nN63GOTO#32\nN64G0X#29\nM99\n";
+    };
+    EXPECT_THAT(lines_raised("MAC209", program("56")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", program("64")), ElementsAre(11));
+}
+
+TEST(ComputedJump, OfManyNumbersMayGoAnywhereBetween) {
+    std::string text = "O9001\n#32=10\n";
+    for (int i = 11; i < 20; ++i)
+        text += "IF[#1EQ" + std::to_string(i) + "]THEN#32=" + std::to_string(2 * i) + "\n";
+    text += "GOTO#32\nN10#29=1\nN15G0X#29\nM99\n";
+    EXPECT_THAT(lines_raised("MAC209", text), ElementsAre(13));
+}
+
+TEST(GCodeOfTheShop, TakesItsWordsAsArguments) {
+    EXPECT_THAT(lines_raised("MAC503", "O9001\nG180A#1F#9X#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC503", "O9001\nG1A#1F#9X#24\nM99\n"), ElementsAre(2));
+}
+
+TEST(GCodeOfTheShop, MaySetTheLocalThatAWordNames) {
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nG0310R8178P28\nG0X#28Y#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nG0310R8178P28\nG0X#29Y#24\nM99\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nG31P28\nG0X#28Y#24\nM99\n"), ElementsAre(3));
+}
+
+} // namespace
+} // namespace maclint
