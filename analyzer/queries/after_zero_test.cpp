@@ -107,6 +107,7 @@ class VacantPath {
             std::optional<flow::NodeId> next;
             for (const flow::EdgeId id : analysis_.graph().out[node]) {
                 const flow::Edge& edge = analysis_.graph().edges[id];
+                if (!analysis_.data().passable(id)) continue;
                 if (edge.condition && (node != test_.node || edge.holds != side)) {
                     if (node != test_.node) return false;
                     continue;
@@ -114,13 +115,19 @@ class VacantPath {
                 if (next) return false;
                 next = edge.to;
             }
-            if (!next) return i != 0; // a call that ends in an alarm
+            if (!next) return calls(node); // and does not come back
             node = *next;
             for (const Effect& effect : analysis_.program().effects_in(analysis_.graph().nodes[node].effects))
                 if (const auto* stop = std::get_if<Stop>(&effect.what))
                     return stop->kind == Stop::Kind::alarm;
         }
         return false;
+    }
+
+    [[nodiscard]] bool calls(flow::NodeId node) const {
+        return std::ranges::any_of(
+            analysis_.program().effects_in(analysis_.graph().nodes[node].effects),
+            [](const Effect& effect) { return std::holds_alternative<Call>(effect.what); });
     }
 
     const ProgramAnalysis& analysis_;

@@ -169,8 +169,8 @@ class Writer {
         }
     }
 
-    /// As programmers write it, see IndexCustom: what is counted is not what is stored in, and variables that all
-    /// programs share lead to no local one.
+    /// As programmers write it, see IndexCustom: what is counted is not what is stored in, and variables that
+    /// all programs share lead to no local one.
     std::string store_index() {
         switch (dice_.below(4)) {
         case 0: return "#4007-39"; // local 1 to 3

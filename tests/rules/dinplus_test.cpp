@@ -307,5 +307,24 @@ TEST(DivisionByZero, ByWhatIsUndefinedIsNotCertain) {
         IsEmpty());
 }
 
+TEST(DinConditions, OfSettingsAreMeantAndOthersAreReported) {
+    EXPECT_THAT(lines("MAC718", "MACHINING\n#l1=5\n#l2=#l1*2\nIF #l2>0\nTHEN\nG0 X1\nENDIF\nEND\n"),
+                IsEmpty());
+    EXPECT_THAT(lines("MAC718",
+                      "MACHINING\nINPUT(\"A\",#l1)\nIF #l1<=50\nTHEN\nIF #l1>80\nTHEN\nG0 X1\nENDIF\n"
+                      "ENDIF\nEND\n"),
+                ElementsAre(5));
+}
+
+TEST(DinEquality, WithZeroIsSafeWhereRoundingCannotMakeIt) {
+    const auto asked = [](std::string_view expression) {
+        return "MACHINING\nINPUT(\"A\",#l1)\nINPUT(\"B\",#l2)\n#l3=" + std::string(expression) +
+               "\nIF #l3==0\nTHEN\nG0 X1\nENDIF\nEND\n";
+    };
+    EXPECT_THAT(lines("MAC710", asked("ABS(#l1/7)")), IsEmpty());
+    EXPECT_THAT(lines("MAC710", asked("ABS(COS(#l1))")), ElementsAre(5));
+    EXPECT_THAT(lines("MAC710", asked("ABS(#l1-#l2)")), ElementsAre(5));
+}
+
 } // namespace
 } // namespace maclint
