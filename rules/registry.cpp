@@ -21,6 +21,7 @@
     RULE(unreadable_block)                      /* MAC121 */ \
     RULE(assignment_to_null_variable)           /* MAC201 */ \
     RULE(uninitialised_local)                   /* MAC209 */ \
+    RULE(argument_not_passed)                   /* MAC210 */ \
     RULE(zero_test_misses_vacant)               /* MAC220 */ \
     RULE(vacant_in_relational_comparison)       /* MAC221 */ \
     RULE(vacancy_lost_in_arithmetic)            /* MAC222 */ \

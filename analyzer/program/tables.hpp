@@ -131,6 +131,8 @@ struct ModalGroup {
     std::string_view cancel_words = {}; ///< how `cancel` is written where it is more than a code: "G16 Q0"
     bool watched = false;               ///< rules ask for the state in front of each word that sets it
     bool for_callers = false;           ///< a subprogram may switch it on for its caller, who is to cancel it
+    /// Of a group whose code is a sum: what each of its bits switches off.
+    std::vector<std::string_view> switched_off = {};
 };
 
 /// The row of that role, or nothing.
@@ -147,6 +149,18 @@ struct GroupCode {
 struct Idle {
     GroupId value;
     GroupCode under;
+    bool given_again =
+        false; ///< who ends it gives the value again, by custom: a spindle starts with its speed
+    bool other_meaning =
+        false; ///< a word in its block may mean something else: to which angle a spindle turns
+};
+
+/// Numbers of programs, both included; none where `last` is 0.
+struct ProgramNumbers {
+    std::int64_t first = 0, last = 0;
+    [[nodiscard]] constexpr bool contains(std::int64_t number) const {
+        return last != 0 && first <= number && number <= last;
+    }
 };
 
 /// What happens when a value is stored in a variable of a range.
@@ -294,8 +308,9 @@ struct ControlModel {
     std::vector<char> formal_letters = {}; ///< the letter of each; empty: their names hold it
     std::vector<std::array<Variable, 3>> series =
         {}; ///< those that the first, second … I, J and K of a call reach (specification II)
-    bool vacant_equals_zero;        ///< whether EQ and NE take vacant for 0
-    std::vector<Idle> idle = {};    ///< when nobody asks for a feed or speed
+    bool vacant_equals_zero;           ///< whether EQ and NE take vacant for 0
+    std::vector<Idle> idle = {};       ///< when nobody asks for a feed or speed
+    ProgramNumbers macro_numbers = {}; ///< that a shop keeps for macros, and protects
     bool loops_left_by_jump = true; ///< a jump can leave a loop, so a condition that always holds is a custom
     std::vector<SectionKind> sections = {}; ///< empty: programs have no sections
     std::vector<ReferenceKind> references = {};

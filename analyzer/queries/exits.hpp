@@ -9,6 +9,10 @@ namespace maclint::queries {
 /// What leaves it: M99, M30; for a program that runs off its end the text that runs last.
 [[nodiscard]] Span span_of_exit(const ProgramAnalysis& analysis, const flow::Exit& exit);
 
+/// The last block with a move that stands in the text before the exit, without its number; nothing where none
+/// does.
+[[nodiscard]] std::optional<Span> last_move_before(const ProgramAnalysis& analysis, const flow::Exit& exit);
+
 /// The block after which a program ends that runs off its end: of blocks that run in a row the last one, and
 /// `last`, the program's last block, where the exit has no text of its own.
 [[nodiscard]] Span last_block_before(const ProgramAnalysis& analysis, const flow::Exit& exit,

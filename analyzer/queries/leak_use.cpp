@@ -5,6 +5,9 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/modal_parts.hpp"
+#include "analyzer/queries/own_settings.hpp"
+#include "analyzer/queries/saved_state.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
 #include <algorithm>
@@ -29,28 +32,34 @@ struct Point {
     std::uint32_t idle; ///< bit n: the n-th code under which nobody asks for the value is in force
     Channels channels;  ///< in which the group was left so; 0: all that run the program
     bool inside; ///< of a program that was called on the path: its return leads back to where we are anyway
+    bool own;    ///< the program that made the call had set the group itself
 };
 
 class Search {
   public:
-    Search(const ProgramAnalysis& callee, GroupId group)
+    Search(const ProgramAnalysis& callee, GroupId group, const dataflow::ExitState& exit, flow::NodeId set)
         : workspace_(callee.workspace())
         , control_(callee.control())
-        , group_(group) {
+        , callee_(callee)
+        , group_(group)
+        , left_(callee.data().modal(exit, group)) {
         for (const Idle& idle : control_.idle)
-            if (idle.value == group) idle_.push_back(idle.under);
-        return_to_callers(callee);
+            if (idle.value == group) idle_.push_back(idle);
+        return_to_callers(callee, idle_at(exit, set));
     }
 
     LeakUse run() {
-        while (!(stack_.empty() && waiting_.empty()) && !result_.matters) {
+        while (!(stack_.empty() && waiting_.empty()) && !is_settled()) {
             if (!waiting_.empty() && stack_.size() == waiting_.back().earlier) {
                 ask_caller();
                 continue;
             }
             const Point point = stack_.back();
             stack_.pop_back();
-            if (visited_.size() > most_visits) return {true, nullptr, {}};
+            if (visited_.size() > most_visits) {
+                result_.matters = true;
+                break;
+            }
             visit(point);
         }
         return result_;
@@ -59,22 +68,70 @@ class Search {
   private:
     [[nodiscard]] const ProgramAnalysis& at(ProgramIndex index) const { return workspace_.programs()[index]; }
 
+    [[nodiscard]] bool is_motion() const { return control_.groups[group_].role == ModalRole::motion; }
+    [[nodiscard]] bool is_value() const {
+        return control_.groups[group_].restore_policy == RestorePolicy::value;
+    }
+
+    /// Of values and the motion mode the caller is looked for that loses its own.
+    [[nodiscard]] bool is_settled() const {
+        const bool asks_for_own = is_value() || is_motion();
+        return result_.matters && (!asks_for_own || result_.own_is_lost || result_.gives_feed);
+    }
+
     void push(const Point& point) {
         // Two calls that lead to one node are two questions: the path from each may be open or closed.
-        const Visit key{point.program, point.node,     point.first, point.call,
-                        point.idle,    point.channels, point.inside};
+        const Visit key{point.program, point.node,     point.first,  point.call,
+                        point.idle,    point.channels, point.inside, point.own};
         if (visited_.insert(key).second) stack_.push_back(point);
     }
 
-    /// Every path back to the callers of a program is the same: they are asked once.
-    void return_to_callers(const ProgramAnalysis& program) {
-        if (!returned_.insert(program.index()).second) return;
+    /// Of paths back to the callers of a program those with the same codes in force are the same: the callers
+    /// are asked once.
+    void return_to_callers(const ProgramAnalysis& program, std::uint32_t idle) {
+        if (!returned_.emplace(program.index(), idle).second) return;
+        // A program that keeps its callers' state answers for this value, too.
+        if (is_value() && &program != &callee_ && keeps_callers_state(program)) return;
         std::vector<Caller> callers =
             program.callers().empty() ? program.possible_callers() : program.callers();
         if (callers.empty())
-            result_.matters |= !program.is_main();
+            result_.matters |= !program.is_main() && !is_given_again(idle);
         else
-            waiting_.push_back({std::move(callers), idle_after(program, 0), stack_.size()});
+            waiting_.push_back({std::move(callers), idle, stack_.size()});
+    }
+
+    /// Whether it is a custom to give the value again when one of the codes in force ends.
+    [[nodiscard]] bool is_given_again(std::uint32_t idle) const {
+        for (std::size_t i = 0; i < idle_.size(); ++i)
+            if ((idle >> i & 1U) != 0 && idle_[i].given_again) return true;
+        return false;
+    }
+
+    /// Which of the codes are in force there on the paths over `set`.
+    [[nodiscard]] std::uint32_t idle_at(const dataflow::ExitState& exit, flow::NodeId set) const {
+        std::uint32_t idle = 0;
+        for (std::size_t i = 0; i < idle_.size(); ++i) {
+            const dataflow::ModalValue value = callee_.data().modal(exit, idle_[i].under.group);
+            const bool sure = !value.unknown && !value.parts.empty() &&
+                              std::ranges::all_of(value.parts, [&](const dataflow::ModalPart& part) {
+                                  return code_of(callee_, part) == idle_[i].under.code;
+                              });
+            if (sure || stays_at(callee_, set, idle_[i].under)) idle |= 1U << i;
+        }
+        return idle;
+    }
+
+    /// Whether the program set the group itself before the call; the motion mode to other codes than are
+    /// left.
+    [[nodiscard]] bool has_own(const ProgramAnalysis& program, flow::NodeId call) const {
+        if (!is_value() && !is_motion()) return false;
+        const auto settings = last_settings_before(program, call, group_);
+        if (settings.empty() || !is_motion()) return !settings.empty();
+        return std::ranges::all_of(settings, [&](const std::optional<double>& setting) {
+            return setting && std::ranges::none_of(left_.parts, [&](const dataflow::ModalPart& part) {
+                       return code_of(callee_, part).value_or(*setting) == *setting;
+                   });
+        });
     }
 
     /// Goes on after the call of the next caller.
@@ -89,7 +146,8 @@ class Search {
             result_.matters = true; // in a part that nothing executes
         else
             push({caller.program, *node, caller.effect + 1, *node, idle,
-                  at(caller.program).graph().channels_at(*node).running, false});
+                  at(caller.program).graph().channels_at(*node).running, false,
+                  has_own(at(caller.program), *node)});
     }
 
     void visit(Point point) {
@@ -104,12 +162,12 @@ class Search {
         for (const flow::EdgeId id : program.graph().out[point.node])
             if (program.data().passable(id))
                 push({point.program, program.graph().edges[id].to, 0, point.call, point.idle, point.channels,
-                      point.inside});
+                      point.inside, point.own});
         if (point.inside) return;
         for (const flow::Exit& exit : program.graph().exits)
             if (exit.node == point.node &&
                 (exit.kind == flow::ExitKind::returns || exit.kind == flow::ExitKind::runs_off))
-                return_to_callers(program);
+                return_to_callers(program, point.idle);
     }
 
     /// Whether the group is as it was after the run, and nobody has moved under it.
@@ -158,15 +216,20 @@ class Search {
 
     void note_code(GroupId group, std::optional<double> code, Point& point) const {
         for (std::size_t i = 0; i < idle_.size(); ++i)
-            if (idle_[i].group == group)
-                point.idle = code == idle_[i].code ? point.idle | 1U << i : point.idle & ~(1U << i);
+            if (idle_[i].under.group == group)
+                point.idle = code == idle_[i].under.code ? point.idle | 1U << i : point.idle & ~(1U << i);
     }
 
     /// A move for which the value is idle, or to which no path leads from the call, does not count.
     bool passes_move(const ProgramAnalysis& program, Span block, const Point& point, bool without_feed) {
-        if (!idle_.empty() && (point.idle != 0 || without_feed)) return true;
+        if ((!idle_.empty() || is_motion()) && (point.idle != 0 || without_feed)) return true;
+        const ModalMove move = is_motion() ? modal_move_in(program, block) : ModalMove{true, false};
+        if (!move.relies) return true;
         if (!point.inside && !can_follow(program, point.call, point.node)) return true;
-        result_ = {true, &program, block};
+        result_.matters = true;
+        const bool own_is_lost = point.own && !point.inside;
+        if (result_.program == nullptr || own_is_lost || move.gives_feed)
+            result_ = {true, &program, block, own_is_lost, move.gives_feed};
         return false;
     }
 
@@ -176,7 +239,7 @@ class Search {
         const CallSite* site = program.call_at(id);
         if (site == nullptr || !site->target || site->in_cycle) return false;
         const ProgramAnalysis& callee = at(*site->target);
-        push({callee.index(), 0, 0, 0, point.idle, 0, true});
+        push({callee.index(), 0, 0, 0, point.idle, 0, true, point.own});
         point.idle = idle_after(callee, point.idle);
         return std::ranges::find(callee.summary().groups, group_, &dataflow::GroupChange::group) ==
                callee.summary().groups.end();
@@ -187,10 +250,12 @@ class Search {
         std::uint32_t idle = before;
         for (std::size_t i = 0; i < idle_.size(); ++i)
             for (const dataflow::GroupChange& change : program.summary().groups) {
-                if (change.group != idle_[i].group) continue;
+                if (change.group != idle_[i].under.group) continue;
+                const bool kept = !change.may_keep || (before >> i & 1U) != 0;
                 const bool sure =
-                    !change.may_keep && !change.other &&
-                    std::ranges::all_of(change.codes, [&](double code) { return code == idle_[i].code; });
+                    kept && !change.other && std::ranges::all_of(change.codes, [&](double code) {
+                        return code == idle_[i].under.code;
+                    });
                 idle = sure ? idle | 1U << i : idle & ~(1U << i);
             }
         return idle;
@@ -198,8 +263,10 @@ class Search {
 
     const Workspace& workspace_;
     const ControlModel& control_;
+    const ProgramAnalysis& callee_;
     GroupId group_;
-    std::vector<GroupCode> idle_; ///< codes under which no move asks for the value
+    dataflow::ModalValue left_; ///< in the group
+    std::vector<Idle> idle_;    ///< codes under which no move asks for the value
     std::vector<Point> stack_;
     /// Callers to which a program returns, each looked at when the one before leaves nothing to look at.
     struct Returning {
@@ -208,15 +275,18 @@ class Search {
         std::size_t earlier; ///< so many points were there before, and come later
     };
     std::vector<Returning> waiting_;
-    std::set<ProgramIndex> returned_;
+    std::set<std::pair<ProgramIndex, std::uint32_t>> returned_;
     using Visit =
-        std::tuple<ProgramIndex, flow::NodeId, EffectId, flow::NodeId, std::uint32_t, Channels, bool>;
+        std::tuple<ProgramIndex, flow::NodeId, EffectId, flow::NodeId, std::uint32_t, Channels, bool, bool>;
     std::set<Visit> visited_;
-    LeakUse result_{false, nullptr, {}};
+    LeakUse result_;
 };
 
 } // namespace
 
-LeakUse leak_use_of(const ProgramAnalysis& callee, GroupId group) { return Search(callee, group).run(); }
+LeakUse leak_use_of(const ProgramAnalysis& callee, GroupId group, const dataflow::ExitState& exit,
+                    flow::NodeId set) {
+    return Search(callee, group, exit, set).run();
+}
 
 } // namespace maclint::queries

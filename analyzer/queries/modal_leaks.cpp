@@ -1,38 +1,122 @@
 //! Reads the states in which a program is left.
 #include "analyzer/queries/modal_leaks.hpp"
 
+#include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/origins.hpp"
+#include "analyzer/queries/own_settings.hpp"
+#include "analyzer/queries/saved_state.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <variant>
 
 namespace maclint::queries {
 namespace {
 
-std::optional<ModalLeak> leak_of(const ProgramAnalysis& analysis, GroupId group, const IsFault& is_fault) {
-    std::optional<ModalLeak> last;
-    bool elsewhere_right = false;
-    for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>()) {
-        if (exit.exit.kind == flow::ExitKind::alarm) continue;
-        const dataflow::ModalValue value = analysis.data().modal(exit, group);
-        if (value.unknown) return std::nullopt;
+/// A word whose block gives it another meaning: `M19 S90.` need not set a speed.
+bool may_mean_something_else(const ProgramAnalysis& analysis, GroupId group, dataflow::OriginId set) {
+    return std::ranges::any_of(analysis.control().idle, [&](const Idle& idle) {
+        return idle.value == group && idle.other_meaning && stands_beside(analysis, set, idle.under);
+    });
+}
+
+/// Whether a word may set the group: it names it, or only its letter, and the value decides.
+bool may_set(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write, GroupId group) {
+    if (write.group) return *write.group == group;
+    const auto* set = std::get_if<SetModal>(&analysis.program().effects[write.effect].what);
+    return set == nullptr || set->letter == analysis.control().groups[group].letter;
+}
+
+/// The nodes after which the group may be something else, sorted: words that set it, or may, and calls.
+std::vector<flow::NodeId> changes_of(const ProgramAnalysis& analysis, GroupId group) {
+    std::vector<flow::NodeId> nodes;
+    for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>())
+        if (may_set(analysis, write, group)) nodes.push_back(write.node);
+    for (const dataflow::CallMade& call : analysis.facts().all<dataflow::CallMade>()) {
+        const CallSite* site = analysis.call_at(call.effect);
+        const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(analysis, *site);
+        if (!call.known || callee == nullptr ||
+            std::ranges::find(callee->summary().groups, group, &dataflow::GroupChange::group) !=
+                callee->summary().groups.end())
+            nodes.push_back(call.node);
+    }
+    std::ranges::sort(nodes);
+    return nodes;
+}
+
+/// Looks at the exits for what of one group is left.
+class LeftState {
+  public:
+    LeftState(const ProgramAnalysis& analysis, GroupId group, const IsFault& is_fault)
+        : analysis_(analysis)
+        , group_(group)
+        , is_fault_(is_fault)
+        , is_value_(analysis.control().groups[group].restore_policy == RestorePolicy::value)
+        , answers_for_calls_(is_value_ && keeps_callers_state(analysis)) {}
+
+    std::optional<ModalLeak> run() {
+        for (const dataflow::ExitState& exit : analysis_.facts().all<dataflow::ExitState>())
+            if (exit.exit.kind != flow::ExitKind::alarm) look_at(exit);
+        if (!last_) return std::nullopt;
+        last_->on_every_path = !elsewhere_right_;
+        if (last_->exit->exit.kind == flow::ExitKind::returns)
+            last_->leak_use =
+                leak_use_of(analysis_, group_, *last_->exit, node_of_origin(analysis_, last_->part.origin));
+        return last_->leak_use.matters ? last_ : std::nullopt;
+    }
+
+  private:
+    void look_at(const dataflow::ExitState& exit) {
+        const dataflow::ModalValue value = analysis_.data().modal(exit, group_);
+        elsewhere_right_ |= value.unknown;
         for (const dataflow::ModalPart& part : value.parts) {
-            // A path on which nothing sets the group, as when a word is ignored, puts nothing back, nor does
-            // a called program.
-            if (part.origin == 0 || is_made_by_call(analysis, part.origin)) continue;
-            const bool fault = is_fault(analysis.control().groups[group], group, exit, part);
-            elsewhere_right |= !fault;
-            if (fault && (!last || span_of_origin(analysis, last->part.origin).begin <
-                                       span_of_origin(analysis, part.origin).begin))
-                last = ModalLeak{group, part, &exit, true, {true, nullptr, {}}};
+            // A path on which nothing sets the group, as when a word is ignored, puts nothing back. What a
+            // called program left is that program's, unless this one keeps what its callers had.
+            if (part.origin == 0 || (is_made_by_call(analysis_, part.origin) && !answers_for_calls_) ||
+                may_mean_something_else(analysis_, group_, part.origin))
+                continue;
+            const bool fault = is_fault_(analysis_.control().groups[group_], group_, exit, part);
+            elsewhere_right_ |= !fault;
+            if (fault && lasts(part, exit, value.unknown) && comes_later(part))
+                last_ = ModalLeak{group_, part, &exit, true, {.matters = true}};
         }
     }
-    if (!last) return std::nullopt;
-    last->on_every_path = !elsewhere_right;
-    if (last->exit->exit.kind == flow::ExitKind::returns) last->leak_use = leak_use_of(analysis, group);
-    return last->leak_use.matters ? last : std::nullopt;
-}
+
+    /// Words of the program itself come before calls, then the last in the text.
+    [[nodiscard]] bool comes_later(const dataflow::ModalPart& part) const {
+        if (!last_) return true;
+        const auto place = [&](const dataflow::ModalPart& of) {
+            return std::pair(!is_made_by_call(analysis_, of.origin),
+                             span_of_origin(analysis_, of.origin).begin);
+        };
+        return place(last_->part) < place(part);
+    }
+
+    /// Where something unknown may have changed the group: whether a path leads around that. Of a feed or
+    /// speed that is asked only where the program keeps its callers' state.
+    [[nodiscard]] bool lasts(const dataflow::ModalPart& part, const dataflow::ExitState& exit,
+                             bool may_be_changed) {
+        if (!changes_) changes_ = changes_of(analysis_, group_);
+        if (!may_be_changed) return true;
+        if (analysis_.program().has_several_channels() || (is_value_ && !answers_for_calls_)) return false;
+        const flow::NodeId set = node_of_origin(analysis_, part.origin);
+        const bool changed_at_exit =
+            set != exit.exit.node && std::ranges::binary_search(*changes_, exit.exit.node);
+        return !changed_at_exit && can_follow(analysis_, set, exit.exit.node, *changes_);
+    }
+
+    const ProgramAnalysis& analysis_;
+    GroupId group_;
+    const IsFault& is_fault_;
+    bool is_value_, answers_for_calls_;
+    std::optional<std::vector<flow::NodeId>> changes_;
+    std::optional<ModalLeak> last_;
+    bool elsewhere_right_ = false;
+};
 
 /// A jump of which it is unknown whether it is taken: to blocks that run as a subprogram of this program. A
 /// return then need not leave it.
@@ -52,7 +136,7 @@ std::vector<ModalLeak> find_modal_leaks(const ProgramAnalysis& analysis, Restore
     const auto& groups = analysis.control().groups;
     for (std::size_t group = 0; group < groups.size(); ++group) {
         if (groups[group].restore_policy != restore_policy) continue;
-        if (const auto leak = leak_of(analysis, static_cast<GroupId>(group), is_fault))
+        if (const auto leak = LeftState(analysis, static_cast<GroupId>(group), is_fault).run())
             leaks.push_back(*leak);
     }
     if (!leaks.empty() && may_return_within(analysis.program())) leaks.clear();

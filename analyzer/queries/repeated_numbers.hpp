@@ -10,15 +10,25 @@
 
 namespace maclint::queries {
 
+/// What becomes of a number that stands more than once.
+enum class Doubling : std::uint8_t {
+    harmless, ///< each jump takes the next block that bears it, as when blocks were copied with their jumps
+    passed_over, ///< a jump back takes the first of the program, not the one that stands before it
+    unreached,   ///< the jumps take another block, and nothing leads to this one
+    referenced,  ///< words of other sections name it, which find the one or the other
+};
+
 struct RepeatedNumber {
     std::int64_t number;
     std::vector<Span> blocks;  ///< the places of the number, at least two, in text order
-    EffectId user;             ///< the first effect that leads to one of them
+    EffectId user;             ///< the effect that leads to the wrong one, else the first that leads to one
     std::optional<Span> taken; ///< the place that a jump with a plain number finds; nothing for other users
+    Doubling doubling;
+    std::optional<Span> missed; ///< the place passed over or unreached
 };
 
 /// Numbers that words of the program name in other sections, then those that it jumps to. Numbers that
-/// nothing names are left out.
+/// nothing names are left out, and those of which each block has a computed jump of its own.
 [[nodiscard]] std::vector<RepeatedNumber> find_repeated_numbers(const ProgramAnalysis& analysis);
 
 } // namespace maclint::queries

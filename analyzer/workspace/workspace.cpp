@@ -8,6 +8,7 @@
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/resolve.hpp"
+#include "analyzer/workspace/written_as_macro.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -276,7 +277,7 @@ class WorkspaceBuilder {
         for_each_effect(analysis.program(), [&](EffectId id) {
             returns |= std::holds_alternative<Return>(analysis.program().effects[id].what);
         });
-        return !returns;
+        return !returns && !is_written_as_macro(analysis.program());
     }
 
     dataflow::EntryKnowledge entry_of(const ProgramAnalysis& analysis, bool main) const {

@@ -29,7 +29,7 @@ extern const Rule radius_comp_not_cancelled{
     .severity = Severity::error,
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::BeforeToolChange, dataflow::BeforeWatchedWord, dataflow::ModalWrite,
-                             dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
+                             dataflow::CallMade, dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"tool", "'{0}' is still active at '{2}' in line {3}. Cancel it with {1} before."},
                  {"every-path", "'{0}' is still active when the program ends. Cancel it with {1} first."},

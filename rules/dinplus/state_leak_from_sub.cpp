@@ -22,7 +22,8 @@ extern const Rule state_leak_from_sub{
            "contour, in another plane or to another place.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::ModalWrite, dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
+    .facts = dataflow::facts<dataflow::ModalWrite, dataflow::CallMade, dataflow::ExitState, dataflow::Store,
+                             dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path", "'{0}' is still active when the subprogram returns, and the caller goes on "
                                 "with it. Cancel it with {1} before RETURN."},

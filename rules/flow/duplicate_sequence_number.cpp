@@ -4,14 +4,16 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace maclint::rules {
-
 namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter);
 }
@@ -21,25 +23,24 @@ extern const Rule duplicate_sequence_number{
     .name = "duplicate-sequence-number",
     .aliases = "DIN005",
     .summary = "Two blocks have one sequence number, and something jumps to it",
-    .why = "Which of the two the control finds depends on where its search starts: the same jump"
-           " goes to different places from different blocks.",
+    .why = "The same jump goes to different places from different blocks, and nobody sees which.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
     .needs = {Capability::sequence_numbers},
-    .messages = {{"after",
-                  "N{0} stands {2}, and '{1}' takes the one in line {3}, the next after it. Give each block "
-                  "a number of its own."},
-                 {"from-the-top",
-                  "N{0} stands {2}, and '{1}' takes the one in line {3}, the first of the program, as "
-                  "none is after it. Give each block a number of its own."},
-                 {"plain",
-                  "N{0} stands {2}, and '{1}' leads to it: which block is taken depends on where the search "
-                  "starts. Give each block a number of its own."}},
+    .messages = {{"passed-over",
+                  "Wrong block: {0} takes N{1} of line {2}, the first of the program, not that of "
+                  "line {3}. {4}."},
+                 {"unreached", "Wrong block: {0} takes N{1} of line {2}, and nothing leads to N{1} of line "
+                               "{3}. {4}."},
+                 {"after", "Sequence number N{1} is used more than once: {0} goes to line {2}, the first one "
+                           "after it. {4}."},
+                 {"plain", "Sequence number N{1} is used more than once, and {0} leads to one of the blocks. "
+                           "{4}."}},
     .bad = {{"fanuc", R"nc(
 O9462(TWO)
-IF[#100EQ1]GOTO20
 N20 G0 X1.
 N20 G0 X2.
+IF[#1000EQ1]GOTO20
 M30
 )nc"},
             {"dinplus", R"nc(
@@ -54,9 +55,9 @@ END
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9462(TWO)
-IF[#100EQ1]GOTO20
-N20 G0 X1.
-N30 G0 X2.
+N10 G0 X1.
+N20 G0 X2.
+IF[#1000EQ1]GOTO20
 M30
 )nc"},
              {"dinplus", R"nc(
@@ -75,25 +76,54 @@ END
 
 namespace {
 
-/// One finding for all blocks of a number, at the second of them.
+using queries::Doubling;
+using queries::RepeatedNumber;
+
+std::string_view message_for(const RepeatedNumber& repeated) {
+    constexpr std::array<std::string_view, 4> messages = {"after", "passed-over", "unreached", "plain"};
+    return repeated.taken ? messages[static_cast<std::size_t>(repeated.doubling)] : "plain";
+}
+
+void add_places(const ProgramAnalysis& analysis, const RepeatedNumber& repeated, Finding& finding) {
+    for (const Span& block : repeated.blocks)
+        if (block != finding.span)
+            finding.related.push_back(
+                {analysis.source(), block, "N" + std::to_string(repeated.number) + " stands here"});
+    finding.related.push_back(related_at_effect(analysis, repeated.user, "this leads to it"));
+}
+
+/// Of numbers to which the same happens, the first one is spoken of.
+void report(const ProgramAnalysis& analysis, const std::vector<RepeatedNumber>& alike, Reporter& reporter) {
+    const RepeatedNumber& first = alike.front();
+    const auto line = [&](std::optional<Span> span) {
+        return line_number(analysis.file(), span.value_or(Span{}).begin);
+    };
+    std::string cure = "Give each block a number of its own";
+    for (std::size_t i = 1; i < alike.size(); ++i)
+        cure += (i == 1 ? " (also N" : ", N") + std::to_string(alike[i].number);
+    if (alike.size() > 1) cure += ")";
+    const Span jump = analysis.program().effects[first.user].span;
+    const Span block = first.missed.value_or(first.blocks[1]);
+    const Span place = first.doubling == Doubling::passed_over ? jump : block;
+    Finding& finding =
+        reporter.report({analysis, place}, place, message_for(first),
+                        {"'" + quoted(analysis.program(), jump) + "' in line " + line(jump),
+                         std::to_string(first.number), line(first.taken), line(first.missed), cure});
+    if (first.doubling == Doubling::harmless) finding.severity = Severity::note;
+    for (const RepeatedNumber& repeated : alike) add_places(analysis, repeated, finding);
+}
+
+/// One finding a program for all numbers that lead astray, else one for all that do not.
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const queries::RepeatedNumber& repeated : queries::find_repeated_numbers(analysis)) {
-        const auto& blocks = repeated.blocks;
-        const Span span = analysis.program().effects[repeated.user].span;
-        std::vector<std::string> words{std::to_string(repeated.number), quoted(analysis.program(), span),
-                                       blocks.size() == 2 ? "twice"
-                                                          : std::to_string(blocks.size()) + " times"};
-        std::string_view message = "plain";
-        if (repeated.taken) {
-            words.push_back(line_number(analysis.file(), repeated.taken->begin));
-            message = repeated.taken->begin > span.begin ? "after" : "from-the-top";
-        }
-        Finding& finding = reporter.report({analysis, blocks[1]}, blocks[1], message, std::move(words));
-        for (std::size_t i = 0; i < blocks.size(); ++i)
-            if (i != 1)
-                finding.related.push_back({analysis.source(), blocks[i], "the same number stands here"});
-        finding.related.push_back(related_at_effect(analysis, repeated.user, "this leads to it"));
+    std::vector<RepeatedNumber> astray, harmless;
+    for (RepeatedNumber& repeated : queries::find_repeated_numbers(analysis)) {
+        if (repeated.doubling == Doubling::referenced) report(analysis, {repeated}, reporter);
+        if (repeated.doubling == Doubling::harmless) harmless.push_back(repeated);
+        if (repeated.missed) astray.push_back(std::move(repeated));
     }
+    if (!astray.empty()) harmless = std::move(astray);
+    std::ranges::stable_sort(harmless, {}, &RepeatedNumber::doubling);
+    if (!harmless.empty()) report(analysis, harmless, reporter);
 }
 
 } // namespace

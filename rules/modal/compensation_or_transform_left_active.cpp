@@ -1,7 +1,9 @@
 //! MAC502: what acts on every later move is still switched on when the program is left.
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/queries/modal_parts.hpp"
+#include "analyzer/queries/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
@@ -25,14 +27,14 @@ extern const Rule compensation_or_transform_left_active{
            "program when reset does not cancel it, cuts somewhere else than it was told to.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
+                             dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path",
-                  "'{0}' is still active when the program is left: every later move is subject to "
-                  "it. Cancel it with {1} first."},
+                  "{0} is still active when the program is left: every later move is subject to it. {1}."},
                  {"some-paths",
-                  "'{0}' is still active on some of the paths on which the program is left: every "
-                  "later move is subject to it. Cancel it with {1} on those, too."}},
+                  "{0} is still active on some of the paths on which the program is left: every later move "
+                  "is subject to it. {1}."}},
     .bad = {{"fanuc", R"nc(
 O9502(SLOT AT AN ANGLE)
 G68 X0 Y0 R30.
@@ -61,10 +63,22 @@ bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const da
     return queries::is_switched_on(analysis, group, part);
 }
 
-std::string cure(const ControlModel& control, const queries::ModalLeak& leak) {
-    const ModalGroup& group = control.groups[leak.group];
+std::string words_to_cancel(const ControlModel& control, GroupId id) {
+    const ModalGroup& group = control.groups[id];
     if (!group.cancel_words.empty() || !group.cancel) return std::string(group.cancel_words);
-    return control.spell(leak.group, *group.cancel);
+    return control.spell(id, *group.cancel);
+}
+
+/// Compensation ends in a move, the last one; anything else in a block of its own.
+std::string cure(const ProgramAnalysis& analysis, const queries::ModalLeak& leak) {
+    const std::string words = words_to_cancel(analysis.control(), leak.group);
+    const std::string before = "Write " + words + " before " + exit_text(analysis, leak);
+    if (analysis.control().groups[leak.group].role != ModalRole::cutter_compensation) return before;
+    const Span set = queries::span_of_origin(analysis, leak.part.origin);
+    const auto retreat = queries::last_move_before(analysis, leak.exit->exit);
+    if (!retreat || retreat->begin <= set.begin) return before;
+    return "Write " + words + " into a straight retreat (the last move is in line " +
+           line_number(analysis.file(), retreat->begin) + ")";
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
@@ -77,7 +91,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         for (const queries::ModalLeak& leak : leaks) {
             const std::string code =
                 analysis.control().spell(leak.group, *queries::own_code(analysis, leak.part));
-            report_leak(analysis, reporter, leak, {code, cure(analysis.control(), leak)});
+            report_leak(analysis, reporter, leak, {code, cure(analysis, leak)});
         }
     }
 }

@@ -1,13 +1,20 @@
 //! MAC503: a macro leaves another feed or speed than it found.
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/queries/modal_parts.hpp"
+#include "analyzer/queries/origins.hpp"
+#include "analyzer/queries/saved_state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -19,19 +26,31 @@ extern const Rule feed_or_speed_not_restored{
     .code = "MAC503",
     .name = "feed-or-speed-not-restored",
     .summary = "A macro changes F or S and does not put the caller's value back",
-    .why = "The caller's next block without F or S moves or turns at the macro's value: a plunge "
-           "feed for a finishing cut, or a rapid one into the material.",
+    .why =
+        "The caller's next block without F or S cuts or turns at the macro's value, a plunge feed or less.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
+    .yields_to = "MAC501",
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Read,
+                             dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"every-path",
-                  "'{0}' is still in force when the macro returns: the caller's {1} is lost. Save "
-                  "{2} at the start and put it back before M99."},
-                 {"some-paths",
-                  "'{0}' is still in force on some of the paths on which the macro returns: the "
-                  "caller's {1} is lost there. Put it back on those, too."}},
+    .messages = {{"caller", "{0} is left to the caller, whose own is lost: {2} moves with it. {1}."},
+                 {"not-saved", "{0} is left to the caller: the program saves {2}, but not this. {1}."},
+                 {"not-put-back", "{0} is left to the caller. {1}."},
+                 {"left", "{0} left to the caller. Who calls this macro has to state the value again."}},
     .bad = {{"fanuc", R"nc(
+O9503(PLUNGE, Z DEPTH F FEED)
+#1=#4003
+G91 G1 Z#26 F#9
+G#1
+M99
+)nc"},
+            {"fanuc", R"nc(
+O0001(ROUGH)
+G1 X50. F800.
+G65 P9503 Z-2. F50.
+X100.
+M30
 O9503(PLUNGE, Z DEPTH F FEED)
 G1 Z#26 F#9
 M99
@@ -54,24 +73,56 @@ namespace {
 bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
               const dataflow::ModalPart& part) {
     if (exit.exit.kind != flow::ExitKind::returns) return false;
+    if (queries::is_made_by_call(analysis, part.origin)) return true;
     const queries::NumberSource source = queries::source_of(analysis, part);
     if (source == queries::NumberSource::at_start) return group.letter == 'F';
     return source != queries::NumberSource::other;
 }
 
+/// Whether the leak is a warning of its own: a caller loses what it had set, or the macro keeps other state.
+bool report_alone(const ProgramAnalysis& analysis, const queries::ModalLeak& leak, Reporter& reporter) {
+    const auto saves = queries::saves_of(analysis);
+    const bool saves_this = std::ranges::find(saves, queries::find_save(analysis, leak.group)) != saves.end();
+    std::string_view message;
+    std::vector<std::string> words{subject_of(analysis, leak), cure_by_saving(analysis, leak)};
+    if (leak.leak_use.own_is_lost) {
+        const ProgramAnalysis& caller = *leak.leak_use.program;
+        message = "caller";
+        words.push_back(caller.program().name + " line " +
+                        line_number(caller.file(), leak.leak_use.block.begin));
+    } else if (saves_this) {
+        message = "not-put-back";
+    } else if (!saves.empty()) {
+        message = "not-saved";
+        words.push_back(listed(variables_saved(analysis, saves)));
+    } else {
+        return false;
+    }
+    const Cause missing(analysis, queries::span_of_exit(analysis, leak.exit->exit));
+    report_leak(analysis, reporter, leak, missing, message, std::move(words));
+    return true;
+}
+
+/// One note for all that nobody is seen to rely on.
+void report_rest(const ProgramAnalysis& analysis, const std::vector<queries::ModalLeak>& leaks,
+                 Reporter& reporter) {
+    if (leaks.empty()) return;
+    std::vector<std::string> words;
+    for (const queries::ModalLeak& leak : leaks)
+        words.push_back("'" + word_of(analysis, leak.group, leak.part) + "'");
+    const std::string what = listed(words) + (words.size() == 1 ? " is" : " are");
+    report_leak(analysis, reporter, leaks.front(), block_cause(analysis, leaks.front().part), "left", {what})
+        .severity = Severity::note;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.is_macro()) return;
-    const auto leaks =
-        queries::find_modal_leaks(analysis, RestorePolicy::value,
-                                  [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-                                      return is_fault(analysis, group, exit, part);
-                                  });
-    for (const queries::ModalLeak& leak : leaks) {
-        const ModalGroup& group = analysis.control().groups[leak.group];
-        report_leak(analysis, reporter, leak,
-                    {word_of(analysis, leak.group, leak.part), std::string(group.name),
-                     analysis.control().variable_of(leak.group).value_or("it")});
-    }
+    const auto is_mine = [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
+        return is_fault(analysis, group, exit, part);
+    };
+    auto leaks = queries::find_modal_leaks(analysis, RestorePolicy::value, is_mine);
+    std::erase_if(leaks, [&](const auto& leak) { return report_alone(analysis, leak, reporter); });
+    report_rest(analysis, leaks, reporter);
 }
 
 } // namespace

@@ -4,9 +4,12 @@
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/queries/origins.hpp"
+#include "analyzer/queries/saved_state.hpp"
 #include "rules/path.hpp"
 #include "rules/trace.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace maclint::rules {
@@ -30,16 +33,80 @@ std::string word_of(const ProgramAnalysis& analysis, GroupId group, const datafl
                : quoted(analysis.program(), queries::span_of_origin(analysis, part.origin));
 }
 
-void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const queries::ModalLeak& leak,
-                 std::vector<std::string> arguments) {
-    report_leak(analysis, reporter, leak, leak.on_every_path ? "every-path" : "some-paths",
-                std::move(arguments));
+std::string capital_name(const ProgramAnalysis& analysis, GroupId group) {
+    std::string name(analysis.control().groups[group].name);
+    const bool small = !name.empty() && name.front() >= 'a' && name.front() <= 'z';
+    if (small) name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    return name;
 }
 
-void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const queries::ModalLeak& leak,
-                 std::string_view message_id, std::vector<std::string> arguments) {
-    Finding& finding = reporter.report(cause_at(analysis, leak.part.origin),
-                                       queries::span_of_origin(analysis, leak.part.origin), message_id,
+std::string subject_of(const ProgramAnalysis& analysis, const queries::ModalLeak& leak) {
+    const bool by_call = queries::is_made_by_call(analysis, leak.part.origin);
+    return capital_name(analysis, leak.group) + (by_call ? " set by '" : " '") +
+           word_of(analysis, leak.group, leak.part) + "'";
+}
+
+std::string exit_text(const ProgramAnalysis& analysis, const queries::ModalLeak& leak) {
+    const Span span = queries::span_of_exit(analysis, leak.exit->exit);
+    const std::string line = "line " + line_number(analysis.file(), span.begin);
+    return leak.exit->exit.kind == flow::ExitKind::returns
+               ? "the " + std::string(analysis.control().return_word) + " of " + line
+               : line;
+}
+
+std::string cure_by_saving(const ProgramAnalysis& analysis, const queries::ModalLeak& leak) {
+    const Program& program = analysis.program();
+    const auto variable = analysis.control().variable_of(leak.group);
+    if (!variable) return "Save it at the start, and put it back before " + exit_text(analysis, leak);
+    const std::string letter(1, analysis.control().groups[leak.group].letter);
+    const std::string before = " before " + exit_text(analysis, leak);
+    if (const dataflow::Store* save = queries::find_save(analysis, leak.group)) {
+        const std::string name = program.spell(save->variable);
+        const Offset place = program.effects[save->effect].span.begin;
+        return name + " holds the caller's since line " + line_number(analysis.file(), place) + ": write " +
+               letter + name + before;
+    }
+    const auto free = queries::find_free_local(program);
+    if (!free) return "Save " + *variable + " at the start, and put it back" + before;
+    const std::string name = program.spell(*free);
+    return "Add " + name + "=" + *variable + " at the start, and " + letter + name + before;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string list;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) list += i + 1 == words.size() ? " and " : ", ";
+        list += words[i];
+    }
+    return list;
+}
+
+std::vector<std::string> variables_saved(const ProgramAnalysis& analysis,
+                                         const std::vector<const dataflow::Store*>& saves) {
+    std::vector<std::string> names;
+    for (const dataflow::Store* save : saves) {
+        const Span span = analysis.program().expressions[save->expression].span;
+        std::string name = quoted(analysis.program(), span);
+        if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+    }
+    return names;
+}
+
+Cause block_cause(const ProgramAnalysis& analysis, const dataflow::ModalPart& part) {
+    return {analysis, queries::is_plain_origin(analysis, part.origin)
+                          ? queries::span_of_origin(analysis, part.origin)
+                          : analysis.graph().nodes[queries::node_of_origin(analysis, part.origin)].part};
+}
+
+Finding& report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const queries::ModalLeak& leak,
+                     std::vector<std::string> arguments) {
+    return report_leak(analysis, reporter, leak, cause_at(analysis, leak.part.origin),
+                       leak.on_every_path ? "every-path" : "some-paths", std::move(arguments));
+}
+
+Finding& report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const queries::ModalLeak& leak,
+                     const Cause& cause, std::string_view message_id, std::vector<std::string> arguments) {
+    Finding& finding = reporter.report(cause, queries::span_of_origin(analysis, leak.part.origin), message_id,
                                        std::move(arguments));
     const flow::NodeId set = queries::node_of_origin(analysis, leak.part.origin);
     const flow::Exit& exit = leak.exit->exit;
@@ -51,6 +118,7 @@ void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const quer
     if (leak.leak_use.program != nullptr)
         finding.related.push_back(
             {leak.leak_use.program->source(), leak.leak_use.block, "a caller moves so here"});
+    return finding;
 }
 
 } // namespace maclint::rules

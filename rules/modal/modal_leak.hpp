@@ -17,11 +17,32 @@ namespace maclint::rules {
 [[nodiscard]] std::string word_of(const ProgramAnalysis& analysis, GroupId group,
                                   const dataflow::ModalPart& part);
 
+/// The name of the group as the first word of a sentence.
+[[nodiscard]] std::string capital_name(const ProgramAnalysis& analysis, GroupId group);
+
+/// What is left, as the first words of a sentence: "Feed 'F100'", "Feed set by 'G65 P9390'".
+[[nodiscard]] std::string subject_of(const ProgramAnalysis& analysis, const queries::ModalLeak& leak);
+
+/// What to write so that the caller's state is put back, as a sentence without its full stop.
+[[nodiscard]] std::string cure_by_saving(const ProgramAnalysis& analysis, const queries::ModalLeak& leak);
+
+/// Where the program is left with it: "the M99 of line 52".
+[[nodiscard]] std::string exit_text(const ProgramAnalysis& analysis, const queries::ModalLeak& leak);
+
+/// "a, b and c".
+[[nodiscard]] std::string listed(const std::vector<std::string>& words);
+/// The variables that the assignments save, as they are written, each once: "#4001".
+[[nodiscard]] std::vector<std::string> variables_saved(const ProgramAnalysis& analysis,
+                                                       const std::vector<const dataflow::Store*>& saves);
+
+/// The block that sets the part: what rules speak of that say that nothing is put back.
+[[nodiscard]] Cause block_cause(const ProgramAnalysis& analysis, const dataflow::ModalPart& part);
+
 /// Reports the leak where it was set, with the path there and the path to the exit.
-void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const queries::ModalLeak& leak,
-                 std::string_view message_id, std::vector<std::string> arguments);
-/// The same with the message "every-path" or "some-paths".
-void report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const queries::ModalLeak& leak,
-                 std::vector<std::string> arguments);
+Finding& report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const queries::ModalLeak& leak,
+                     const Cause& cause, std::string_view message_id, std::vector<std::string> arguments);
+/// The same with the effect as cause, and the message "every-path" or "some-paths".
+Finding& report_leak(const ProgramAnalysis& analysis, Reporter& reporter, const queries::ModalLeak& leak,
+                     std::vector<std::string> arguments);
 
 } // namespace maclint::rules

@@ -25,7 +25,8 @@ extern const Rule modal_state_forced{
     .precision = Precision::medium,
     .on_by_default = false,
     .off_reason = "ending in G90 is a custom that most shops rely on",
-    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
+                             dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"forced", "'{0}' is in force when the program returns, whatever the caller's {1} was. "
                             "Save it at the start and put it back before M99."}},
@@ -63,7 +64,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                                   });
     for (const queries::ModalLeak& leak : leaks) {
         if (!leak.on_every_path || queries::saves_group(analysis, leak.group)) continue;
-        report_leak(analysis, reporter, leak, "forced",
+        report_leak(analysis, reporter, leak, cause_at(analysis, leak.part.origin), "forced",
                     {analysis.control().spell(leak.group, *queries::own_code(analysis, leak.part)),
                      std::string(analysis.control().groups[leak.group].name)});
     }

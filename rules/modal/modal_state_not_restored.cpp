@@ -25,13 +25,11 @@ extern const Rule modal_state_not_restored{
            "plane.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
+                             dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"every-path", "'{0}' is still in force when the program returns: the caller's {1} is lost. "
-                                "Save it at the start and put it back before every M99."},
-                 {"some-paths",
-                  "'{0}' is still in force on some of the paths on which the program returns: the "
-                  "caller's {1} is lost there. Put it back on those, too."}},
+    .messages = {{"every-path", "{0} {1} is left to the caller. {2}."},
+                 {"some-paths", "{0} {1} is left to the caller on some of the paths. {2}."}},
     .bad = {{"fanuc", R"nc(
 O9501(ONE STEP UP)
 G91 G0 Z10.
@@ -68,8 +66,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const queries::ModalLeak& leak : leaks) {
         const std::string code =
             analysis.control().spell(leak.group, *queries::own_code(analysis, leak.part));
-        report_leak(analysis, reporter, leak,
-                    {code, std::string(analysis.control().groups[leak.group].name)});
+        report_leak(analysis, reporter, leak, block_cause(analysis, leak.part),
+                    leak.on_every_path ? "every-path" : "some-paths",
+                    {capital_name(analysis, leak.group), code, cure_by_saving(analysis, leak)});
     }
 }
 

@@ -7,6 +7,7 @@
 #include "rules/rule.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace maclint::rules {
 
@@ -17,30 +18,38 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule motion_mode_not_restored{
     .code = "MAC504",
     .name = "motion-mode-not-restored",
-    .summary = "A called program leaves the motion mode (G00 to G03, G33) other than it found it",
-    .why = "A caller that relies on its own G00 or G01 moves in the macro's mode instead.",
-    .severity = Severity::note,
-    .precision = Precision::medium,
-    .on_by_default = false,
-    .off_reason = "most programs give the motion code again after a call",
-    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
+    .summary = "A called program leaves rapid traverse to a caller whose next block, without a motion code, "
+               "states a feed or goes on from its own G01",
+    .why = "The caller's block moves at rapid traverse instead of its feed: into the material, or a probe "
+           "onto the workpiece without a skip.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
+                             dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"every-path",
-                  "'{0}' is still in force when the program returns: the caller's motion mode is "
-                  "lost. Save it at the start and put it back before M99."},
-                 {"some-paths",
-                  "'{0}' is still in force on some of the paths on which the program returns: the "
-                  "caller's motion mode is lost there. Put it back on those, too."}},
+    .messages = {{"feed",
+                  "{0} is left to the caller, whose block in {1} states a feed and no motion code: it "
+                  "moves at rapid traverse. Write the motion code there."},
+                 {"own", "{0} is left to the caller, whose block in {1} goes on without a motion code: it "
+                         "moves at rapid traverse. Write the motion code there."}},
     .bad = {{"fanuc", R"nc(
+O0001(SLOT)
+G90 G1 X50. F800.
+M98 P9504
+X100. F200.
+M30
 O9504(UP)
 G0 Z10.
 M99
 )nc"}},
     .good = {{"fanuc", R"nc(
+O0001(SLOT)
+G90 G1 X50. F800.
+M98 P9504
+G1 X100. F200.
+M30
 O9504(UP)
-#33=#4001
 G0 Z10.
-G#33
 M99
 )nc"}},
     .sources = {"SEED-001:206"},
@@ -49,15 +58,30 @@ M99
 
 namespace {
 
+/// A code under which no move asks for the feed.
+bool is_rapid(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part) {
+    const auto code = queries::own_code(analysis, part);
+    return code && std::ranges::any_of(analysis.control().idle, [&](const Idle& idle) {
+               return idle.under.group == group && idle.under.code == *code;
+           });
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
     const auto leaks = queries::find_modal_leaks(
-        analysis, RestorePolicy::motion, [&](const ModalGroup&, GroupId, const auto& exit, const auto& part) {
-            return exit.exit.kind == flow::ExitKind::returns && queries::own_code(analysis, part).has_value();
+        analysis, RestorePolicy::motion,
+        [&](const ModalGroup&, GroupId group, const auto& exit, const auto& part) {
+            return exit.exit.kind == flow::ExitKind::returns && is_rapid(analysis, group, part);
         });
-    for (const queries::ModalLeak& leak : leaks)
-        report_leak(analysis, reporter, leak,
-                    {analysis.control().spell(leak.group, *queries::own_code(analysis, leak.part))});
+    for (const queries::ModalLeak& leak : leaks) {
+        const queries::LeakUse& use = leak.leak_use;
+        if (!use.gives_feed && !use.own_is_lost) continue;
+        const std::string line = "line " + line_number(use.program->file(), use.block.begin);
+        report_leak(analysis, reporter, leak, cause_at(analysis, leak.part.origin),
+                    use.gives_feed ? "feed" : "own",
+                    {analysis.control().spell(leak.group, *queries::own_code(analysis, leak.part)),
+                     line + " of " + use.program->program().name});
+    }
 }
 
 } // namespace

@@ -26,9 +26,9 @@ extern const Rule restore_from_wrong_variable{
     .precision = Precision::very_high,
     .facts = dataflow::facts<dataflow::ModalWrite, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"value", "'{0}' puts back '{1}', which is not the {2}. Save {3} instead."},
-                 {"code", "'{0}' puts back '{1}', which is no G code. Save the variable of the group that "
-                          "is meant instead."}},
+    .messages = {{"value", "'{0}' puts back '{1}', which is not the {2}. Write {3} in line {4}."},
+                 {"code", "'{0}' puts back '{1}', which is no G code. In line {2}, save the variable of the "
+                          "group that is meant."}},
     .bad = {{"fanuc", R"nc(
 O9505(PLUNGE, Z DEPTH F FEED)
 #33=#4019
@@ -67,6 +67,12 @@ bool is_wrong(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write
     return analysis.control().groups[*source.group].letter != 'G';
 }
 
+/// The assignment that saves what the word means: "#3=#4109".
+std::string right_save(const ProgramAnalysis& analysis, GroupId group, const dataflow::Store* store) {
+    const std::string variable = analysis.control().variable_of(group).value_or("the right variable");
+    return store == nullptr ? variable : analysis.program().spell(store->variable) + "=" + variable;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
@@ -75,14 +81,15 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Span span = program.effects[write.effect].span;
         const std::string text = quoted(program, span);
         const Span read = program.expressions[source->expression].span;
-        Finding& finding =
-            write.stated
-                ? reporter.report(
-                      {analysis, write.effect}, span, "value",
-                      {text, quoted(program, read), std::string(analysis.control().groups[*write.group].name),
-                       analysis.control().variable_of(*write.group).value_or("the right variable")})
-                : reporter.report({analysis, write.effect}, span, "code", {text, quoted(program, read)});
         const dataflow::Store* store = queries::store_of(analysis, write.value);
+        const std::string line = line_number(analysis.file(), read.begin);
+        Finding& finding = write.stated
+                               ? reporter.report({analysis, write.effect}, span, "value",
+                                                 {text, quoted(program, read),
+                                                  std::string(analysis.control().groups[*write.group].name),
+                                                  right_save(analysis, *write.group, store), line})
+                               : reporter.report({analysis, write.effect}, span, "code",
+                                                 {text, quoted(program, read), line});
         trace(finding, analysis, store != nullptr ? store->node : write.node,
               {analysis.source(), read, "the value comes from here"}, write.node, "and is put back here");
     }

@@ -7,6 +7,9 @@
 #include "rules/rule.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -24,13 +27,15 @@ extern const Rule single_block_suppression_not_restored{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::suppression},
-    .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
+                             dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"every-path", "'{0}' is still in force when the program is left: the {1} stays on. Set it "
-                                "back to 0 before every exit."},
-                 {"some-paths",
-                  "'{0}' is still in force on some of the paths on which the program is left: the "
-                  "{1} stays on. Set it back to 0 on those, too."}},
+    .messages =
+        {{"every-path", "No {1} any more: '{0}' is still in force when the program is left. Set it back "
+                        "to 0 before {2}."},
+         {"some-paths",
+          "No {1} any more: '{0}' is still in force on some of the paths on which the program is left. "
+          "Set it back to 0 before {2}."}},
     .bad = {{"fanuc", R"nc(
 O9515(UP WITHOUT A STOP)
 #3003=1
@@ -50,6 +55,16 @@ M99
 
 namespace {
 
+/// What the code switches off: "feed hold and feed override".
+std::string switched_off(const ProgramAnalysis& analysis, const queries::ModalLeak& leak) {
+    const auto& names = analysis.control().groups[leak.group].switched_off;
+    const auto code = static_cast<unsigned>(*queries::own_code(analysis, leak.part));
+    std::vector<std::string> words;
+    for (std::size_t bit = 0; bit < names.size(); ++bit)
+        if ((code >> bit & 1U) != 0) words.emplace_back(names[bit]);
+    return listed(words);
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto leaks = queries::find_modal_leaks(
         analysis, RestorePolicy::suppression,
@@ -59,8 +74,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         });
     for (const queries::ModalLeak& leak : leaks)
         report_leak(analysis, reporter, leak,
-                    {word_of(analysis, leak.group, leak.part),
-                     std::string(analysis.control().groups[leak.group].name)});
+                    {word_of(analysis, leak.group, leak.part), switched_off(analysis, leak),
+                     exit_text(analysis, leak)});
 }
 
 } // namespace

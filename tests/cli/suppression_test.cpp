@@ -38,6 +38,14 @@ TEST(Suppression, TheTestProgramHasOneFinding) {
     EXPECT_THAT(codes_of(program("", "", "")), ElementsAre("MAC301"));
 }
 
+TEST(OneCause, OfTwoRulesOnlyTheOwnerIsHeard) {
+    const std::string forgotten = "O9001(UP)\n#5=#24\nG91 G1 Z#26 F#9\nM99\n";
+    EXPECT_THAT(codes_of(forgotten), ElementsAre("MAC501"));
+    EXPECT_THAT(under_select(forgotten, "MAC503"), ElementsAre("MAC503"));
+    EXPECT_THAT(codes_of("O9001(UP)\n#5=#24\nG91 G1 Z5. F100\nM99\n"),
+                ElementsAre("MAC501")); // a plain block
+}
+
 TEST(Suppression, AtTheEndOfABlockIsForThatBlock) {
     EXPECT_THAT(codes_of(program("", "(MACLINT ALLOW MAC301 - WANTED)", "")), IsEmpty());
     EXPECT_THAT(codes_of(program("G0 X1. (MACLINT ALLOW MAC301)", "", "")), ElementsAre("MAC001", "MAC301"));

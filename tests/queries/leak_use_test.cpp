@@ -8,18 +8,26 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 namespace maclint {
 namespace {
 
+/// Whether somebody works under what the program leaves in the group at its return.
+bool matters(const ProgramAnalysis& callee, GroupId group) {
+    for (const dataflow::ExitState& exit : callee.facts().all<dataflow::ExitState>())
+        if (exit.exit.kind == flow::ExitKind::returns)
+            return queries::leak_use_of(callee, group, exit, 0).matters;
+    throw std::runtime_error("it does not return");
+}
+
 /// Whether somebody works under the distance mode that O1 leaves.
 bool matters_in(const std::string& callers) {
     const auto workspace = test::analyse_fanuc(callers + "O1\nG91\nM99\n");
     const ProgramAnalysis& callee = workspace->programs().back();
-    for (const dataflow::GroupChange& change : callee.summary().groups)
-        return queries::leak_use_of(callee, change.group).matters;
+    for (const dataflow::GroupChange& change : callee.summary().groups) return matters(callee, change.group);
     throw std::runtime_error("O1 changes nothing");
 }
 
@@ -123,7 +131,7 @@ bool matters_to_call_in(Section::Executed executed) {
     called.block({Return{}});
     const auto workspace =
         test::analyse({{std::move(file), true}, called.finish()}, {.complete = true, .jobs = 1});
-    return queries::leak_use_of(workspace->programs().back(), test::rows::diameter).matters;
+    return matters(workspace->programs().back(), test::rows::diameter);
 }
 
 TEST(LeakUse, NothingIsKnownOfACallThatNoProgramMakes) {
@@ -135,7 +143,7 @@ TEST(LeakUse, NothingIsKnownOfACallThatNoProgramMakes) {
 bool feed_matters(const std::string& blocks) {
     const auto workspace = test::analyse_fanuc("O3\nG0F9\nM98P1\n" + blocks + "M30\nO1\nF100\nM99\n");
     const ProgramAnalysis& callee = workspace->programs().back();
-    return queries::leak_use_of(callee, *callee.control().group_with(ModalRole::feed)).matters;
+    return matters(callee, *callee.control().group_with(ModalRole::feed));
 }
 
 TEST(LeakUse, AFeedMattersToMovesThatHaveOne) {
@@ -152,7 +160,7 @@ TEST(LeakUse, AFeedMattersToMovesThatHaveOne) {
 bool feed_matters_in(const std::string& callers, const std::string& leaving) {
     const auto workspace = test::analyse_fanuc(callers + "O1\n" + leaving + "M99\n");
     const ProgramAnalysis& callee = workspace->programs().back();
-    return queries::leak_use_of(callee, *callee.control().group_with(ModalRole::feed)).matters;
+    return matters(callee, *callee.control().group_with(ModalRole::feed));
 }
 
 TEST(LeakUse, TheMotionModeOfACalledProgramDecidesWhetherAMoveHasAFeed) {
@@ -168,18 +176,47 @@ TEST(LeakUse, TheMotionModeOfACalledProgramDecidesWhetherAMoveHasAFeed) {
 }
 
 TEST(LeakUse, AStateOfOneSlideIsNoneOfTheOther) {
-    const auto matters = [](const std::string& blocks) {
+    const auto matters_in_slides = [](const std::string& blocks) {
         const auto workspace = test::analyse_text(
             "dinplus", "MACHINING\n$1 N1 L\"S\"\n" + blocks + "$1$2 N9 M30\nSUBPROGRAM \"S\"\nG42\nRETURN\n");
         const ProgramAnalysis& callee = workspace->programs().back();
-        return queries::leak_use_of(callee, *callee.control().group_with(ModalRole::cutter_compensation))
-            .matters;
+        return matters(callee, *callee.control().group_with(ModalRole::cutter_compensation));
     };
-    EXPECT_TRUE(matters("$1 N2 G0 X1\n"));
-    EXPECT_TRUE(matters("N2 G0 X1\n"));
-    EXPECT_FALSE(matters("$2 N2 G0 X1\n"));
-    EXPECT_FALSE(matters("$1 N2 G40\nN3 G0 X1\n"));
-    EXPECT_TRUE(matters("$2 N2 G40\nN3 G0 X1\n"));
+    EXPECT_TRUE(matters_in_slides("$1 N2 G0 X1\n"));
+    EXPECT_TRUE(matters_in_slides("N2 G0 X1\n"));
+    EXPECT_FALSE(matters_in_slides("$2 N2 G0 X1\n"));
+    EXPECT_FALSE(matters_in_slides("$1 N2 G40\nN3 G0 X1\n"));
+    EXPECT_TRUE(matters_in_slides("$2 N2 G40\nN3 G0 X1\n"));
+}
+
+/// What callers of O1, which leaves a feed, do with it.
+queries::LeakUse use_of_feed(const std::string& callers, const std::string& leaving = "G1F100X1.\n") {
+    static std::vector<std::unique_ptr<Workspace>> kept;
+    const auto& workspace = *kept.emplace_back(test::analyse_fanuc(callers + "O1\n" + leaving + "M99\n"));
+    const ProgramAnalysis& callee = workspace.programs().back();
+    return queries::leak_use_of(callee, *callee.control().group_with(ModalRole::feed),
+                                callee.facts().all<dataflow::ExitState>().front(), 0);
+}
+
+TEST(LeakUse, ACallerLosesWhatItHasSetItself) {
+    EXPECT_TRUE(use_of_feed("O3\nG1F9X1.\nM98P1\nX2.\nM30\n").own_is_lost);
+    EXPECT_TRUE(use_of_feed("O3\nG1F#500X1.\n#1=1\nM98P1\nX2.\nM30\n").own_is_lost);
+    const queries::LeakUse relied_on = use_of_feed("O3\nM98P1\nX2.\nM30\n");
+    EXPECT_TRUE(relied_on.program != nullptr && !relied_on.own_is_lost);
+    EXPECT_FALSE(use_of_feed("O3\nGOTO5\nF9\nN5M98P1\nX2.\nM30\n").own_is_lost); // F9 is never reached
+}
+
+TEST(LeakUse, ACallerThatLosesItsOwnIsFoundAfterOneThatDoesNot) {
+    const std::string relying = "M98P1\nX2.\nM30\n";
+    EXPECT_TRUE(use_of_feed("O3\n" + relying + "O4\nG1F9\n" + relying).own_is_lost);
+    EXPECT_TRUE(use_of_feed("O3\nG1F9\n" + relying + "O4\n" + relying).own_is_lost);
+    EXPECT_TRUE(use_of_feed("O3\nG1F9\n" + relying + "O2\nM98P1\nM99\n").own_is_lost); // O2: who knows
+}
+
+TEST(LeakUse, WhatAnotherCalledProgramMovesUnderIsNotTheCallers) {
+    const queries::LeakUse use = use_of_feed("O3\nG1F9\nM98P1\nM98P2\nM30\nO2\nX5.\nM99\n");
+    EXPECT_TRUE(use.matters);
+    EXPECT_FALSE(use.own_is_lost);
 }
 
 } // namespace

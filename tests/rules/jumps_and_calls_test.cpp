@@ -116,22 +116,52 @@ TEST(MissingReturn, IsToldWithTheCallOfAnotherFile) {
     EXPECT_EQ(findings[0].related[0].source->path(), "O1.nc");
 }
 
+std::vector<std::string> doublings(const std::string& text) { return test::judged("MAC462", text); }
+
 TEST(SequenceNumber, ThatOnlyAComputedJumpCanFindIsReportedWhenItStandsTwice) {
-    EXPECT_THAT(lines_raised("MAC462", "O1\nGOTO#500\nN10 G0 X1.\nN10 G0 X2.\nM30\n"), ElementsAre(4));
-    EXPECT_THAT(lines_raised("MAC462", "O1\nN10 G0 X1.\nN10 G0 X2.\nM30\n"), IsEmpty());
+    EXPECT_THAT(doublings("O1\nGOTO#500\nN10 G0 X1.\nN10 G0 X2.\nM30\n"), ElementsAre("note 4"));
+    EXPECT_THAT(doublings("O1\nN10 G0 X1.\nN10 G0 X2.\nM30\n"), IsEmpty());
 }
 
-TEST(SequenceNumber, IsSearchedForAfterTheJumpFirstAndThenFromTheTop) {
-    EXPECT_THAT(messages_raised("MAC462", "O1\nN10 G0 X1.\nIF[#1EQ1]GOTO10\nN10 G0 X2.\nM30\n"),
-                ElementsAre(HasSubstr("in line 4, the next after it")));
-    EXPECT_THAT(messages_raised("MAC462", "O1\nN10 G0 X1.\nN10 G0 X2.\nIF[#1EQ1]GOTO10\nM30\n"),
-                ElementsAre(AllOf(HasSubstr("in line 2, the first of the program"), Not(HasSubstr("next")))));
+TEST(SequenceNumber, OfBlocksThatWereCopiedWithTheirComputedJumpIsSilent) {
+    const std::string table = "GOTO#500\nN1#1=1\nGOTO9\nN2#1=2\n";
+    EXPECT_THAT(doublings("O1\nIF[#501EQ1]GOTO5\n" + table + "GOTO9\nN5\n" + table + "N9M30\n"), IsEmpty());
 }
 
-TEST(SequenceNumber, ThatStandsThreeTimesIsOneFinding) {
-    const std::string text = "O1\nIF[#1EQ1]GOTO10\nN10 G0 X1.\nN10 G0 X2.\nN10 G0 X3.\nM30\n";
-    EXPECT_THAT(lines_raised("MAC462", text), ElementsAre(4));
-    EXPECT_THAT(messages_raised("MAC462", text), ElementsAre(HasSubstr("N10 stands 3 times")));
+TEST(SequenceNumber, IsHarmlessWhereEachJumpTakesTheNextBlock) {
+    const std::string part = "IF[#1GT0]GOTO5\n#3=-1\nN5 G0 X#3\n";
+    EXPECT_THAT(doublings("O1\n" + part + part + "M30\n"), ElementsAre("note 7"));
+    EXPECT_THAT(messages_raised("MAC462", "O1\n" + part + part + "M30\n"),
+                ElementsAre(HasSubstr("'GOTO5' in line 2 goes to line 4, the first one after it")));
+}
+
+TEST(SequenceNumber, IsAWarningWhereAJumpBackPassesTheNearestBlock) {
+    const std::string loop = "N5 #1=#1+1\nIF[#1LT3]GOTO5\n";
+    EXPECT_THAT(doublings("O1\n" + loop + "#1=0\n" + loop + "M30\n"), ElementsAre("warning 6"));
+    EXPECT_THAT(messages_raised("MAC462", "O1\n" + loop + "#1=0\n" + loop + "M30\n"),
+                ElementsAre(HasSubstr(
+                    "'GOTO5' in line 6 takes N5 of line 2, the first of the program, not that of")));
+    EXPECT_THAT(doublings("O1\n" + loop + "M30\n"), IsEmpty());
+}
+
+TEST(SequenceNumber, IsAWarningWhereNothingLeadsToOneOfTheBlocks) {
+    const std::string text = "O1\nIF[#1GT9]GOTO7\nN7 G0 X1.\nGOTO8\nN7 #3000=1(TOO BIG)\nN8 M30\n";
+    EXPECT_THAT(doublings(text), ElementsAre("warning 5"));
+    EXPECT_THAT(messages_raised("MAC462", text),
+                ElementsAre(HasSubstr("takes N7 of line 3, and nothing leads to N7 of line 5")));
+    // A part that nothing runs, with a jump of its own.
+    EXPECT_THAT(doublings("O1\nIF[#1GT9]GOTO7\nX1.\nN7 M30\nIF[#1GT9]GOTO7\nX1.\nN7 M30\n"),
+                ElementsAre("note 7"));
+}
+
+TEST(SequenceNumber, OfSeveralBlocksInOneProgramIsOneFinding) {
+    const std::string part = "IF[#1EQ1]GOTO1\nIF[#1EQ2]GOTO2\nN1 X1.\nN2 X2.\n";
+    EXPECT_THAT(messages_raised("MAC462", "O1\n" + part + part + "M30\n"),
+                ElementsAre(HasSubstr("N1 is used more than once")));
+    EXPECT_THAT(messages_raised("MAC462", "O1\n" + part + part + "M30\n"),
+                ElementsAre(HasSubstr("(also N2)")));
+    const std::string thrice = "O1\nIF[#1EQ1]GOTO10\nN10 G0 X1.\nN10 G0 X2.\nN10 G0 X3.\nM30\n";
+    EXPECT_THAT(lines_raised("MAC462", thrice), ElementsAre(4));
 }
 
 } // namespace

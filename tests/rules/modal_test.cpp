@@ -7,6 +7,7 @@
 namespace maclint {
 namespace {
 
+using test::judged;
 using test::lines_raised;
 using test::messages_raised;
 using test::path_raised;
@@ -150,11 +151,6 @@ TEST(Feed, SpeedThatTheCallerPassesIsWhatItWants) {
     EXPECT_THAT(lines_raised("MAC503", "O9001\nS[#19*2] M3\nG0 X#24\nM99\n"), ElementsAre(2));
 }
 
-TEST(MotionMode, IsReportedUnlessPutBack) {
-    EXPECT_THAT(lines_raised("MAC504", "O9001\nG1 X1\nM99\n"), ElementsAre(2));
-    EXPECT_THAT(lines_raised("MAC504", "O9001\n#33=#4001\nG1 X1\nG#33\nM99\n"), IsEmpty());
-}
-
 TEST(Restore, FromAnotherKindOfWordIsReported) {
     EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4019\nG1 X1 F#9\nF#3\nM99\n"), ElementsAre(4));
     EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4107\nG1 X1 F#9\nF#3\nM99\n"), ElementsAre(4));
@@ -241,6 +237,134 @@ TEST(ModalCode, IsNotFeedOrSpeed) {
 TEST(FeedLeak, OfAVariableThatMayBeVacantIsReportedAsWell) {
     // Nothing says whether #514 is set; where it is, its value stays in force.
     EXPECT_THAT(lines_raised("MAC503", "O9001\nG1 X#24 F#514\nM99\n"), ElementsAre(2));
+}
+
+TEST(FeedLeak, IsAWarningWhereACallerLosesItsOwn) {
+    const std::string macro = "O9001\nG1 Z#26 F#9\nM99\n";
+    EXPECT_THAT(judged("MAC503", "O1\nG1 X1. F800.\nG65 P9001 Z-1. F50.\nX9.\nM30\n" + macro),
+                ElementsAre("warning 7"));
+    EXPECT_THAT(judged("MAC503", "O1\nG65 P9001 Z-1. F50.\nX9.\nM30\n" + macro), ElementsAre("note 6"));
+    EXPECT_THAT(judged("MAC503", macro), ElementsAre("note 2"));
+}
+
+TEST(FeedLeak, IsAWarningWhereTheMacroKeepsOtherState) {
+    EXPECT_THAT(judged("MAC503", "O9001\n#1=#4001\n#2=#4003\nG91 G31 Z#26 F#514\nG#1 G#2\nM99\n"),
+                ElementsAre("warning 4"));
+    // Saved and forgotten.
+    EXPECT_THAT(judged("MAC503", "O9001\n#2=#4003\nG91 G31 Z#26 F#514\nM99\n"), ElementsAre("warning 3"));
+    // Its own: saved on every path, put back on one.
+    EXPECT_THAT(judged("MAC503", "O9001\n#2=#4109\nG31 Z#26 F#514\nIF[#1EQ1]GOTO9\nF#2\nN9 M99\n"),
+                ElementsAre("warning 3"));
+    // What is only asked for is not kept: units, a mode that decides a branch, a work offset's number.
+    EXPECT_THAT(judged("MAC503", "O9001\n#2=#4006\nG31 Z#26 F#514\nM99\n"), ElementsAre("note 3"));
+    EXPECT_THAT(judged("MAC503", "O9001\n#2=#4003\nIF[#2EQ91]GOTO9\nG31 Z#26 F#514\nN9 M99\n"),
+                ElementsAre("note 4"));
+    EXPECT_THAT(judged("MAC503", "O9001\n#2=#4012\nG31 Z#26 F#514\nM99\n"), ElementsAre("note 3"));
+}
+
+TEST(FeedLeak, OfAHelperIsItsCallersThatKeepsOtherState) {
+    const std::string helper = "O9390\nG31 Z#26 F#514\nM99\n";
+    EXPECT_THAT(judged("MAC503", "O9301\n#1=#4001\nG0 X#24\nG65 P9390 Z#26\nG#1\nM99\n" + helper),
+                ElementsAre("warning 4"));
+    EXPECT_THAT(judged("MAC503", "O9301\n#1=#4001\nG65 P9390 Z#26\nG1 X#24 F#9\nG#1\nM99\n" + helper),
+                ElementsAre("warning 4"));
+    EXPECT_THAT(judged("MAC503", "O9301\nG0 X#24\nG65 P9390 Z#26\nM99\n" + helper), ElementsAre("note 6"));
+}
+
+TEST(FeedLeak, OfACalledProgramIsToldWithTheCall) {
+    EXPECT_THAT(messages_raised("MAC503", "O9301\n#1=#4001\nG0 X#24\nG65 P9390 Z#26\nG#1\nM99\nO9390\n"
+                                          "G31 Z#26 F#514\nM99\n"),
+                ElementsAre(HasSubstr("Feed set by 'G65 P9390 Z#26' is left to the caller")));
+}
+
+TEST(FeedLeak, IsNotPutBackByAGWord) {
+    EXPECT_THAT(judged("MAC503", "O9301\n#1=#4001\nIF[#24EQ1]GOTO5\nG31 Z#26 F#514\nGOTO6\nN5 G65 P9390 "
+                                 "Z#26\nN6 G#1 G#500\nM99\nO9390\nG31 Z#26 F#514\nM99\n"),
+                ElementsAre("warning 4"));
+}
+
+TEST(FeedLeak, ThatNobodyReliesOnIsOneNoteForFeedAndSpeed) {
+    EXPECT_THAT(messages_raised("MAC503", "O9001\nS[#1*2] M3\nG1 Z#26 F#9\nM99\n"),
+                ElementsAre(HasSubstr("'F#9' and 'S[#1*2]' are left")));
+}
+
+TEST(FeedLeak, NamesTheCure) {
+    EXPECT_THAT(
+        messages_raised("MAC503", "O9001\n#1=#4001\nG1 Z#26 F#9\nG#1\nM99\n"),
+        ElementsAre(HasSubstr("saves #4001, but not this. Add #33=#4109 at the start, and F#33 before "
+                              "the M99 of line 5.")));
+    EXPECT_THAT(messages_raised("MAC503", "O9001\n#2=#4109\nG1 Z#26 F#9\nM99\n"),
+                ElementsAre(HasSubstr("#2 holds the caller's since line 2: write F#2 before the M99")));
+    EXPECT_THAT(
+        messages_raised("MAC501", "O9001\n#33=1\nG91 G0 Z#33\nM99\n"),
+        ElementsAre(HasSubstr("Distance mode G91 is left to the caller. Add #32=#4003 at the start")));
+}
+
+TEST(SpeedLeak, OfAParkedSpindleHarmsOnlyWhoStartsItWithout) {
+    const std::string parked = "O9001\nG0 X#24\nM05\nS35\nM99\n";
+    EXPECT_THAT(judged("MAC503", parked), IsEmpty());
+    EXPECT_THAT(judged("MAC503", "O1\nS900 M3\nG65 P9001 X1.\nM3\nG1 X5. F9\nM30\n" + parked),
+                ElementsAre("warning 10"));
+    EXPECT_THAT(judged("MAC503", "O1\nS900 M3\nG65 P9001 X1.\nG1 X5. F9\nM3\nM30\n" + parked), IsEmpty());
+    // On another path the spindle runs on.
+    EXPECT_THAT(judged("MAC503", "O9001\nIF[#1EQ1]GOTO9\nM05\nS35\nN9 G0 X#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC503", "O9001\nG0 X#24\nM05\nS35\nM03\nM99\n"), ElementsAre("note 4"));
+}
+
+TEST(SpeedLeak, BesideAnOrientationMayBeAnAngle) {
+    EXPECT_THAT(judged("MAC503", "O1\nS900 M3\nG65 P9001 X1.\nM3\nG1 X5. F9\nM30\nO9001\nM19 S90\n"
+                                 "G0 X#24\nM99\n"),
+                IsEmpty());
+    EXPECT_THAT(judged("MAC503", "O9001\nM19 S[#1*2]\nG0 X#24\nM99\n"), IsEmpty());
+}
+
+TEST(MotionMode, LeftAtRapidMattersToABlockWithAFeed) {
+    const std::string up = "O9001\nG0 Z9.\nM99\n";
+    const auto after_call = [&](const std::string& block) {
+        return judged("MAC504", "O1\nM98 P9001\n" + block + "M30\n" + up);
+    };
+    EXPECT_THAT(after_call("X5. F100\n"), ElementsAre("warning 6"));
+    EXPECT_THAT(after_call("G90 Z#500 F#501\n"), ElementsAre("warning 6"));
+    EXPECT_THAT(after_call("G1 X5. F100\n"), IsEmpty());
+    EXPECT_THAT(after_call("X5.\n"), IsEmpty());
+    EXPECT_THAT(after_call("G31 Z-5. F100\n"), IsEmpty());
+    EXPECT_THAT(after_call("G81 X1. Z-5. R2. F100\n"), IsEmpty());
+    EXPECT_THAT(after_call("G180 X1. F100\n"), IsEmpty()); // a code that no table knows may be a macro
+    EXPECT_THAT(after_call("F100\nG1 X5.\n"), IsEmpty());
+}
+
+TEST(MotionMode, OfTheCallerIsLostWhereItGoesOnFromG1) {
+    const std::string up = "O9001\nG0 Z9.\nM99\n";
+    EXPECT_THAT(judged("MAC504", "O1\nG1 X1. F9\nM98 P9001\nX5.\nM30\n" + up), ElementsAre("warning 7"));
+    EXPECT_THAT(judged("MAC504", "O1\nG0 X1.\nM98 P9001\nX5.\nM30\n" + up), IsEmpty());
+    EXPECT_THAT(judged("MAC504", "O1\nG0 X1.\nM98 P9001\nX5.\nM30\nO9001\nG1 Z9.\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC504", up), IsEmpty());
+}
+
+TEST(ModalState, LeftOnThePathWithoutAnUnknownCallIsReported) {
+    EXPECT_THAT(lines_raised("MAC501", "O9001\nG91 G0 Z5.\nIF[#1EQ#0]GOTO1\nG65 P9726\nN1 M99\n"),
+                ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC501", "O9001\nIF[#1EQ1]GOTO9\n#2=#4003\nG91 G0 Z5.\nN9 G#2 M99\n"),
+                IsEmpty());
+}
+
+TEST(SpeedLeak, OfASpindleThatAnotherCalledProgramLeavesStandingHarmsNobody) {
+    // O2 stops the spindle, or leaves it as it is: it stands already.
+    EXPECT_THAT(judged("MAC503", "O1\nS900 M3\nG65 P9001 X1.\nM98 P2\nG1 X5. F9\nM30\nO9001\nG0 X#24\nM05\n"
+                                 "S35\nM99\nO2\nIF[#500EQ1]GOTO5\nM05\nN5 M99\n"),
+                IsEmpty());
+}
+
+TEST(Suppression, NamesWhatIsSwitchedOff) {
+    EXPECT_THAT(messages_raised("MAC515", "O9001\n#3004=2\nG0 X#24\nM99\n"),
+                ElementsAre(HasSubstr("No feed override any more: '#3004=2'")));
+    EXPECT_THAT(messages_raised("MAC515", "O9001\n#3004=5\nG0 X#24\nM99\n"),
+                ElementsAre(HasSubstr("No feed hold and exact stop any more")));
+}
+
+TEST(Restore, NamesWhatToWrite) {
+    EXPECT_THAT(messages_raised("MAC505", "O9001\n#3=#4019\nG1 X1 F#9\nF#3\nM99\n"),
+                ElementsAre(HasSubstr("Write #3=#4109 in line 2")));
 }
 
 } // namespace

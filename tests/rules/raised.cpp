@@ -28,6 +28,15 @@ std::vector<std::string> messages_raised(std::string_view code, std::string text
     return each_finding(code, std::move(text), [](const Finding& finding) { return finding.message(); });
 }
 
+std::vector<std::string> judged(std::string_view code, const std::string& text) {
+    const auto workspace = analyse_fanuc(text);
+    std::vector<std::string> out;
+    for (const Finding& finding : run_rules(*workspace, {{find_rule(code)}}, 1))
+        out.push_back((finding.severity == Severity::note ? "note " : "warning ") +
+                      std::to_string(finding.source->position(finding.span.begin).line));
+    return out;
+}
+
 std::vector<std::uint32_t> path_raised(std::string_view code, std::string text) {
     const auto paths = each_finding(code, std::move(text), [](const Finding& finding) {
         std::vector<std::uint32_t> lines;

@@ -24,6 +24,42 @@ std::uint32_t user_of(std::int64_t label, const std::string& text) {
     return user ? test::line_of_effect(analysis, *user) : 0;
 }
 
+/// "main", "macro", or "called" for a subprogram.
+std::string kind_of(const std::string& text) {
+    const auto workspace = test::analyse_fanuc(text);
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    if (analysis.is_macro()) return "macro";
+    return analysis.is_main() ? "main" : "called";
+}
+
+TEST(Kind, OfAProgramThatReturnsIsCalled) {
+    EXPECT_EQ(kind_of("O1\nX#1\nM99\n"), "macro");
+    EXPECT_EQ(kind_of("O1\nX1.\nM99\n"), "called");
+    EXPECT_EQ(kind_of("O1\nX#1\nM30\n"), "main");
+}
+
+TEST(Kind, OfAProgramWithANumberOfMacrosThatReadsArgumentsIsAMacro) {
+    EXPECT_EQ(kind_of("O9993\n#100=#1\nIF[#100EQ#0]GOTO9\nM30\nN9#3000=1\n"), "macro");
+    EXPECT_EQ(kind_of("O8000\nX#1\nM30\n"), "macro");
+    EXPECT_EQ(kind_of("O7999\nX#1\nM30\n"), "main");
+    EXPECT_EQ(kind_of("O9993\n#1=5\nX#1\nM30\n"), "main"); // it sets what it reads
+    EXPECT_EQ(kind_of("O9993\nX#33\nM30\n"), "main");      // no letter reaches #33
+}
+
+TEST(Kind, OfAProgramThatAsksWhetherAnArgumentWasPassedIsAMacro) {
+    EXPECT_EQ(kind_of("O1\nIF[#24EQ#0]GOTO9\nX#24\nM30\nN9#3000=1\n"), "macro");
+    EXPECT_EQ(kind_of("O1\nIF[#33EQ#0]GOTO9\nX#33\nM30\nN9#3000=1\n"), "main");
+    EXPECT_EQ(kind_of("O1\n#24=#0\nIF[#24EQ#0]GOTO9\nX#24\nM30\nN9#3000=1\n"), "main");
+    EXPECT_EQ(kind_of("O1\nIF[#24EQ0]GOTO9\nX#24\nM30\nN9#3000=1\n"), "main");
+}
+
+TEST(Kind, OfAProgramWhoseRemarkShowsItsCallIsAMacro) {
+    EXPECT_EQ(kind_of("O12(G65 P12 A B C)\nX#1\nM30\n"), "macro");
+    EXPECT_EQ(kind_of("O12\n(CALL WITH G65P0012 A1.)\nX#1\nM30\n"), "macro");
+    EXPECT_EQ(kind_of("O12(G65 P13 A B C)\nX#1\nM30\n"), "main");
+    EXPECT_EQ(kind_of("O12(G65)\nG65 P12 A#1\nM30\n"), kind_of("O12\nG65 P12 A#1\nM30\n"));
+}
+
 TEST(UserOfLabel, IsTheFirstJumpInTheText) {
     EXPECT_EQ(user_of(10, "N10#1=1\nIF[#1EQ1]GOTO10\nIF[#1EQ2]GOTO10\nM30\n"), 2U);
     EXPECT_EQ(user_of(10, "IF[#1EQ2]GOTO10\n#1=1\nN10#1=1\nIF[#1EQ1]GOTO10\nM30\n"), 1U);

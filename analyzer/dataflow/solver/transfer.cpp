@@ -432,6 +432,11 @@ void Transfer::change_groups(State& state, const Summary& summary) {
             for (const double code : change.codes)
                 value.parts.push_back({states_.table().constant(code), origin});
             value.unknown |= change.other || !surely_here;
+            if (change.other) {
+                const SymbolId left = states_.table().symbols(
+                    {Symbol::Kind::opaque, side_by_side(effect_, node_), 10U << 8U, change.group});
+                value.parts.push_back({left, origin});
+            }
             std::ranges::sort(value.parts, {},
                               [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
             value.parts.cut_off(std::ranges::unique(value.parts).begin());

@@ -7,6 +7,7 @@
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/machine_type.hpp"
 #include "analyzer/dialect/fanuc/plausible.hpp"
+#include "analyzer/dialect/fanuc/remarks.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
@@ -186,8 +187,11 @@ class Family {
         if (!program_) return;
         const bool first = file_.programs.empty();
         if (first && !program_->program().items.empty()) program_->add_name(stem_of(source_.path()));
-        file_.programs.push_back(program_->take());
+        Program& program = file_.programs.emplace_back(program_->take());
         program_.reset();
+        if (program.number &&
+            shows_own_call(text_.substr(program.span.begin, program.span.length()), *program.number))
+            program.started = Program::Started::by_call;
     }
 
     void close_run() {

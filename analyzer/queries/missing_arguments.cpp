@@ -1,0 +1,92 @@
+//! Compares what a program reads with what its callers pass.
+#include "analyzer/queries/missing_arguments.hpp"
+
+#include "analyzer/queries/callers.hpp"
+
+#include <algorithm>
+
+namespace maclint::queries {
+namespace {
+
+bool opens_locals(const ProgramAnalysis& analysis, const Caller& caller) {
+    const Call& call = call_of(calling_program(analysis, caller).program(), caller.effect);
+    return calling_program(analysis, caller).control().calls[call.kind].frame == Frame::fresh;
+}
+
+bool passes(const ProgramAnalysis& analysis, const Caller& caller, Variable formal) {
+    const Program& program = calling_program(analysis, caller).program();
+    const decltype(Argument::given) given = formal;
+    const auto arguments = program.arguments_of(call_of(program, caller.effect));
+    return std::ranges::find(arguments, given, &Argument::given) != arguments.end();
+}
+
+/// Whether a call whose program only the running program knows may mean it.
+bool may_be_computed(const ProgramAnalysis& analysis) {
+    return !analysis.possible_callers().empty() ||
+           std::ranges::any_of(analysis.workspace().files(), [&](const WorkspaceFile& file) {
+               return file.file.get() == &analysis.file() && file.may_be_computed;
+           });
+}
+
+/// The value of the variable at the program's start.
+bool is_as_passed(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    const dataflow::Symbol& symbol = analysis.data().table().symbols[read.value.symbol];
+    return symbol.kind == dataflow::Symbol::Kind::entry && symbol.a == dataflow::key_of(read.variable);
+}
+
+bool is_asked_for(const ProgramAnalysis& analysis, const dataflow::Read& wanted) {
+    return std::ranges::any_of(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
+        const bool asks = read.use == dataflow::Use::vacancy_test || read.use == dataflow::Use::comparison;
+        return asks && (read.value.symbol == wanted.value.symbol || read.variable == wanted.variable);
+    });
+}
+
+/// Whether no path to an exit, alarms left out, leads around the node: another argument may choose between
+/// the paths.
+bool is_on_every_path(const ProgramAnalysis& analysis, flow::NodeId node) {
+    const flow::Graph& graph = analysis.graph();
+    std::vector<bool> seen(graph.nodes.size());
+    std::vector<flow::NodeId> open{0};
+    seen[node] = seen[0] = true;
+    if (node == 0) return true;
+    while (!open.empty()) {
+        const flow::NodeId at = open.back();
+        open.pop_back();
+        const bool leaves = std::ranges::any_of(graph.exits, [&](const flow::Exit& exit) {
+            return exit.node == at && exit.kind != flow::ExitKind::alarm;
+        });
+        if (leaves) return false;
+        for (const flow::EdgeId id : graph.out[at]) {
+            const flow::NodeId to = graph.edges[id].to;
+            if (seen[to] || !analysis.data().passable(id)) continue;
+            seen[to] = true;
+            open.push_back(to);
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analysis) {
+    std::vector<MissingArgument> found;
+    const auto& callers = analysis.callers();
+    const auto& formals = analysis.control().formals;
+    if (callers.empty() || may_be_computed(analysis) ||
+        !std::ranges::all_of(callers, [&](const Caller& caller) { return opens_locals(analysis, caller); }))
+        return found;
+    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
+        const bool known = std::ranges::any_of(
+            found, [&](const MissingArgument& other) { return other.read->variable == read.variable; });
+        if (known || read.use != dataflow::Use::arithmetic || !is_as_passed(analysis, read) ||
+            std::ranges::find(formals, read.variable) == formals.end() || is_asked_for(analysis, read))
+            continue;
+        if (std::ranges::none_of(
+                callers, [&](const Caller& caller) { return passes(analysis, caller, read.variable); }) &&
+            is_on_every_path(analysis, read.node))
+            found.push_back({&read, &callers.front()});
+    }
+    return found;
+}
+
+} // namespace maclint::queries

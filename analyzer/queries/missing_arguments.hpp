@@ -1,0 +1,21 @@
+//! Arguments that a program calculates with, and no call of it passes.
+#pragma once
+
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <vector>
+
+namespace maclint::queries {
+
+struct MissingArgument {
+    const dataflow::Read* read; ///< the first that calculates with it
+    const Caller* call;         ///< that leaves it out, as all known ones do
+};
+
+/// One for each variable that a letter of a call reaches: all known callers open a set of locals for the
+/// program and leave it out, the program calculates with it as it was at the start on every path to an exit,
+/// and nowhere compares it, or a copy, with anything.
+[[nodiscard]] std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analysis);
+
+} // namespace maclint::queries

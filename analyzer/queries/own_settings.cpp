@@ -1,0 +1,148 @@
+//! Goes back from a node over the blocks that set a group.
+#include "analyzer/queries/own_settings.hpp"
+
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/origins.hpp"
+
+#include <algorithm>
+#include <span>
+#include <variant>
+
+namespace maclint::queries {
+namespace {
+
+/// The code that a word gives; nothing where it is computed.
+std::optional<double> literal_of(const Program& program, const SetModal& set) {
+    const auto* literal = std::get_if<Literal>(&program.expressions[set.value].node);
+    return literal == nullptr ? std::nullopt : std::optional(literal->value);
+}
+
+/// What the node's last word for the group gives; nothing where none stands there.
+std::optional<std::optional<double>> setting_in(const ProgramAnalysis& analysis, flow::NodeId id,
+                                                GroupId group) {
+    const Program& program = analysis.program();
+    const flow::Node& node = analysis.graph().nodes[id];
+    std::optional<std::optional<double>> last;
+    if (node.is_run)
+        for_each_last_setting(program, node.stretch(), [&](const ModalSetting& setting) {
+            if (setting.group == group) last = std::optional(setting.value);
+        });
+    for (const Effect& effect : program.effects_in(node.effects))
+        if (const auto* set = std::get_if<SetModal>(&effect.what); set != nullptr && set->group == group)
+            last = literal_of(program, *set);
+    return last;
+}
+
+/// Whether a call in the node may set the group.
+bool calls_change(const ProgramAnalysis& analysis, flow::NodeId node, GroupId group) {
+    const Slice effects = analysis.graph().nodes[node].effects;
+    for (EffectId id = effects.first; id < effects.first + effects.count; ++id) {
+        if (!std::holds_alternative<Call>(analysis.program().effects[id].what)) continue;
+        const CallSite* site = analysis.call_at(id);
+        const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(analysis, *site);
+        if (callee == nullptr ||
+            std::ranges::find(callee->summary().groups, group, &dataflow::GroupChange::group) !=
+                callee->summary().groups.end())
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+std::vector<std::optional<double>> last_settings_before(const ProgramAnalysis& analysis, flow::NodeId node,
+                                                        GroupId group) {
+    std::vector<std::optional<double>> found;
+    const flow::Graph& graph = analysis.graph();
+    std::vector<bool> seen(graph.nodes.size());
+    std::vector<flow::NodeId> open{node};
+    while (!open.empty()) {
+        const flow::NodeId at = open.back();
+        open.pop_back();
+        for (const flow::EdgeId id : graph.in[at]) {
+            const flow::NodeId from = graph.edges[id].from;
+            if (seen[from] || !analysis.data().passable(id)) continue;
+            seen[from] = true;
+            if (const auto setting = setting_in(analysis, from, group))
+                found.push_back(*setting);
+            else
+                open.push_back(from);
+        }
+    }
+    return found;
+}
+
+bool stays_at(const ProgramAnalysis& analysis, flow::NodeId node, GroupCode code) {
+    std::vector<std::optional<double>> now = last_settings_before(analysis, node, code.group);
+    if (const auto setting = setting_in(analysis, node, code.group)) now = {*setting};
+    const flow::Graph& graph = analysis.graph();
+    std::vector<bool> seen(graph.nodes.size());
+    std::vector<flow::NodeId> open{node};
+    while (!open.empty()) {
+        const flow::NodeId at = open.back();
+        open.pop_back();
+        for (const flow::EdgeId id : graph.out[at]) {
+            const flow::NodeId to = graph.edges[id].to;
+            if (seen[to] || !analysis.data().passable(id)) continue;
+            seen[to] = true;
+            open.push_back(to);
+            if (const auto setting = setting_in(analysis, to, code.group)) now.push_back(*setting);
+            if (calls_change(analysis, to, code.group)) return false;
+        }
+    }
+    return !now.empty() && std::ranges::all_of(now, [&](const std::optional<double>& setting) {
+        return setting == code.code;
+    });
+}
+
+bool stands_beside(const ProgramAnalysis& analysis, dataflow::OriginId set, GroupCode code) {
+    const Program& program = analysis.program();
+    const flow::Node& node = analysis.graph().nodes[node_of_origin(analysis, set)];
+    if (!node.is_run)
+        return std::ranges::any_of(program.effects_in(node.effects), [&](const Effect& effect) {
+            const auto* other = std::get_if<SetModal>(&effect.what);
+            return other != nullptr && other->group == code.group && literal_of(program, *other) == code.code;
+        });
+    const Span block = span_of_origin(analysis, set);
+    bool found = false;
+    for_each_block(program, node.stretch(), [&](const BlockView& view) {
+        found |= view.span == block && std::ranges::any_of(view.settings, [&](const ModalSetting& setting) {
+                     return setting.group == code.group && setting.value == code.code;
+                 });
+    });
+    return found;
+}
+
+ModalMove modal_move_in(const ProgramAnalysis& analysis, Span block) {
+    const ControlModel& control = analysis.control();
+    const auto motion = control.group_with(ModalRole::motion);
+    const auto feed = control.group_with(ModalRole::feed);
+    if (!motion || !feed) return {false, false};
+    ModalMove move{false, false};
+    const auto letter = [](const Word& word, char name) {
+        return word.address.size() == 1 && word.address.front() == name;
+    };
+    const auto says_how = [&](const Word& word) {
+        if (!letter(word, control.groups[*motion].letter)) return false;
+        const auto* code = std::get_if<Literal>(&word.value);
+        const auto group =
+            code == nullptr ? std::nullopt : control.group_of(word.address.front(), code->value);
+        if (!group) return true;
+        const ModalGroup& row = control.groups[*group];
+        return row.role == ModalRole::motion || row.role == ModalRole::macro_call ||
+               (row.role == ModalRole::cycle && code->value != row.cancel);
+    };
+    const auto any = [](const auto&) { return true; };
+    for_each_block_with_words(analysis.program(), any,
+                              [&](const BlockView& view, std::span<const Word> words, const WordSummary*) {
+                                  if (view.span != block) return;
+                                  move.relies = std::ranges::none_of(words, says_how);
+                                  move.gives_feed = std::ranges::any_of(words, [&](const Word& word) {
+                                      return letter(word, control.groups[*feed].letter) && word.has_value();
+                                  });
+                              });
+    return move;
+}
+
+} // namespace maclint::queries

@@ -1,0 +1,30 @@
+//! Which words of a program itself have set a modal group before a node, and in which blocks words stand.
+#pragma once
+
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint::queries {
+
+/// What the last words before the node set the group to, on all paths there, calls left out: a code, or
+/// nothing for a computed one. Empty where no word of the program sets it.
+[[nodiscard]] std::vector<std::optional<double>> last_settings_before(const ProgramAnalysis& analysis,
+                                                                      flow::NodeId node, GroupId group);
+
+/// Whether the code is surely in force after the node, and no word or call can set the group otherwise from
+/// there on.
+[[nodiscard]] bool stays_at(const ProgramAnalysis& analysis, flow::NodeId node, GroupCode code);
+
+/// Whether the block that sets a group also gives this code.
+[[nodiscard]] bool stands_beside(const ProgramAnalysis& analysis, dataflow::OriginId set, GroupCode code);
+
+/// How a block relies on the motion mode that is in force.
+struct ModalMove {
+    bool relies;     ///< it moves, and no code of its own says how: no motion code, cycle or code made once
+    bool gives_feed; ///< it states a feed
+};
+[[nodiscard]] ModalMove modal_move_in(const ProgramAnalysis& analysis, Span block);
+
+} // namespace maclint::queries
