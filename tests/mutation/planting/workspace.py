@@ -1,0 +1,97 @@
+"""The programs that defects are planted in, with those that they call or are called by."""
+import re
+from collections import defaultdict
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, spelling
+from .plants import NOTE, WARNING, Plant
+
+USUAL = {'.nc', '.ncs', '.cnc', '.tap', '.ncc', '.txt', '.gcode', '.ncf', ''}
+CALLED_BY_NAME = re.compile(r'L\s*"([^"]+)"')
+
+
+@dataclass
+class File:
+    path: Path  # from the corpus' folder
+    text: str  # Latin-1, so that every byte stays as it is
+    language: str
+
+    @property
+    def lines(self):
+        return self.text.split('\n')
+
+
+class Corpus:
+    """A folder of programs: each of its folders is read alone, as maclint does with a repository."""
+
+    def __init__(self, root, name, language):
+        self.root, self.name, self.language = root, name, language
+        self.files = {}
+        for path in sorted(p for p in root.rglob('*') if p.is_file()):
+            if path.suffix.lower() in USUAL and path.name != 'README.md':
+                relative = path.relative_to(root)
+                self.files[relative] = File(relative, path.read_bytes().decode('latin-1'), language)
+        self.neighbours = self.connect()
+
+    def connect(self):
+        """For each file those that it calls and those that call it, directly or through others."""
+        homes = defaultdict(list)
+        for path, file in self.files.items():
+            for name in self.names(file):
+                homes[self.repository(path), name].append(path)
+        called, callers = defaultdict(set), defaultdict(set)
+        for path, file in self.files.items():
+            for name in self.called(file):
+                for home in homes[self.repository(path), name]:
+                    called[path].add(home)
+                    callers[home].add(path)
+        return {path: sorted(reached(path, called) | reached(path, callers)) for path in self.files}
+
+    def repository(self, path):
+        return path.parts[0] if len(path.parts) > 1 else ''
+
+    def names(self, file):
+        if self.language == 'dinplus':
+            return {file.path.stem.upper()}
+        named = re.match(r'[Oo]?0*(\d+)$', file.path.stem)
+        own = {program.number for program in fanuc.programs_of(file.lines) if program.number is not None}
+        return own | ({int(named.group(1))} if named else set())
+
+    def called(self, file):
+        if self.language == 'dinplus':
+            return {name.upper() for name in CALLED_BY_NAME.findall(file.text)}
+        return fanuc.calls_of(file.lines)
+
+    def plants(self, path):
+        """All plants of a file."""
+        file = self.files[path]
+        if self.language == 'dinplus':
+            from . import dinplus
+            yield from dinplus.plants_of(file)
+            return
+        lines = file.lines
+        numbers = {name for other in self.neighbours[path] for name in self.names(self.files[other])}
+        for program in fanuc.programs_of(lines):
+            found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program), *fanuc_conditions.plants(program),
+                     *fanuc_variables.plants(program), *fanuc_modal.plants(program, lines),
+                     *fanuc_calls.plants(program, numbers), *spelling.plants(program, lines)]
+            for kind, edits, harmless in found:
+                yield self.planted(kind, path, lines, edits, harmless)
+
+    def planted(self, kind, path, lines, edits, harmless):
+        changes = edit.apply(lines, edits)
+        if all(changes[line] == lines[line] for line in changes):
+            harmless = 'nothing changes'
+        least = NOTE if kind in ('label-doubled', 'zero-as-vacancy', 'feed-left', 'speed-left') else WARNING
+        return Plant(kind, Path(self.name) / path, changes, harmless, least, kind == 'program-missing',
+                     [lines[line] for line in sorted(changes)])
+
+
+def reached(start, links):
+    found, waiting = {start}, [start]
+    while waiting:
+        new = links[waiting.pop()] - found
+        found |= new
+        waiting += new
+    return found
