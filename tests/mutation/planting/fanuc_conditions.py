@@ -81,7 +81,8 @@ def zero_tests(program):
 
 def is_set(program, index, variable):
     """Every path to the block sets the variable to something that is not a plain copy."""
-    if 0 < variable < 1000:
+    called = any(block.is_call for block in program.blocks)
+    if 0 < variable < (34 if called else 1000):
         def sets(at):
             block = program.blocks[at]
             return certainly_stores(block, variable) and not re.search(rf'#\s*0*{variable}\s*=\s*#\s*\d+\s*$', block.code.rstrip())

@@ -159,6 +159,8 @@ def words_left(program, letter, source, kind):
             back = restored.search(block.code)
             if back and index != without:
                 return {'caller'}
+            if block.is_call:
+                return {'unknown'}
             changed = any_word.search(block.code) and not back and not CALL.search(block.code)
             return {'own'} | (held if block.conditional else set()) if changed else held
         return after
@@ -206,6 +208,8 @@ def single_block(program):
 
         def change(without, store=store):
             def after(index, held):
+                if program.blocks[index].is_call:
+                    return {'unknown'}
                 match = store.search(program.blocks[index].code.rstrip())
                 if not match or index == without:
                     return held

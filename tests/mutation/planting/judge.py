@@ -3,7 +3,7 @@ import json
 import os
 import shutil
 import subprocess
-from collections import Counter
+from collections import Counter, defaultdict
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -13,7 +13,10 @@ SIZE = 100  # programs in one run
 
 
 class Judge:
-    """Every mutant has a folder of its own, with the programs that its calls connect it with."""
+    """Every mutant has a folder of its own, with the programs that its calls connect it with.
+
+    Mutants of one program share a run: in each folder are the same programs, so that no call leads into another folder.
+    """
 
     def __init__(self, maclint, folder, jobs):
         self.maclint, self.folder, self.jobs = maclint, folder, jobs
@@ -22,22 +25,20 @@ class Judge:
 
     def judge(self, corpora, plants, progress):
         """For each plant a verdict: 'found', 'only a note', 'missed', 'known before' or 'not linted', with the findings new."""
-        groups = {}
-        for complete in (False, True):
-            chosen = [plant for plant in plants if plant.complete == complete]
-            for at in range(0, len(chosen), SIZE):
-                groups[complete, at] = chosen[at:at + SIZE]
+        together = defaultdict(list)
+        for plant in plants:
+            together[plant.path, plant.complete].append(plant)
+        batches = [group[at:at + SIZE] for group in together.values() for at in range(0, len(group), SIZE)]
         verdicts = {}
         with ThreadPoolExecutor(self.jobs) as pool:
-            work = pool.map(lambda item: self.judge_batch(corpora, *item), groups.items())
-            for count, (batch, judged) in enumerate(zip(groups.values(), work)):
+            work = pool.map(lambda item: self.judge_batch(corpora, *item), enumerate(batches))
+            for count, (batch, judged) in enumerate(zip(batches, work)):
                 verdicts.update({id(plant): verdict for plant, verdict in zip(batch, judged)})
-                progress((count + 1) / len(groups))
+                progress((count + 1) / len(batches))
         return [verdicts[id(plant)] for plant in plants]
 
-    def judge_batch(self, corpora, key, batch):
-        complete, number = key
-        folder = self.folder / f'{"complete" if complete else "usual"}{number}'
+    def judge_batch(self, corpora, number, batch):
+        folder, complete = self.folder / f'batch{number}', batch[0].complete
         for index, plant in enumerate(batch):
             corpus, path = corpora[plant.path.parts[0]], Path(*plant.path.parts[1:])
             home = folder / f'm{index:04}'
@@ -47,7 +48,8 @@ class Judge:
                 lines[line] = text
             (home / path).unlink()
             (home / path).write_bytes('\n'.join(lines).encode('latin-1'))
-        findings, skipped = self.run(folder, complete)
+        findings, skipped = self.run(folder, [f'm{index:04}/{Path(*plant.path.parts[1:])}' for index, plant in enumerate(batch)],
+                                     complete)
         shutil.rmtree(folder)
         return [self.verdict(corpora, plant, findings.get(f'm{index:04}', []), f'm{index:04}/{Path(*plant.path.parts[1:])}' in skipped)
                 for index, plant in enumerate(batch)]
@@ -71,10 +73,11 @@ class Judge:
             part.rename(copy)
         return copy
 
-    def run(self, folder, complete):
-        """Findings by the first folder of their path, and the files that were not linted."""
+    def run(self, folder, files, complete):
+        """Findings by the first folder of their path, and the files that were not linted. Files are named, because
+        maclint passes over unusual names in folders."""
         options = [] if complete else ['--isolated']
-        done = subprocess.run([str(self.maclint), 'check', '--format', 'json', '--jobs', '1', '--no-timestamps', *options, '.'],
+        done = subprocess.run([str(self.maclint), 'check', '--format', 'json', '--jobs', '1', '--no-timestamps', *options, '.', *files],
                               cwd=folder, capture_output=True, text=True, errors='replace')
         report = json.loads(done.stdout)
         by_folder = {}
@@ -90,7 +93,7 @@ class Judge:
             corpus, path = corpora[plant.path.parts[0]], Path(*plant.path.parts[1:])
             home = self.folder / 'before' / f'{abs(hash(key)):x}-{os.getpid()}-{id(plant)}'
             self.lay_out(corpus, path, home / 'm', plant.complete)
-            findings, _ = self.run(home, plant.complete)
+            findings, _ = self.run(home, [f'm/{path}'], plant.complete)
             shutil.rmtree(home)
             self.unchanged[key] = findings.get('m', [])
         return self.unchanged[key]
