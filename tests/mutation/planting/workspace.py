@@ -4,7 +4,8 @@ from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, spelling
+from . import dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, spelling
+from .callers import NEEDS, Callers
 from .plants import NOTE, WARNING, Plant
 
 USUAL = {'.nc', '.ncs', '.cnc', '.tap', '.ncc', '.txt', '.gcode', '.ncf', ''}
@@ -67,16 +68,21 @@ class Corpus:
         """All plants of a file."""
         file = self.files[path]
         if self.language == 'dinplus':
-            from . import dinplus
-            yield from dinplus.plants_of(file)
+            libraries = {name: dinplus.code_of(self.files[other].lines) for other in self.neighbours[path]
+                         for name in self.names(self.files[other])}
+            for kind, edits, harmless in dinplus.plants(file.lines, libraries):
+                yield self.planted(kind, path, file.lines, edits, harmless)
             return
         lines = file.lines
         numbers = {name for other in self.neighbours[path] for name in self.names(self.files[other])}
+        callers = Callers([program for other in self.neighbours[path] for program in fanuc.programs_of(self.files[other].lines)])
         for program in fanuc.programs_of(lines):
             found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program), *fanuc_conditions.plants(program),
                      *fanuc_variables.plants(program), *fanuc_modal.plants(program, lines),
                      *fanuc_calls.plants(program, numbers), *spelling.plants(program, lines)]
             for kind, edits, harmless in found:
+                if kind in NEEDS and not harmless and callers.none_is_hurt(kind, program.number):
+                    harmless = 'its callers say the mode anew before they need it'
                 yield self.planted(kind, path, lines, edits, harmless)
 
     def planted(self, kind, path, lines, edits, harmless):
@@ -84,7 +90,7 @@ class Corpus:
         if all(changes[line] == lines[line] for line in changes):
             harmless = 'nothing changes'
         least = NOTE if kind in ('label-doubled', 'zero-as-vacancy', 'feed-left', 'speed-left') else WARNING
-        return Plant(kind, Path(self.name) / path, changes, harmless, least, kind == 'program-missing',
+        return Plant(kind, Path(self.name) / path, changes, harmless, least, kind.endswith('program-missing'),
                      [lines[line] for line in sorted(changes)])
 
 

@@ -1,0 +1,63 @@
+"""Makes a program in which a plant was missed as small as it can be while the plant is still missed."""
+import json
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+from .plants import KINDS, RANK
+from .workspace import Corpus
+
+ATTEMPTS = 600  # runs of maclint for one miss
+
+
+class Reducer:
+    def __init__(self, maclint, folder):
+        self.maclint, self.folder = maclint, folder
+        folder.mkdir(parents=True, exist_ok=True)
+
+    def smallest(self, corpus, plant):
+        """Lines of the unchanged program, and the line that the plant changes in it; the program alone, without its neighbours."""
+        path = Path(*plant.path.parts[1:])
+        lines = [text.rstrip('\r') for text in corpus.files[path].lines]
+        wanted = lines[plant.line - 1]
+        self.left = ATTEMPTS
+        if not self.is_missed(corpus, plant, path, lines, wanted):
+            return None
+        size = len(lines) // 2
+        while size:
+            at = 0
+            while at < len(lines):
+                fewer = lines[:at] + lines[at + size:]
+                if wanted in fewer and self.is_missed(corpus, plant, path, fewer, wanted):
+                    lines = fewer
+                else:
+                    at += size
+            size //= 2
+        return lines
+
+    def is_missed(self, corpus, plant, path, lines, wanted):
+        """Whether the same kind of plant in that line is no harmless one here, and maclint does not find it."""
+        self.left -= 1
+        if self.left < 0:
+            return False
+        alone = Corpus.__new__(Corpus)
+        alone.name, alone.language = corpus.name, corpus.language
+        alone.files = {path: replace(corpus.files[path], text='\n'.join(lines))}
+        alone.neighbours = {path: [path]}
+        for other in alone.plants(path):
+            if other.kind == plant.kind and not other.harmless and lines[other.line - 1] == wanted \
+                    and other.difference() == plant.difference():
+                changed = list(lines)
+                for line, text in other.changes.items():
+                    changed[line] = text
+                return not self.finds(plant, path.suffix, '\n'.join(lines)) and not self.finds(plant, path.suffix, '\n'.join(changed))
+        return False
+
+    def finds(self, plant, suffix, text):
+        """Whether a rule of the plant's class says anything."""
+        file = self.folder / f'program{suffix or ".nc"}'
+        file.write_bytes(text.encode('latin-1'))
+        options = ['--isolated', '--jobs', '1', '--format', 'json', '--no-timestamps']
+        done = subprocess.run([str(self.maclint), 'check', *options, file.name], cwd=self.folder, capture_output=True)
+        return any(finding['code'] in KINDS[plant.kind].rules and RANK[finding['severity']] >= RANK[plant.least]
+                   for finding in json.loads(done.stdout)['findings'])
