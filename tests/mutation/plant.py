@@ -14,8 +14,10 @@ from pathlib import Path
 from planting import report
 from planting.judge import Judge
 from planting.plants import KINDS
+from planting.reduce import Reducer
 from planting.workspace import Corpus
 
+REDUCED = 3  # misses of a group that are tried
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -45,6 +47,21 @@ def chosen(plants, options):
     return picked
 
 
+def smallest(corpora, results, reducer):
+    """For each group of misses the smallest program that the first ones can be reduced to."""
+    examples = {}
+    for cause, group in report.miss_groups(results).items():
+        for plant, _ in sorted(group, key=lambda miss: len(corpus_file(corpora, miss[0]).lines))[:REDUCED]:
+            lines = reducer.smallest(corpora[plant.path.parts[0]], plant)
+            if lines and (cause not in examples or len(lines) < len(examples[cause][0])):
+                examples[cause] = lines, plant.difference()
+    return examples
+
+
+def corpus_file(corpora, plant):
+    return corpora[plant.path.parts[0]].files[Path(*plant.path.parts[1:])]
+
+
 def main():
     parser = argparse.ArgumentParser(prog='./dev plant', description=__doc__.splitlines()[0])
     parser.add_argument('--sample', type=int, default=0, metavar='N', help='no more than N places of a class')
@@ -52,6 +69,7 @@ def main():
     parser.add_argument('--class', dest='classes', action='append', choices=KINDS, metavar='CLASS', help='only this class')
     parser.add_argument('--corpus', action='append', help='only this one: own, own-dinplus, macros, dinplus')
     parser.add_argument('--file', action='append', help='only programs with this in their path')
+    parser.add_argument('--smallest', action='store_true', help='show the smallest program for each group of misses')
     parser.add_argument('--seed', type=int, default=1, help='of the samples (default: 1)')
     parser.add_argument('--maclint', type=Path, default=ROOT / 'build' / 'maclint', help='the executable (default: build/maclint)')
     parser.add_argument('--shared', type=Path, default=ROOT.parent / 'shared', help='the folder with programs of others')
@@ -76,9 +94,11 @@ def main():
             print(f'\r{100 * done:3.0f} %', end='' if done < 1 else '\n', file=sys.stderr, flush=True)
 
     results = [(plant, *verdict) for plant, verdict in zip(plants, judge.judge(corpora, plants, progress))]
+    examples = smallest(corpora, results, Reducer(maclint.resolve(), judge.folder)) if options.smallest else {}
     shutil.rmtree(judge.folder, ignore_errors=True)
     maclint.unlink()
-    (options.output / 'report.md').write_text(report.markdown(results, harmless, options.seed, time.monotonic() - began))
+    text = report.markdown(results, harmless, examples, options.seed, time.monotonic() - began)
+    (options.output / 'report.md').write_text(text)
     (options.output / 'report.json').write_text(report.as_json(results, harmless, options.seed))
     print(report.summary(results))
     print(f'The report is in {options.output / "report.md"}.')

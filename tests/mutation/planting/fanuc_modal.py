@@ -2,7 +2,7 @@
 import re
 
 from .edit import put
-from .fanuc import ALARM, CALL, PROGRAM_END, RETURN
+from .fanuc import CALL, PROGRAM_END, RETURN
 
 SAVE = re.compile(r'^\s*(?:N\s*\d+\s*)?#\s*(\d+)\s*=\s*#\s*(4[01]\d\d)\s*$')
 PLAIN_STORE = re.compile(r'^\s*#\s*(\d+)\s*=')
@@ -36,7 +36,7 @@ def is_lathe(program):
 
 
 def states(program, change, start):
-    """What may hold before each block and at the ends (M99, M30, the last block), as sets."""
+    """What may hold before each block and at the ends (M99 and M30), as sets."""
     before = {0: {start}}
     waiting, ends = [0], set()
     while waiting:
@@ -44,7 +44,7 @@ def states(program, change, start):
         after = change(index, before[index])
         block = program.blocks[index]
         returns = RETURN.search(block.code) or PROGRAM_END.search(block.code)
-        if returns or (not program.successors[index] and not ALARM.search(block.code)):
+        if returns:
             ends |= after
         for following in program.successors[index]:
             known = before.setdefault(following, set())

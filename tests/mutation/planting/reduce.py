@@ -4,13 +4,15 @@ import subprocess
 from dataclasses import replace
 from pathlib import Path
 
-from .plants import KINDS, RANK
+from .plants import ERROR, KINDS, RANK
 from .workspace import Corpus
 
 ATTEMPTS = 600  # runs of maclint for one miss
 
 
 class Reducer:
+    """Every attempt is one run of maclint on one small program."""
+
     def __init__(self, maclint, folder):
         self.maclint, self.folder = maclint, folder
         folder.mkdir(parents=True, exist_ok=True)
@@ -28,7 +30,7 @@ class Reducer:
             at = 0
             while at < len(lines):
                 fewer = lines[:at] + lines[at + size:]
-                if wanted in fewer and self.is_missed(corpus, plant, path, fewer, wanted):
+                if wanted in fewer and fewer[:1] == lines[:1] and self.is_missed(corpus, plant, path, fewer, wanted):
                     lines = fewer
                 else:
                     at += size
@@ -50,14 +52,15 @@ class Reducer:
                 changed = list(lines)
                 for line, text in other.changes.items():
                     changed[line] = text
-                return not self.finds(plant, path.suffix, '\n'.join(lines)) and not self.finds(plant, path.suffix, '\n'.join(changed))
+                before, after = (self.findings(path.suffix, text) for text in (lines, changed))
+                sound = not any(finding['severity'] == ERROR for finding in before)
+                return sound and not any(finding['code'] in KINDS[plant.kind].rules and RANK[finding['severity']] >= RANK[plant.least]
+                                         for finding in before + after)
         return False
 
-    def finds(self, plant, suffix, text):
-        """Whether a rule of the plant's class says anything."""
+    def findings(self, suffix, lines):
         file = self.folder / f'program{suffix or ".nc"}'
-        file.write_bytes(text.encode('latin-1'))
+        file.write_bytes('\n'.join(lines).encode('latin-1'))
         options = ['--isolated', '--jobs', '1', '--format', 'json', '--no-timestamps']
         done = subprocess.run([str(self.maclint), 'check', *options, file.name], cwd=self.folder, capture_output=True)
-        return any(finding['code'] in KINDS[plant.kind].rules and RANK[finding['severity']] >= RANK[plant.least]
-                   for finding in json.loads(done.stdout)['findings'])
+        return json.loads(done.stdout)['findings']

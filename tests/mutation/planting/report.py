@@ -36,7 +36,7 @@ def cause_of(plant, verdict, codes):
     return plant.kind, verdict, ', '.join(others) or 'nothing'
 
 
-def markdown(results, harmless, seed, seconds):
+def markdown(results, harmless, examples, seed, seconds):
     lines = ['# Planted defects', '', f'Seed {seed}, {seconds:.0f} s. {summary(results)}.', '',
              '| class | severity | places | found | a note only | missed | share | harmless | rules |', '|---|---|---|---|---|---|---|---|---|']
     left_out = Counter(plant.kind for plant in harmless)
@@ -52,7 +52,7 @@ def markdown(results, harmless, seed, seconds):
     lines += [f'- {kind}: {count} × {reason}' for (kind, reason), count in sorted(reasons.items())]
     other = Counter(verdict for _, verdict, _ in results if verdict not in JUDGED)
     lines += [f'- {count} × {verdict}' for verdict, count in sorted(other.items())]
-    lines += misses(results)
+    lines += misses(results, examples)
     return '\n'.join(lines) + '\n'
 
 
@@ -69,14 +69,22 @@ def rules_table(results):
     return lines + [f'| {rule} | {places[rule]} | {found[rule]} |' for rule in sorted(set(places) | set(found))]
 
 
-def misses(results):
+def miss_groups(results):
     groups = defaultdict(list)
     for plant, verdict, codes in results:
         if verdict in ('missed', 'only a note'):
             groups[cause_of(plant, verdict, codes)].append((plant, codes))
+    return groups
+
+
+def misses(results, examples):
+    groups = miss_groups(results)
     lines = ['', '## Misses', '']
     for (kind, verdict, said), group in sorted(groups.items(), key=lambda item: (-len(item[1]), item[0])):
         lines += [f'### {kind}: {len(group)} {verdict}; new findings: {said}', '', f'Expected: {" or ".join(KINDS[kind].rules)}.', '']
+        if (kind, verdict, said) in examples:
+            example, difference = examples[kind, verdict, said]
+            lines += ['```', *example, '```', '', 'with `' + '` `'.join(difference) + '`:', '']
         for plant, codes in group:
             lines += [f'- {plant.path}:{plant.line} `' + '` `'.join(plant.difference()) + '`' + (f' ({"; ".join(codes)})' if codes else '')]
         lines.append('')
