@@ -17,7 +17,7 @@ from planting.plants import KINDS
 from planting.reduce import Reducer
 from planting.workspace import Corpus
 
-REDUCED = 3  # misses of a group that are tried
+REDUCED = 1  # misses of a group that are made small
 ROOT = Path(__file__).resolve().parents[2]
 
 

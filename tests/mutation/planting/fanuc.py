@@ -17,7 +17,7 @@ CONDITIONAL = re.compile(r'\bIF\s*\[|^\s*(?:N\s*\d+\s*)?IF\s*\[')
 WHILE = re.compile(r'WHILE\s*\[')
 DO = re.compile(r'DO\s*(\d+)')
 END = re.compile(r'END\s*(\d+)')
-CALL = re.compile(r'(M\s*0*98|G\s*0*65|G\s*0*66(?:\.1)?)(?![\d.])')
+CALL = re.compile(r'(M\s*0*9[78]|G\s*0*65|G\s*0*66(?:\.1)?)(?![\d.])')
 NUMBER_CALLED = re.compile(r'P\s*(\d+)(?![\d.])')
 RETURN = re.compile(r'M\s*0*99(?!\d)')
 PROGRAM_END = re.compile(r'M\s*0*(?:30|2)(?!\d)')
@@ -59,7 +59,7 @@ class Block:
 
     @property
     def uses_frame_of_caller(self):
-        return re.search(r'M\s*0*98(?!\d)', self.code) is not None
+        return re.search(r'M\s*0*9[78](?!\d)', self.code) is not None
 
 
 def closing(code, opened):
@@ -166,9 +166,14 @@ class Program:
         return sorted(self.end_of.items())
 
     @property
+    def returns(self):
+        """Whether somebody may call it."""
+        return any(RETURN.search(block.code) for block in self.blocks)
+
+    @property
     def is_macro(self):
         """Returns to a caller and never ends the part."""
-        return any(RETURN.search(b.code) for b in self.blocks) and not any(PROGRAM_END.search(b.code) for b in self.blocks)
+        return self.returns and not any(PROGRAM_END.search(block.code) for block in self.blocks)
 
     def has_exit(self, index):
         """Whether the control may stop or leave at this block."""

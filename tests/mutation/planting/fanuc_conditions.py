@@ -82,7 +82,8 @@ def zero_tests(program):
 def is_set(program, index, variable):
     """Every path to the block sets the variable to something that is not a plain copy."""
     called = any(block.is_call for block in program.blocks)
-    if 0 < variable < (34 if called else 1000):
+    unknown = any(block.uses_frame_of_caller or block.stores_anywhere for block in program.blocks)
+    if 0 < variable < (0 if unknown else 34 if called else 1000):
         def sets(at):
             block = program.blocks[at]
             return certainly_stores(block, variable) and not re.search(rf'#\s*0*{variable}\s*=\s*#\s*\d+\s*$', block.code.rstrip())

@@ -103,7 +103,8 @@ def other_condition(program, start, counter, unused, reason):
     name = re.compile(rf'#\s*0*({counter})(?!\d)').search(block.code, at)
     others = [v for b in program.blocks[:start] for v in b.stores if v != counter and 0 < v < 34]
     inside = {v for index in program.body(start) for v in program.blocks[index].stores}
-    free = [v for v in others if v not in inside | variables_in(block.loop_condition)]
+    literal = {v for b in program.blocks for v in b.stores if re.search(r'=\s*-?[\d.]+\s*$', b.code.rstrip())}
+    free = [v for v in others if v not in inside | variables_in(block.loop_condition) | literal]  # a setting may say anything
     yield 'condition-elsewhere', put(block, name.span(1), str(free[-1] if free else unused)), reason
 
 

@@ -18,8 +18,10 @@ def word(letter, value):
 
 
 def plants(program, lines):
+    taken = set()
     for saved in saves(program):
         yield from wrongly_saved(program, lines, *saved)
+        yield from saved_lost(program, *saved, taken)
     for variable, codes, customary in MODES:
         yield from modes_left(program, codes, customary)
         yield from conflicts(program, codes)
@@ -76,13 +78,18 @@ def wrongly_saved(program, lines, index, variable, source, back):
     wrong = {'4109': '4119', '4119': '4109'}.get(source, '4109')
     yield 'saved-wrong', put(block, (at, at + 4), wrong), ''
     yield from saved_late(program, lines, index, source, back)
+
+
+def saved_lost(program, index, variable, _, back, taken):
+    """The first assignment after the save, one for each saved value, goes to the variable that keeps it."""
     for later in range(index + 1, back):
         other = program.blocks[later]
         store = PLAIN_STORE.match(other.code)
         if store and later in program.reachable and not SAVE.match(other.code) and int(store.group(1)) < 34:
             only = other.stores == [int(store.group(1))]
             reached = back in program.reach(program.successors[later])
-            if only and reached and not other.skipped:
+            if only and reached and not other.skipped and later not in taken:
+                taken.add(later)
                 yield 'saved-lost', put(other, store.span(1), str(variable)), ''
                 return
 

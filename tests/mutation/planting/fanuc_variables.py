@@ -17,7 +17,7 @@ def plants(program):
 
 def locals_that_start_vacant(program):
     """In a macro those that no letter passes; in a program that nobody calls every local."""
-    return OTHER_LOCALS if program.is_macro else OTHER_LOCALS | ARGUMENTS
+    return OTHER_LOCALS if program.returns else OTHER_LOCALS | ARGUMENTS
 
 
 def removed_assignments(program):
@@ -62,11 +62,20 @@ def why_it_is_not_missed(program, index, variable):
     reached = program.reach(program.successors[index])
     if not {use for use in after - before if use in reached}:
         return ONE_OF_MANY if after == before and not before else 'its uses may have been vacant before, or another assignment comes first'
+    if any(other.loop is not None and other.stores for other in program.blocks):
+        return 'a block holds a loop and an assignment, which the planter does not read'
+    if loop_sets_it_before(program, index, variable):
+        return 'an earlier loop has set it, unless it makes no pass'
     if block.conditional and 'THEN' in block.code:
         return 'it is set only under a condition'
     if re.search(r'#\s*\[', ''.join(b.code for b in program.blocks)) and reads_through_index(program):
         return 'the program reads variables through an index'
     return ''
+
+
+def loop_sets_it_before(program, index, variable):
+    return any(end < index and any(variable in program.blocks[at].stores for at in program.body(start))
+               for start, end in program.loops())
 
 
 def counts_as_zero(program, index, variable):

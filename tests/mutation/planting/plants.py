@@ -60,7 +60,7 @@ KINDS = {kind.name: kind for kind in [
         ('loop-number', 'MAC314', 'loop number 4'),
         ('step-removed', 'MAC319', 'the step of the loop is gone'),
         ('step-elsewhere', 'MAC319', 'the step goes to another variable'),
-        ('condition-elsewhere', 'MAC319 MAC718', 'WHILE tests a variable that the loop does not change'),
+        ('condition-elsewhere', 'MAC319 MAC718 MAC209', 'WHILE tests a variable that the loop does not change'),
     ]),
     *table('loops', WARNING, [
         ('step-sign', 'MAC320 MAC319', 'the step goes the other way'),

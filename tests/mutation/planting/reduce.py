@@ -7,7 +7,7 @@ from pathlib import Path
 from .plants import ERROR, KINDS, RANK
 from .workspace import Corpus
 
-ATTEMPTS = 600  # runs of maclint for one miss
+ATTEMPTS = 150  # runs of maclint for one miss
 
 
 class Reducer:
