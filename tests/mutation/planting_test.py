@@ -4,7 +4,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from planting import dinplus, edit, fanuc, fanuc_jumps, fanuc_loops, fanuc_variables, report
+from planting import dinplus, edit, fanuc, fanuc_calls, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, report
+from planting.callers import Callers
 from planting.judge import Judge
 from planting.plants import KINDS, Plant
 from planting.workspace import Corpus
@@ -117,6 +118,53 @@ class Variables(unittest.TestCase):
         counted = 'O1\n#33=0\n#33=#33+#1\nIF[#33GT5]GOTO1\nG0X1.\nN1M99'
         self.assertEqual([harmless for _, harmless in planted(fanuc_variables.plants, counted, 'case-removed')][0],
                          'it is set to 0, and vacant counts as 0 in every use')
+
+
+class Calls(unittest.TestCase):
+    MAIN = 'O1\nG65P2X1.Z-5.\nM30'
+
+    @staticmethod
+    def plants(kind, *texts):
+        programs = [program(text) for text in texts]
+        return [(edit.apply(texts[0].split('\n'), edits), harmless)
+                for name, edits, harmless in fanuc_calls.plants(programs[0], {1, 2}, Callers(programs)) if name == kind]
+
+    def test_a_letter_that_the_callee_reckons_with(self):
+        self.assertEqual(self.plants('letter-left-out', self.MAIN, 'O2\nG0Z[#26+5.]\nM99'), [({1: 'G65P2X1.'}, '')])
+
+    def test_a_letter_that_the_callee_tests_may_be_left_out(self):
+        self.assertEqual(self.plants('letter-left-out', self.MAIN, 'O2\nIF[#26EQ#0]THEN#26=1.\nG0Z[#26+5.]\nM99'), [])
+
+    def test_an_end_that_runs_into_another_is_left_out(self):
+        self.assertEqual(self.plants('return-removed', 'O2\nIF[#1EQ1]GOTO1\nM99\nN1M99')[0][1], 'the control runs on into another M99')
+
+    def test_callers_that_say_the_mode_anew_are_not_hurt(self):
+        hurt, safe = 'O1\nG65P2\nG0X1.\nM30', 'O1\nG65P2\nG90G0X1.\nM30'
+        callee = program('O2\nG91G0X1.\nM99')
+        self.assertFalse(Callers([program(hurt), callee]).none_is_hurt('mode-left', 2))
+        self.assertTrue(Callers([program(safe), callee]).none_is_hurt('mode-left', 2))
+        self.assertFalse(Callers([callee]).none_is_hurt('mode-left', 2))
+
+
+class Modal(unittest.TestCase):
+    @staticmethod
+    def plants(kind, text):
+        lines = text.split('\n')
+        return [([new for _, new in sorted(edit.apply(lines, edits).items())], harmless)
+                for name, edits, harmless in fanuc_modal.plants(program(text), lines) if name == kind]
+
+    def test_a_mode_is_left_only_when_it_is_not_the_customary_one(self):
+        incremental, absolute = ('O2\n#3=#4003\n%s\nG0Z1.\nG#3\nM99' % code for code in ('G91', 'G90'))
+        self.assertEqual(self.plants('mode-left', incremental), [([''], '')])
+        self.assertEqual([harmless for _, harmless in self.plants('mode-left', absolute)],
+                         ['what is left is the customary code, or unknown'])
+
+    def test_what_is_saved_late_changes_places_with_the_change(self):
+        self.assertEqual(self.plants('saved-late', 'O2\n#3=#4003\nG91\nG0Z1.\nG#3\nM99'), [(['G91', '#3=#4003'], '')])
+
+    def test_a_call_in_between_makes_a_leftover_unknown(self):
+        self.assertEqual(self.plants('cancel-removed', 'O2\nG41D1\nM98P7\nG40\nM99'), [])
+        self.assertEqual(self.plants('cancel-removed', 'O2\nG41D1\nG1X1.\nG40\nM99'), [([''], '')])
 
 
 class DinPlus(unittest.TestCase):

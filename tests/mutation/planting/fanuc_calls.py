@@ -2,14 +2,22 @@
 import re
 
 from .edit import drop, put
-from .fanuc import ALARM, CALL, NUMBER_CALLED, RETURN
+from .fanuc import ALARM, CALL, NUMBER_CALLED, RETURN, closing
+from .flow import variables_in
 
 MODAL = re.compile(r'G\s*66(?:\.1)?(?![\d.])')
 CANCEL = re.compile(r'G\s*67(?![\d.])')
 
 
-def plants(program, numbers):
+LETTERS = {'A': 1, 'B': 2, 'C': 3, 'D': 7, 'E': 8, 'F': 9, 'H': 11, 'M': 13, 'Q': 17, 'R': 18, 'S': 19, 'T': 20,
+           'U': 21, 'V': 22, 'W': 23, 'X': 24, 'Y': 25, 'Z': 26}
+ARGUMENT = re.compile(r'(?<![A-Z])([A-FHMQ-Z])\s*-?\s*(?:[\d.]+|#\s*\d+|(?=\[))')
+
+
+def plants(program, numbers, callers):
     """`numbers`: programs that are there, of all files that are read together."""
+    yield from left_out_letters(program, callers)
+    yield from alarms_removed(program)
     for index, block in enumerate(program.blocks):
         reason = '' if index in program.reachable else 'no path leads to this block'
         call, number = CALL.search(block.code), NUMBER_CALLED.search(block.code)
@@ -48,3 +56,37 @@ def returns_removed(program):
         elif follows and any(ALARM.search(program.blocks[at].code) for at in ends):
             reason = reason or 'the control runs on into an alarm'
         yield 'return-removed', put(block, back.span(), '') if block.code.strip() != back.group() else drop(block), reason
+
+
+def alarms_removed(program):
+    """The alarm in the last block: the control runs on over the end of the program."""
+    last = program.blocks[-1]
+    alarm = ALARM.search(last.code)
+    if alarm and not last.conditional and not last.skipped:
+        reason = '' if len(program.blocks) - 1 in program.reachable else 'no path leads to this block'
+        yield 'alarm-removed', put(last, (alarm.start(), len(last.code.rstrip())), ''), reason
+
+
+def left_out_letters(program, callers):
+    """The only call of a program leaves out a letter that it reckons with and never tests."""
+    for index, block in enumerate(program.blocks):
+        call, number = re.search(r'G\s*65(?!\d)', block.code), NUMBER_CALLED.search(block.code)
+        callee = callers.by_number.get(int(number.group(1))) if call and number else None
+        if callee is None or len(list(callers.of(callee.number))) != 1 or index not in program.reachable:
+            continue
+        for letter in ARGUMENT.finditer(block.code, call.end()):
+            end = letter.end()
+            if block.code[end:end + 1] == '[':
+                end = closing(block.code, end) + 1
+            if reckons_with(callee, LETTERS[letter.group(1)]):
+                yield 'letter-left-out', put(block, (letter.start(), end), ''), ''
+                break
+
+
+def reckons_with(program, variable):
+    """Whether it adds or multiplies what it neither tests nor sets."""
+    named = [block for block in program.blocks if variable in variables_in(block.code)]
+    if any('IF' in block.code or 'WHILE' in block.code or variable in block.stores or block.is_call for block in named):
+        return False
+    sums = re.compile(rf'[-+*/]\s*#\s*0*{variable}(?!\d)|#\s*0*{variable}\s*[-+*/]')
+    return any(sums.search(block.code) and program.blocks.index(block) in program.reachable for block in named)

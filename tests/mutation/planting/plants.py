@@ -106,9 +106,11 @@ KINDS = {kind.name: kind for kind in [
         ('recursion', 'MAC412 MAC410 MAC411', 'a program calls itself'),
         ('call-without-number', 'MAC401', 'P is gone'),
         ('return-removed', 'MAC456', 'M99 is gone'),
+        ('alarm-removed', 'MAC456', 'the alarm at the end is gone, and the control runs on over the end'),
     ]),
     *table('calls', WARNING, [
         ('modal-call-left', 'MAC413', 'G67 is gone'),
+        ('letter-left-out', 'MAC209', 'the only call of a program leaves out a letter that it reckons with and never tests'),
     ]),
     *table('spelling', ERROR, [
         ('bracket-unclosed', 'MAC117 MAC121 MAC118', 'a ] is gone'),

@@ -79,7 +79,7 @@ class Corpus:
         for program in fanuc.programs_of(lines):
             found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program), *fanuc_conditions.plants(program),
                      *fanuc_variables.plants(program), *fanuc_modal.plants(program, lines),
-                     *fanuc_calls.plants(program, numbers), *spelling.plants(program, lines)]
+                     *fanuc_calls.plants(program, numbers, callers), *spelling.plants(program, lines)]
             for kind, edits, harmless in found:
                 if kind in NEEDS and not harmless and callers.none_is_hurt(kind, program.number):
                     harmless = 'its callers say the mode anew before they need it'
