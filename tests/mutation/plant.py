@@ -23,13 +23,14 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def corpora_of(root, shared):
     """Our own clean programs, and the macros beside the project where they are."""
-    own = [Corpus(root / 'corpus' / language / 'good', name, language) for language, name in (('fanuc', 'own'), ('dinplus', 'own-dinplus'))]
+    own = [Corpus.read(root / 'corpus' / language / 'good', name, language)
+           for language, name in (('fanuc', 'own'), ('dinplus', 'own-dinplus'))]
     macros = shared / 'corpus' / 'fanuc-macro'
     if not macros.is_dir():
         print(f'plant: {macros} is not there: only the programs of corpus/ are used', file=sys.stderr)
         return own
     dinplus = shared / 'corpus' / 'dinplus'
-    return own + [Corpus(macros, 'macros', 'fanuc')] + ([Corpus(dinplus, 'dinplus', 'dinplus')] if dinplus.is_dir() else [])
+    return own + [Corpus.read(macros, 'macros', 'fanuc')] + ([Corpus.read(dinplus, 'dinplus', 'dinplus')] if dinplus.is_dir() else [])
 
 
 def chosen(plants, options):

@@ -200,7 +200,7 @@ class Judging(unittest.TestCase):
         folder = Path(temporary.name)
         (folder / 'programs').mkdir()
         (folder / 'programs' / 'row').write_text(DRILL)  # no usual name
-        self.corpora = {'own': Corpus(folder / 'programs', 'own', 'fanuc')}
+        self.corpora = {'own': Corpus.read(folder / 'programs', 'own', 'fanuc')}
         self.judge = Judge(Path(os.environ['MACLINT']).resolve(), folder / 'work', 1)
 
     def verdicts(self, plants):

@@ -70,7 +70,7 @@ def plants(lines, libraries):
         return
     for line in range(machining + 1, len(codes)):
         yield from structure(line, codes)
-        yield from words(line, codes, machining)
+        yield from words(line, codes)
     for routine in routines_of(codes):
         yield from variables(routine, codes)
         yield from loops(routine, codes)
@@ -110,7 +110,7 @@ def structure(line, codes):
             yield 'din-joined', [(line, (len(code.rstrip()), len(code)), ' THEN'), *drop(after, codes[after])], ''
 
 
-def words(line, codes, machining):
+def words(line, codes):
     code = codes[line]
     condition = re.search(r'\b(?:IF|WHILE)\b.*?(==)', code)
     if condition:

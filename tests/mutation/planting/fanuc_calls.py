@@ -3,7 +3,7 @@ import re
 
 from .edit import drop, put
 from .fanuc import ALARM, CALL, NUMBER_CALLED, RETURN, closing
-from .flow import variables_in
+from .flow import unreached, variables_in
 
 MODAL = re.compile(r'G\s*66(?:\.1)?(?![\d.])')
 CANCEL = re.compile(r'G\s*67(?![\d.])')
@@ -19,7 +19,7 @@ def plants(program, numbers, callers):
     yield from left_out_letters(program, callers)
     yield from alarms_removed(program)
     for index, block in enumerate(program.blocks):
-        reason = '' if index in program.reachable else 'no path leads to this block'
+        reason = unreached(program, index)
         call, number = CALL.search(block.code), NUMBER_CALLED.search(block.code)
         if call and number:
             called = int(number.group(1))
@@ -38,7 +38,7 @@ def plants(program, numbers, callers):
 def missing(number, numbers):
     text = str(number)
     swapped = [text[:at] + text[at + 1] + text[at] + text[at + 2:] for at in range(len(text) - 1)]
-    typed = [text[:-1] + digit for digit in '9876543210'] + [text[:-2] + str(n) for n in range(10, 100)] + [f'{n}' for n in range(9999, 7000, -1)]
+    typed = [text[:-1] + digit for digit in '9876543210'] + [str(other) for other in range(9999, 7000, -1)]
     return next(int(new) for new in swapped + typed if new and new[0] != '0' and int(new) not in numbers)
 
 
@@ -48,7 +48,7 @@ def returns_removed(program):
         back = RETURN.search(block.code)
         if not back or block.conditional or block.skipped:
             continue
-        reason = '' if index in program.reachable else 'no path leads to this block'
+        reason = unreached(program, index)
         follows = program.reach([index + 1]) if index + 1 < len(program.blocks) else set()
         ends = [at for at in follows if not program.successors[at]]
         if follows and all(RETURN.search(program.blocks[at].code) for at in ends):

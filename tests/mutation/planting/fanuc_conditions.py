@@ -3,7 +3,7 @@ import re
 
 from .edit import put
 from .fanuc import ARGUMENTS, OTHER_LOCALS
-from .flow import certainly_stores, live_uses, tests_vacancy, uses, variables_in
+from .flow import certainly_stores, live_uses, tests_vacancy, unreached, uses, variables_in
 
 VACANT = re.compile(r'\[\s*#\s*(\d+)\s*(EQ|NE)\s*(#\s*0)\s*\]')
 ZERO = re.compile(r'\[\s*#\s*(\d+)\s*(EQ|NE)\s*(0\.?0*)\s*\]')
@@ -19,10 +19,6 @@ def plants(program):
     yield from repeated_guards(program)
     yield from symbols(program)
     yield from distances(program)
-
-
-def unreached(program, index):
-    return '' if index in program.reachable else 'no path leads to this block'
 
 
 def not_vacant(program, index, variable):

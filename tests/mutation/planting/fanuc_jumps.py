@@ -1,7 +1,7 @@
 """Jumps of Fanuc programs that lead elsewhere."""
-from .fanuc import GOTO
-from .flow import is_trap
 from .edit import put
+from .fanuc import GOTO
+from .flow import is_trap, unreached
 
 
 def plants(program):
@@ -16,10 +16,6 @@ def literal_jumps(program):
     for index, block in enumerate(program.blocks):
         if block.target is not None and program.target_of(index, block.target) is not None:
             yield index, block
-
-
-def unreached(program, index):
-    return '' if index in program.reachable else 'no path leads to this block'
 
 
 def wrong_targets(program):

@@ -5,7 +5,8 @@ from .edit import drop, put
 from .fanuc import DO, END, OTHER_LOCALS, WHILE
 from .flow import variables_in
 
-STEP = re.compile(r'#\s*(\d+)\s*=\s*(?:#\s*\1\s*(?P<sign>[+-])\s*(?P<by>#\s*\d+|\d+\.?\d*|\.\d+)|(?P<front>#\s*\d+|\d+\.?\d*)\s*\+\s*#\s*\1)\s*$')
+STEP = re.compile(r'#\s*(\d+)\s*=\s*(?:#\s*\1\s*(?P<sign>[+-])\s*(?P<by>#\s*\d+|\d+\.?\d*|\.\d+)|'
+                  r'(?P<front>#\s*\d+|\d+\.?\d*)\s*\+\s*#\s*\1)\s*$')
 RELATION = re.compile(r'^\[\s*#\s*(\d+)\s*(LT|LE|GT|GE|NE)\s*(.*)\]$')
 UP, DOWN = {'LT', 'LE'}, {'GT', 'GE'}
 
@@ -14,11 +15,7 @@ def plants(program):
     for start, end in program.loops():
         yield from unpaired(program, start, end)
         if program.blocks[start].loop_condition:
-            yield from endless(program, start, end)
-
-
-def unreached(program, index):
-    return '' if index in program.reachable else 'no path leads to this block'
+            yield from endless(program, start)
 
 
 def unpaired(program, start, end):
@@ -70,12 +67,12 @@ def why_it_still_ends(program, start, counter):
     return ''
 
 
-def endless(program, start, end):
+def endless(program, start):
     found = step_of(program, start)
     if not found:
         return
     block, step, relation = found
-    counter, limit = int(relation.group(1)), relation.group(3)
+    counter = int(relation.group(1))
     reason = why_it_still_ends(program, start, counter)
     yield 'step-removed', put(block, step.span(), ''), reason
     unused = unused_local(program)
@@ -89,7 +86,6 @@ def endless(program, start, end):
         yield from literal_steps(block, step, relation, float(by), reason)
     else:
         yield from unguarded_step(program, int(by.strip('# ')), start, reason)
-    del end, limit
 
 
 def unused_local(program):

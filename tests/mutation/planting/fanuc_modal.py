@@ -3,6 +3,7 @@ import re
 
 from .edit import put
 from .fanuc import CALL, PROGRAM_END, RETURN
+from .flow import unreached
 
 SAVE = re.compile(r'^\s*(?:N\s*\d+\s*)?#\s*(\d+)\s*=\s*#\s*(4[01]\d\d)\s*$')
 PLAIN_STORE = re.compile(r'^\s*#\s*(\d+)\s*=')
@@ -20,12 +21,11 @@ def word(letter, value):
 def plants(program, lines):
     taken = set()
     for saved in saves(program):
-        yield from wrongly_saved(program, lines, *saved)
-        yield from saved_lost(program, *saved, taken)
+        yield from wrongly_saved(program, lines, saved)
+        yield from saved_lost(program, saved, taken)
     for variable, codes, customary in MODES:
-        yield from modes_left(program, codes, customary)
+        yield from modes_left(program, variable, codes, customary)
         yield from conflicts(program, codes)
-        del variable
     yield from words_left(program, 'F', '4109', 'feed-left')
     yield from words_left(program, 'S', '4119', 'speed-left')
     yield from cancels_removed(program)
@@ -72,7 +72,8 @@ def saves(program):
             yield index, variable, source, back[-1]
 
 
-def wrongly_saved(program, lines, index, variable, source, back):
+def wrongly_saved(program, lines, saved):
+    index, _, source, back = saved
     block = program.blocks[index]
     at = block.code.rindex(source)
     wrong = {'4109': '4119', '4119': '4109'}.get(source, '4109')
@@ -80,8 +81,9 @@ def wrongly_saved(program, lines, index, variable, source, back):
     yield from saved_late(program, lines, index, source, back)
 
 
-def saved_lost(program, index, variable, _, back, taken):
+def saved_lost(program, saved, taken):
     """The first assignment after the save, one for each saved value, goes to the variable that keeps it."""
+    index, variable, _, back = saved
     for later in range(index + 1, back):
         other = program.blocks[later]
         store = PLAIN_STORE.match(other.code)
@@ -117,12 +119,11 @@ def saved_late(program, lines, index, source, back):
             return
 
 
-def modes_left(program, codes, customary):
+def modes_left(program, variable, codes, customary):
     """Each word that puts the group back: G90, or G#3 with #3 a copy of #4003."""
     if not program.is_macro or is_lathe(program):
         return
-    copies = {variable for _, variable, source, _ in saves(program)
-              if source == next(number for number, group, _ in MODES if group == codes)}
+    copies = {copy for _, copy, source, _ in saves(program) if source == variable}
     literal = re.compile(rf'G\s*({"|".join(codes)})(?![\d.])')
     copied = re.compile(rf'G\s*#\s*({"|".join(map(str, sorted(copies))) or "0"})(?!\d)')
 
@@ -140,7 +141,7 @@ def modes_left(program, codes, customary):
     bad = set(codes) - {customary}
     _, ends = states(program, change(None), 'caller')
     for index, block in enumerate(program.blocks):
-        if index not in program.reachable or not program.is_macro:
+        if index not in program.reachable:
             continue
         words = [m for m in literal.finditer(block.code) if m.group(1) == customary] + list(copied.finditer(block.code))
         for match in words:
@@ -239,7 +240,7 @@ def conflicts(program, codes):
     for index, block in enumerate(program.blocks):
         match = word('G', codes[0]).search(block.code)
         if match and not CALL.search(block.code):
-            reason = '' if index in program.reachable else 'no path leads to this block'
+            reason = unreached(program, index)
             yield 'group-conflict', put(block, (match.end(), match.end()), f'G{codes[1]}'), reason
 
 
@@ -247,5 +248,5 @@ def doubled_addresses(program):
     for index, block in enumerate(program.blocks):
         match = re.search(r'X\s*[-#\[\d.].*?(Y)\s*[-#\[\d.]', block.code)
         if match and not CALL.search(block.code) and '=' not in block.code and not block.conditional:
-            reason = '' if index in program.reachable else 'no path leads to this block'
+            reason = unreached(program, index)
             yield 'address-twice', put(block, match.span(1), 'X'), reason

@@ -3,7 +3,7 @@ import re
 
 from .edit import put
 from .fanuc import ARGUMENTS, OTHER_LOCALS, STORE, VARIABLE
-from .flow import live_uses, tests_vacancy, uses, vacant_uses, variables_in
+from .flow import live_uses, tests_vacancy, unreached, uses, vacant_uses, variables_in
 
 
 def plants(program):
@@ -118,7 +118,7 @@ def wrong_variables(program):
         if re.match(r'.*=\s*#\s*\d+\s*$', block.code.rstrip()):
             continue
         wrong = typing_error(int(read.group(1)), free)
-        reason = '' if index in program.reachable else 'no path leads to this block'
+        reason = unreached(program, index)
         yield 'wrong-variable', put(block, read.span(1), str(wrong)), reason
 
 

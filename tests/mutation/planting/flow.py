@@ -6,6 +6,11 @@ from .fanuc import CALL, VARIABLE
 VACANCY_TEST = r'#\s*0*{0}\s*(?:EQ|NE)\s*#\s*0(?!\d)|#\s*0\s*(?:EQ|NE)\s*#\s*0*{0}(?!\d)'
 
 
+def unreached(program, index):
+    """The reason why a place is none."""
+    return '' if index in program.reachable else 'no path leads to this block'
+
+
 def tests_vacancy(block, variable):
     return re.search(VACANCY_TEST.format(variable), block.code) is not None
 

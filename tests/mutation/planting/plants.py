@@ -30,9 +30,6 @@ class Plant:
     def line(self):
         return min(self.changes) + 1
 
-    def describe(self):
-        return f'{self.path}:{self.line}: {self.kind}'
-
     def difference(self):
         return [mark + text.strip() for number, old in zip(sorted(self.changes), self.before)
                 for mark, text in (('- ', old), ('+ ', self.changes[number])) if text.strip()]

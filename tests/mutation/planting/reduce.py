@@ -1,11 +1,10 @@
 """Makes a program in which a plant was missed as small as it can be while the plant is still missed."""
 import json
 import subprocess
-from dataclasses import replace
 from pathlib import Path
 
 from .plants import ERROR, KINDS, RANK
-from .workspace import Corpus
+from .workspace import Corpus, File
 
 ATTEMPTS = 150  # runs of maclint for one miss
 
@@ -42,10 +41,7 @@ class Reducer:
         self.left -= 1
         if self.left < 0:
             return False
-        alone = Corpus.__new__(Corpus)
-        alone.name, alone.language = corpus.name, corpus.language
-        alone.files = {path: replace(corpus.files[path], text='\n'.join(lines))}
-        alone.neighbours = {path: [path]}
+        alone = Corpus(corpus.name, corpus.language, [File(path, '\n'.join(lines))])
         for other in alone.plants(path):
             if other.kind == plant.kind and not other.harmless and lines[other.line - 1] == wanted \
                     and other.difference() == plant.difference():

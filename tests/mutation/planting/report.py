@@ -38,14 +38,16 @@ def cause_of(plant, verdict, codes):
 
 def markdown(results, harmless, examples, seed, seconds):
     lines = ['# Planted defects', '', f'Seed {seed}, {seconds:.0f} s. {summary(results)}.', '',
-             '| class | severity | places | found | a note only | missed | share | harmless | rules |', '|---|---|---|---|---|---|---|---|---|']
+             '| class | severity | places | found | a note only | missed | share | harmless | rules |',
+             '|---|---|---|---|---|---|---|---|---|']
     left_out = Counter(plant.kind for plant in harmless)
     for name, kind in KINDS.items():
         own = [result for result in results if result[0].kind == name]
         counts = Counter(verdict for _, verdict, _ in own)
         if own or left_out[name]:
-            lines.append(f'| {name} | {kind.severity} | {sum(counts[v] for v in JUDGED)} | {counts["found"]} | {counts["only a note"]} | '
-                         f'{counts["missed"]} | {percent(own)} | {left_out[name]} | {" ".join(kind.rules)} |')
+            cells = [name, kind.severity, sum(counts[v] for v in JUDGED), *(counts[v] for v in JUDGED), percent(own), left_out[name],
+                     ' '.join(kind.rules)]
+            lines.append(f'| {" | ".join(map(str, cells))} |')
     lines += rules_table(results)
     lines += ['', '## Left out as harmless', '']
     reasons = Counter((plant.kind, plant.harmless) for plant in harmless)

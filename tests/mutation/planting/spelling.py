@@ -3,6 +3,7 @@ import re
 
 from .edit import put
 from .fanuc import closing
+from .flow import unreached
 
 KEYWORDS = {'WHILE': 'WHLIE', 'THEN': 'TEHN', 'GOTO': 'G0TO', 'EQ': 'EQU'}
 FUNCTION = re.compile(r'(SIN|COS|TAN|ATAN|SQRT|ABS|ROUND|FIX|FUP)\s*(\[)')
@@ -12,7 +13,7 @@ DECIMAL = re.compile(r'(?<=[XYZF]\d)\.(?=\d)|(?<=[XYZ]-\d)\.(?=\d)')
 
 def plants(program, lines):
     for index, block in enumerate(program.blocks):
-        reason = '' if index in program.reachable else 'no path leads to this block'
+        reason = unreached(program, index)
         code = block.code
         if '[' in code and code.count('[') == code.count(']'):
             last = code.rindex(']')

@@ -16,7 +16,6 @@ CALLED_BY_NAME = re.compile(r'L\s*"([^"]+)"')
 class File:
     path: Path  # from the corpus' folder
     text: str  # Latin-1, so that every byte stays as it is
-    language: str
 
     @property
     def lines(self):
@@ -26,14 +25,15 @@ class File:
 class Corpus:
     """A folder of programs: each of its folders is read alone, as maclint does with a repository."""
 
-    def __init__(self, root, name, language):
-        self.root, self.name, self.language = root, name, language
-        self.files = {}
-        for path in sorted(p for p in root.rglob('*') if p.is_file()):
-            if path.suffix.lower() in USUAL and path.name != 'README.md':
-                relative = path.relative_to(root)
-                self.files[relative] = File(relative, path.read_bytes().decode('latin-1'), language)
+    def __init__(self, name, language, files):
+        self.name, self.language = name, language
+        self.files = {file.path: file for file in files}
         self.neighbours = self.connect()
+
+    @classmethod
+    def read(cls, root, name, language):
+        paths = sorted(path for path in root.rglob('*') if path.is_file() and path.suffix.lower() in USUAL)
+        return cls(name, language, [File(path.relative_to(root), path.read_bytes().decode('latin-1')) for path in paths])
 
     def connect(self):
         """For each file those that it calls and those that call it, directly or through others."""
