@@ -40,6 +40,10 @@ def planted(generator, text, kind):
             for name, edits, harmless in generator(program(text)) if name == kind]
 
 
+def loops(read):
+    return fanuc_loops.plants(read, set())
+
+
 class Reader(unittest.TestCase):
     def test_comments_are_blank_and_columns_stay(self):
         self.assertEqual(fanuc.code_of('g1 (x1.) y2.\r'), 'G1       Y2. ')
@@ -85,17 +89,23 @@ class Jumps(unittest.TestCase):
 
 class Loops(unittest.TestCase):
     def test_steps(self):
-        self.assertEqual(planted(fanuc_loops.plants, DRILL, 'step-removed'), [([''], '')])
-        self.assertEqual(planted(fanuc_loops.plants, DRILL, 'step-sign'), [(['#30=#30-1'], '')])
-        self.assertEqual(planted(fanuc_loops.plants, DRILL, 'step-zero'), [(['#30=#30+0'], '')])
+        self.assertEqual(planted(loops, DRILL, 'step-removed'), [([''], '')])
+        self.assertEqual(planted(loops, DRILL, 'step-sign'), [(['#30=#30-1'], '')])
+        self.assertEqual(planted(loops, DRILL, 'step-zero'), [(['#30=#30+0'], '')])
 
     def test_a_loop_that_is_left_otherwise_is_no_place(self):
         left = DRILL.replace('#30=#30+1', 'IF[#5001GT5]GOTO9\n#30=#30+1')
-        self.assertEqual(planted(fanuc_loops.plants, left, 'step-removed'), [([''], 'the loop leaves by another jump')])
+        self.assertEqual(planted(loops, left, 'step-removed'), [([''], 'the loop leaves by another jump')])
+
+    def test_a_call_of_a_program_that_is_not_there_may_stop(self):
+        calling = DRILL.replace('#30=#30+1', 'G65P7\n#30=#30+1')
+        self.assertEqual(planted(loops, calling, 'step-removed')[0][1], 'a called program that is not there may stop')
+        found = [reason for kind, _, reason in fanuc_loops.plants(program(calling), {7}) if kind == 'step-removed']
+        self.assertEqual(found, [''])
 
     def test_a_limit_that_the_machine_changes_is_no_place(self):
         waiting = 'O1\n#1=0\nWHILE[#1LT#3001]DO1\n#1=#1+1\nEND1\nM30'
-        self.assertEqual(planted(fanuc_loops.plants, waiting, 'step-removed'), [([''], 'the machine changes what the condition reads')])
+        self.assertEqual(planted(loops, waiting, 'step-removed'), [([''], 'the machine changes what the condition reads')])
 
 
 class Variables(unittest.TestCase):

@@ -2,7 +2,7 @@
 import re
 
 from .edit import drop, put
-from .fanuc import DO, END, OTHER_LOCALS, WHILE
+from .fanuc import DO, END, NUMBER_CALLED, OTHER_LOCALS, WHILE
 from .flow import variables_in
 
 STEP = re.compile(r'#\s*(\d+)\s*=\s*(?:#\s*\1\s*(?P<sign>[+-])\s*(?P<by>#\s*\d+|\d+\.?\d*|\.\d+)|'
@@ -11,11 +11,12 @@ RELATION = re.compile(r'^\[\s*#\s*(\d+)\s*(LT|LE|GT|GE|NE)\s*(.*)\]$')
 UP, DOWN = {'LT', 'LE'}, {'GT', 'GE'}
 
 
-def plants(program):
+def plants(program, numbers):
+    """`numbers`: programs that are there."""
     for start, end in program.loops():
         yield from unpaired(program, start, end)
         if program.blocks[start].loop_condition:
-            yield from endless(program, start)
+            yield from endless(program, start, numbers)
 
 
 def unpaired(program, start, end):
@@ -43,7 +44,7 @@ def step_of(program, start):
     return (found[0], step, relation) if step and int(step.group(1)) == counter else None
 
 
-def why_it_still_ends(program, start, counter):
+def why_it_still_ends(program, start, counter, numbers):
     """Something else than the step may end the loop; '' when nothing does."""
     condition = program.blocks[start].loop_condition
     watched = variables_in(condition)
@@ -60,6 +61,9 @@ def why_it_still_ends(program, start, counter):
             return 'the loop leaves by another jump'
         if block.stores_anywhere:
             return 'a store through a variable may reach the counter'
+        called = NUMBER_CALLED.search(block.code)
+        if block.is_call and (called is None or int(called.group(1)) not in numbers):
+            return 'a called program that is not there may stop'
         if block.is_call and (block.uses_frame_of_caller or any(33 < variable < 1000 for variable in watched)):
             return 'a called program may change what the condition reads'
         if any(variable in block.stores for variable in watched - {counter}):
@@ -67,13 +71,13 @@ def why_it_still_ends(program, start, counter):
     return ''
 
 
-def endless(program, start):
+def endless(program, start, numbers):
     found = step_of(program, start)
     if not found:
         return
     block, step, relation = found
     counter = int(relation.group(1))
-    reason = why_it_still_ends(program, start, counter)
+    reason = why_it_still_ends(program, start, counter, numbers)
     yield 'step-removed', put(block, step.span(), ''), reason
     unused = unused_local(program)
     if unused:
