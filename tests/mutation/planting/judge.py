@@ -3,6 +3,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 from collections import Counter, defaultdict
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -79,6 +80,8 @@ class Judge:
         options = [] if complete else ['--isolated']
         done = subprocess.run([str(self.maclint), 'check', '--format', 'json', '--jobs', '1', '--no-timestamps', *options, '.', *files],
                               cwd=folder, capture_output=True, text=True, errors='replace')
+        if not done.stdout:
+            sys.exit(f'plant: maclint ended with status {done.returncode} on the programs in {folder}:\n{done.stderr[-2000:]}')
         report = json.loads(done.stdout)
         by_folder = {}
         for finding in report['findings']:
