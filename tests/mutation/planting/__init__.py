@@ -1,0 +1,1 @@
+"""Defects that are planted into whole programs; planting.md beside this folder says how."""

@@ -1,0 +1,133 @@
+"""Loops of Fanuc programs that do not pair, or do not end."""
+import re
+
+from .edit import drop, put
+from .fanuc import DO, END, NUMBER_CALLED, OTHER_LOCALS, WHILE
+from .flow import variables_in
+
+STEP = re.compile(r'#\s*(\d+)\s*=\s*(?:#\s*\1\s*(?P<sign>[+-])\s*(?P<by>#\s*\d+|\d+\.?\d*|\.\d+)|'
+                  r'(?P<front>#\s*\d+|\d+\.?\d*)\s*\+\s*#\s*\1)\s*$')
+RELATION = re.compile(r'^\[\s*#\s*(\d+)\s*(LT|LE|GT|GE|NE)\s*(.*)\]$')
+UP, DOWN = {'LT', 'LE'}, {'GT', 'GE'}
+
+
+def plants(program, numbers):
+    """`numbers`: programs that are there."""
+    for start, end in program.loops():
+        yield from unpaired(program, start, end)
+        if program.blocks[start].loop_condition:
+            yield from endless(program, start, numbers)
+
+
+def unpaired(program, start, end):
+    first, last = program.blocks[start], program.blocks[end]
+    number, do = END.search(last.code), DO.search(first.code)
+    other = str(first.loop % 3 + 1)
+    yield 'end-wrong', put(last, number.span(1), other), ''
+    yield 'end-removed', put(last, number.span(), ''), ''
+    yield 'loop-number', put(first, do.span(1), '4') + put(last, number.span(1), '4'), ''
+    if first.loop_condition:
+        yield 'do-removed', put(first, do.span(), ''), ''
+        yield 'while-removed', drop(first), ''
+
+
+def step_of(program, start):
+    """The only block of the loop that changes what its condition compares, with the match of STEP; else None."""
+    relation = RELATION.match(program.blocks[start].loop_condition.strip())
+    if not relation:
+        return None
+    counter = int(relation.group(1))
+    found = [program.blocks[index] for index in program.body(start) if counter in program.blocks[index].stores]
+    if len(found) != 1 or found[0].conditional or found[0].skipped:
+        return None
+    step = STEP.search(found[0].code)
+    return (found[0], step, relation) if step and int(step.group(1)) == counter else None
+
+
+def why_it_still_ends(program, start, counter, numbers):
+    """Something else than the step may end the loop; '' when nothing does."""
+    condition = program.blocks[start].loop_condition
+    watched = variables_in(condition)
+    if start not in program.reachable:
+        return 'no path leads to the loop'
+    if '#[' in condition.replace(' ', '') or any(1000 <= variable for variable in watched):
+        return 'the machine changes what the condition reads'
+    for index in program.body(start):
+        block = program.blocks[index]
+        if program.has_exit(index) and not block.is_call:
+            return 'the loop stops or leaves by another block'
+        if any(not start < after <= program.end_of[start] and after != start for after in program.successors[index]) \
+                and index not in program.end_of:
+            return 'the loop leaves by another jump'
+        if block.stores_anywhere:
+            return 'a store through a variable may reach the counter'
+        called = NUMBER_CALLED.search(block.code)
+        if block.is_call and (called is None or int(called.group(1)) not in numbers):
+            return 'a called program that is not there may stop'
+        if block.is_call and (block.uses_frame_of_caller or any(33 < variable < 1000 for variable in watched)):
+            return 'a called program may change what the condition reads'
+        if any(variable in block.stores for variable in watched - {counter}):
+            return 'the loop changes the limit, too'
+    return ''
+
+
+def endless(program, start, numbers):
+    found = step_of(program, start)
+    if not found:
+        return
+    block, step, relation = found
+    counter = int(relation.group(1))
+    reason = why_it_still_ends(program, start, counter, numbers)
+    yield 'step-removed', put(block, step.span(), ''), reason
+    unused = unused_local(program)
+    if unused:
+        name = step.group(0).index(step.group(1))
+        span = (step.start() + name, step.start() + name + len(step.group(1)))
+        yield 'step-elsewhere', put(block, span, str(unused)), reason
+        yield from other_condition(program, start, counter, unused, reason)
+    by = step['by'] or step['front']
+    if not by.startswith('#'):
+        yield from literal_steps(block, step, relation, float(by), reason)
+    else:
+        yield from unguarded_step(program, int(by.strip('# ')), start, reason)
+
+
+def unused_local(program):
+    taken = {variable for block in program.blocks for variable in variables_in(block.code)}
+    return max(OTHER_LOCALS - taken, default=None)
+
+
+def other_condition(program, start, counter, unused, reason):
+    block = program.blocks[start]
+    at = WHILE.search(block.code).end() - 1
+    name = re.compile(rf'#\s*0*({counter})(?!\d)').search(block.code, at)
+    others = [v for b in program.blocks[:start] for v in b.stores if v != counter and 0 < v < 34]
+    inside = {v for index in program.body(start) for v in program.blocks[index].stores}
+    literal = {v for b in program.blocks for v in b.stores if re.search(r'=\s*-?[\d.]+\s*$', b.code.rstrip())}
+    free = [v for v in others if v not in inside | variables_in(block.loop_condition) | literal]  # a setting may say anything
+    yield 'condition-elsewhere', put(block, name.span(1), str(free[-1] if free else unused)), reason
+
+
+def literal_steps(block, step, relation, by, reason):
+    kind, limit = relation.group(2), relation.group(3).strip()
+    sign = step['sign'] or '+'
+    right = {'+': UP, '-': DOWN}[sign]
+    if step['sign']:
+        turned = '-' if sign == '+' else '+'
+        doubt = reason or ('' if kind in right else 'the sign was not that of the relation')
+        yield 'step-sign', put(block, step.span('sign'), turned), doubt
+    digits = step.span('by') if step['by'] else step.span('front')
+    yield 'step-zero', put(block, digits, '0'), reason
+    if by == 1 and re.fullmatch(r'\d+\.?', limit) and float(limit) > 1:
+        yield 'step-tenth', put(block, digits, '0.1'), reason and 'the loop may end otherwise'
+
+
+def unguarded_step(program, variable, start, reason):
+    """The block IF[#17LE0]GOTO91 or IF[#17EQ#0]GOTO91 before the loop is gone, and no other tests the step."""
+    guard = re.compile(rf'IF\s*\[\s*#\s*0*{variable}\s*(LE|LT|EQ)\s*(#\s*0|\d+\.?\d*|\.\d+)\s*\]')
+    tests = [b for b in program.blocks if 'IF' in b.code and re.search(rf'#\s*0*{variable}(?!\d)', b.code)]
+    stores = [b for b in program.blocks if variable in b.stores]
+    if len(tests) != 1 or stores or not guard.search(tests[0].code) or program.blocks.index(tests[0]) > start:
+        return
+    if variable < 34:
+        yield 'step-guard-removed', drop(tests[0]), reason

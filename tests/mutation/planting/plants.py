@@ -1,0 +1,156 @@
+"""What a plant is, and the table of all classes of defects."""
+from dataclasses import dataclass, field
+
+ERROR, WARNING, NOTE = 'error', 'warning', 'note'
+RANK = {NOTE: 0, WARNING: 1, ERROR: 2}
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A class of defects: one row of the table below."""
+    name: str
+    group: str
+    rules: tuple  # any of them finds it; the first is the one that is meant
+    severity: str  # whose bar its places count for
+    what: str
+
+
+@dataclass
+class Plant:
+    """One defect in one place of one program."""
+    kind: str
+    path: object  # of the program, in its corpus
+    changes: dict  # number of the line, from 0, to its new text
+    harmless: str = ''  # why the changed program has no defect, or none that can be told from its text
+    least: str = WARNING  # the least severity of a finding that counts
+    complete: bool = False  # the folder is declared to hold every program of the control
+    before: list = field(default_factory=list)
+
+    @property
+    def line(self):
+        return min(self.changes) + 1
+
+    def difference(self):
+        return [mark + text.strip() for number, old in zip(sorted(self.changes), self.before)
+                for mark, text in (('- ', old), ('+ ', self.changes[number])) if text.strip()]
+
+
+def table(group, severity, rows):
+    return [Kind(name, group, tuple(rules.split()), severity, what) for name, rules, what in rows]
+
+
+KINDS = {kind.name: kind for kind in [
+    *table('jumps', ERROR, [
+        ('goto-nowhere', 'MAC301', 'two digits of a GOTO exchanged, or one wrong: no block has that number'),
+        ('label-removed', 'MAC301', 'the number of a block that a GOTO names is gone'),
+        ('jump-into-loop', 'MAC303', 'a GOTO from outside names a block inside a loop'),
+        ('endless-jump', 'MAC336 MAC319', 'the condition of the only jump out of a cycle of blocks is gone'),
+    ]),
+    *table('jumps', WARNING, [
+        ('label-doubled', 'MAC462', 'a block gets a number that a GOTO already names, and the GOTO takes this one'),
+    ]),
+    *table('loops', ERROR, [
+        ('end-wrong', 'MAC312 MAC313 MAC314 MAC316', 'END with the number of another loop'),
+        ('end-removed', 'MAC312', 'END is gone'),
+        ('do-removed', 'MAC311 MAC313', 'WHILE without DO'),
+        ('while-removed', 'MAC313', 'the WHILE block is gone, its END is left'),
+        ('loop-number', 'MAC314', 'loop number 4'),
+        ('step-removed', 'MAC319', 'the step of the loop is gone'),
+        ('step-elsewhere', 'MAC319', 'the step goes to another variable'),
+        ('condition-elsewhere', 'MAC319 MAC718 MAC209', 'WHILE tests a variable that the loop does not change'),
+    ]),
+    *table('loops', WARNING, [
+        ('step-sign', 'MAC320 MAC319', 'the step goes the other way'),
+        ('step-zero', 'MAC320 MAC319', 'the step is 0'),
+        ('step-tenth', 'MAC711', 'a step of 0.1 up to a whole number'),
+        ('step-guard-removed', 'MAC320', 'an argument is a step, and nothing asks any more whether it is 0'),
+    ]),
+    *table('conditions', WARNING, [
+        ('vacancy-as-zero', 'MAC220', 'EQ 0 where EQ #0 was'),
+        ('zero-as-vacancy', 'MAC228', 'EQ #0 where EQ 0 was, on a variable that is set'),
+        ('guard-inverted', 'MAC209 MAC220 MAC718 MAC228', 'NE #0 where EQ #0 was: on it goes with the vacant variable'),
+        ('guard-repeated', 'MAC718', 'a guard tests what the guard before it has tested'),
+        ('distance-equal', 'MAC710', 'a distance is compared with EQ 0 instead of a tolerance'),
+    ]),
+    *table('conditions', ERROR, [
+        ('vacancy-of-result', 'MAC222', 'the result of arithmetic is compared with #0'),
+        ('comparison-symbol', 'MAC119', '= or > where EQ or GT was'),
+    ]),
+    *table('variables', WARNING, [
+        ('assignment-removed', 'MAC209', 'the only assignment of a variable is gone'),
+        ('case-removed', 'MAC209', 'the assignment of one case is gone'),
+        ('wrong-variable', 'MAC209', 'a word takes a variable that nothing sets'),
+    ]),
+    *table('variables', ERROR, [
+        ('null-assigned', 'MAC201', '#0 is assigned'),
+    ]),
+    *table('modal', WARNING, [
+        ('mode-left', 'MAC501', 'the G code that puts a modal group back is gone'),
+        ('feed-left', 'MAC503', 'the F word that puts the feed back is gone'),
+        ('speed-left', 'MAC503', 'the S word that puts the speed back is gone'),
+        ('saved-late', 'MAC517', 'the mode is saved after the block that changes it'),
+        ('saved-lost', 'MAC506', 'the variable with the saved mode is used for something else before it is put back'),
+        ('cancel-removed', 'MAC502 MAC501 MAC413', 'G40, G69, G50.1, G15, G50 or G67 is gone'),
+        ('single-block-left', 'MAC515', '#3003=0 or #3004=0 is gone'),
+        ('group-conflict', 'MAC514', 'G90 and G91, or G17 and G18, in one block'),
+        ('address-twice', 'MAC559', 'Y is written X'),
+    ]),
+    *table('modal', ERROR, [
+        ('saved-wrong', 'MAC505 MAC574', 'the feed is saved from #4119, the mode from #4109'),
+    ]),
+    *table('calls', ERROR, [
+        ('program-missing', 'MAC402', 'a call of a program that is not there'),
+        ('recursion', 'MAC412 MAC410 MAC411', 'a program calls itself'),
+        ('call-without-number', 'MAC401', 'P is gone'),
+        ('return-removed', 'MAC456', 'M99 is gone'),
+        ('alarm-removed', 'MAC456', 'the alarm at the end is gone, and the control runs on over the end'),
+    ]),
+    *table('calls', WARNING, [
+        ('modal-call-left', 'MAC413', 'G67 is gone'),
+        ('letter-left-out', 'MAC209', 'the only call of a program leaves out a letter that it reckons with and never tests'),
+    ]),
+    *table('spelling', ERROR, [
+        ('bracket-unclosed', 'MAC117 MAC121 MAC118', 'a ] is gone'),
+        ('bracket-unopened', 'MAC117 MAC121 MAC118', 'a [ is gone'),
+        ('round-brackets', 'MAC116', 'SIN(30) for SIN[30]'),
+        ('letter-for-zero', 'MAC118 MAC121', 'O where 0 was'),
+        ('decimal-comma', 'MAC121 MAC118', '1,5 for 1.5'),
+        ('comment-unclosed', 'MAC102', 'the ) of a comment is gone'),
+        ('keyword', 'MAC118 MAC121', 'WHLIE, TEHN, EQU, G0TO'),
+    ]),
+    *table('DIN PLUS', ERROR, [
+        ('din-section-removed', 'DIN101', 'MACHINING is gone'),
+        ('din-end-removed', 'DIN102', 'END is gone'),
+        ('din-return-removed', 'MAC456', 'RETURN is gone'),
+        ('din-if-open', 'DIN401', 'ENDIF is gone'),
+        ('din-if-gone', 'DIN401 DIN402', 'IF is gone, its ENDIF is left'),
+        ('din-then-removed', 'DIN402', 'THEN is gone'),
+        ('din-while-open', 'DIN404', 'ENDWHILE is gone'),
+        ('din-while-gone', 'DIN404', 'WHILE is gone, its ENDWHILE is left'),
+        ('din-switch-open', 'DIN409', 'ENDSWITCH is gone'),
+        ('din-unit-open', 'DIN015', 'END_OF_UNIT is gone'),
+        ('din-joined', 'DIN008', 'THEN stands in the block of IF'),
+        ('din-assigned', 'DIN326', '= in a condition'),
+        ('din-compared', 'DIN326', '== where a value is stored'),
+        ('din-contour-nowhere', 'DIN704', 'NS or NE names a block that is not there'),
+        ('din-restart-nowhere', 'DIN415', 'M99 NS names a block that is not there'),
+        ('din-bracket-unclosed', 'MAC117 MAC121', 'a ) is gone'),
+        ('din-bracket-unopened', 'MAC117 MAC121', 'a ( is gone'),
+        ('din-compensation-left', 'DIN619 DIN519', 'G40 is gone'),
+        ('din-plane-left', 'DIN632 DIN519', 'G16 that ends the tilted plane is gone'),
+        ('din-shift-left', 'DIN634 DIN519', 'G980 is gone'),
+        ('din-program-missing', 'MAC402', 'a call of a subprogram that is not there'),
+    ]),
+    *table('DIN PLUS', WARNING, [
+        ('din-break-removed', 'DIN410', 'BREAK of a branch that is not the last is gone'),
+        ('din-def-hash', 'DIN323', 'DEF(#__la)'),
+        ('din-assignment-removed', 'MAC209 DIN407', 'the only assignment of a variable is gone'),
+        ('din-case-removed', 'MAC209', 'the assignment on one side of IF is gone'),
+        ('din-step-removed', 'MAC319', 'the step of the loop is gone'),
+        ('din-step-sign', 'MAC320 MAC319', 'the step goes the other way'),
+        ('din-step-zero', 'MAC320 MAC319', 'the step is 0'),
+        ('din-conversion-left', 'DIN906 DIN519', 'G30 H0 is gone'),
+        ('din-letter-removed', 'DIN330', 'a call leaves out what the subprogram uses without DEF'),
+        ('din-letter-unknown', 'DIN331 DIN330', 'a transfer value of another letter, which no word of a call passes'),
+    ]),
+]}

@@ -1,0 +1,103 @@
+"""The programs that defects are planted in, with those that they call or are called by."""
+import re
+from collections import defaultdict
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, spelling
+from .callers import NEEDS, Callers
+from .plants import NOTE, WARNING, Plant
+
+USUAL = {'.nc', '.ncs', '.cnc', '.tap', '.ncc', '.txt', '.gcode', '.ncf', ''}
+CALLED_BY_NAME = re.compile(r'L\s*"([^"]+)"')
+
+
+@dataclass
+class File:
+    path: Path  # from the corpus' folder
+    text: str  # Latin-1, so that every byte stays as it is
+
+    @property
+    def lines(self):
+        return self.text.split('\n')
+
+
+class Corpus:
+    """A folder of programs: each of its folders is read alone, as maclint does with a repository."""
+
+    def __init__(self, name, language, files):
+        self.name, self.language = name, language
+        self.files = {file.path: file for file in files}
+        self.neighbours = self.connect()
+
+    @classmethod
+    def read(cls, root, name, language):
+        paths = sorted(path for path in root.rglob('*') if path.is_file() and path.suffix.lower() in USUAL)
+        return cls(name, language, [File(path.relative_to(root), path.read_bytes().decode('latin-1')) for path in paths])
+
+    def connect(self):
+        """For each file those that it calls and those that call it, directly or through others."""
+        homes = defaultdict(list)
+        for path, file in self.files.items():
+            for name in self.names(file):
+                homes[self.repository(path), name].append(path)
+        called, callers = defaultdict(set), defaultdict(set)
+        for path, file in self.files.items():
+            for name in self.called(file):
+                for home in homes[self.repository(path), name]:
+                    called[path].add(home)
+                    callers[home].add(path)
+        return {path: sorted(reached(path, called) | reached(path, callers)) for path in self.files}
+
+    def repository(self, path):
+        return path.parts[0] if len(path.parts) > 1 else ''
+
+    def names(self, file):
+        if self.language == 'dinplus':
+            return {file.path.stem.upper()}
+        named = re.match(r'[Oo]?0*(\d+)$', file.path.stem)
+        own = {program.number for program in fanuc.programs_of(file.lines) if program.number is not None}
+        return own | ({int(named.group(1))} if named else set())
+
+    def called(self, file):
+        if self.language == 'dinplus':
+            return {name.upper() for name in CALLED_BY_NAME.findall(file.text)}
+        return fanuc.calls_of(file.lines)
+
+    def plants(self, path):
+        """All plants of a file."""
+        file = self.files[path]
+        if self.language == 'dinplus':
+            libraries = {name: dinplus.code_of(self.files[other].lines) for other in self.neighbours[path]
+                         for name in self.names(self.files[other])}
+            for kind, edits, harmless in dinplus.plants(file.lines, libraries):
+                yield self.planted(kind, path, file.lines, edits, harmless)
+            return
+        lines = file.lines
+        numbers = {name for other in self.neighbours[path] for name in self.names(self.files[other])}
+        callers = Callers([program for other in self.neighbours[path] for program in fanuc.programs_of(self.files[other].lines)])
+        for program in fanuc.programs_of(lines):
+            found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program, numbers), *fanuc_conditions.plants(program),
+                     *fanuc_variables.plants(program), *fanuc_modal.plants(program, lines),
+                     *fanuc_calls.plants(program, numbers, callers), *spelling.plants(program, lines)]
+            for kind, edits, harmless in found:
+                if kind in NEEDS and not harmless and callers.none_is_hurt(kind, program.number):
+                    harmless = 'its callers say the mode anew before they need it'
+                yield self.planted(kind, path, lines, edits, harmless)
+
+    def planted(self, kind, path, lines, edits, harmless):
+        changes = edit.apply(lines, edits)
+        if all(changes[line] == lines[line] for line in changes):
+            harmless = 'nothing changes'
+        least = NOTE if kind in ('label-doubled', 'zero-as-vacancy', 'feed-left', 'speed-left') else WARNING
+        return Plant(kind, Path(self.name) / path, changes, harmless, least, kind.endswith('program-missing'),
+                     [lines[line] for line in sorted(changes)])
+
+
+def reached(start, links):
+    found, waiting = {start}, [start]
+    while waiting:
+        new = links[waiting.pop()] - found
+        found |= new
+        waiting += new
+    return found

@@ -1,0 +1,259 @@
+"""The planter plants what it says, leaves out what does no harm, and counts what maclint finds."""
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+from planting import dinplus, edit, fanuc, fanuc_calls, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, report
+from planting.callers import Callers
+from planting.judge import Judge
+from planting.plants import KINDS, Plant
+from planting.workspace import Corpus
+
+DRILL = '''%
+O9001(ROW)
+IF[#24EQ#0]GOTO9
+IF[#26EQ#0]GOTO9
+#33=#4003
+#34=#4109
+#30=1
+G90
+WHILE[#30LE#11]DO1
+G81X[#24*#30]Z#26F#9
+#30=#30+1
+END1
+G80
+G#33F#34
+M99
+N9#3000=1(X OR Z IS MISSING)
+%'''
+
+
+def program(text):
+    return fanuc.programs_of(text.split('\n'))[0]
+
+
+def planted(generator, text, kind):
+    """(new lines, why it is harmless) of each plant of this class."""
+    lines = text.split('\n')
+    return [([new for _, new in sorted(edit.apply(lines, edits).items())], harmless)
+            for name, edits, harmless in generator(program(text)) if name == kind]
+
+
+def loops(read):
+    return fanuc_loops.plants(read, set())
+
+
+class Reader(unittest.TestCase):
+    def test_comments_are_blank_and_columns_stay(self):
+        self.assertEqual(fanuc.code_of('g1 (x1.) y2.\r'), 'G1       Y2. ')
+
+    def test_a_jump_takes_the_next_block_of_that_number(self):
+        jumps = program('O1\nN1G0X1.\nGOTO1\nG0X2.\nN1M30')
+        self.assertEqual(jumps.successors[1], [3])
+
+    def test_a_loop_ends_after_its_end(self):
+        loop = program('O1\nWHILE[#1LT5]DO1\n#1=#1+1\nEND1\nM30')
+        self.assertEqual(loop.successors, [[1, 3], [2], [0], []])
+
+    def test_a_condition_goes_on_and_an_alarm_does_not(self):
+        alarm = program('O1\nIF[#1EQ#0]THEN#3000=1\n#3000=2\nM30')
+        self.assertEqual(alarm.successors, [[1], [], []])
+
+    def test_a_store_with_a_base_of_100_or_a_common_variable_reaches_no_local(self):
+        self.assertEqual([fanuc.reaches_locals(index) for index in ('#1', '2000+#1', '#111+6', '#1+6')], [True, False, False, True])
+
+    def test_a_call_after_a_sequence_number_is_a_call(self):
+        self.assertTrue(program('O1\nN300G65P9001').blocks[0].is_call)
+
+
+class Jumps(unittest.TestCase):
+    def test_a_goto_names_no_block(self):
+        self.assertEqual(planted(fanuc_jumps.plants, 'O1\nGOTO12\nN12M30', 'goto-nowhere'), [(['GOTO21'], '')])
+
+    def test_a_jump_that_no_path_leads_to_is_left_out(self):
+        self.assertEqual(planted(fanuc_jumps.plants, 'O1\nM30\nGOTO12\nN12M30', 'goto-nowhere')[0][1], 'no path leads to this block')
+
+    def test_a_second_label_misleads_only_jumps_that_meet_it_first(self):
+        misled = 'O1\nGOTO5\nN3G0X1.\nN5M30'
+        safe = 'O1\nGOTO5\nN5G0X1.\nN6M30'
+        self.assertEqual(planted(fanuc_jumps.plants, misled, 'label-doubled'), [(['N5G0X1.'], '')])
+        self.assertEqual(planted(fanuc_jumps.plants, safe, 'label-doubled'), [(['N5M30'], 'every jump takes the block that was meant')])
+
+    def test_a_cycle_with_another_way_out_is_left_out(self):
+        trapped = 'O1\nN1G0X1.\nIF[#100LT5]GOTO1\nM30'
+        free = 'O1\nN1G0X1.\nIF[#101EQ1]GOTO9\nIF[#100LT5]GOTO1\nN9M30'
+        self.assertEqual(planted(fanuc_jumps.plants, trapped, 'endless-jump'), [(['GOTO1'], '')])
+        self.assertTrue(planted(fanuc_jumps.plants, free, 'endless-jump')[0][1])
+
+
+class Loops(unittest.TestCase):
+    def test_steps(self):
+        self.assertEqual(planted(loops, DRILL, 'step-removed'), [([''], '')])
+        self.assertEqual(planted(loops, DRILL, 'step-sign'), [(['#30=#30-1'], '')])
+        self.assertEqual(planted(loops, DRILL, 'step-zero'), [(['#30=#30+0'], '')])
+
+    def test_a_loop_that_is_left_otherwise_is_no_place(self):
+        left = DRILL.replace('#30=#30+1', 'IF[#5001GT5]GOTO9\n#30=#30+1')
+        self.assertEqual(planted(loops, left, 'step-removed'), [([''], 'the loop leaves by another jump')])
+
+    def test_a_call_of_a_program_that_is_not_there_may_stop(self):
+        calling = DRILL.replace('#30=#30+1', 'G65P7\n#30=#30+1')
+        self.assertEqual(planted(loops, calling, 'step-removed')[0][1], 'a called program that is not there may stop')
+        found = [reason for kind, _, reason in fanuc_loops.plants(program(calling), {7}) if kind == 'step-removed']
+        self.assertEqual(found, [''])
+
+    def test_a_limit_that_the_machine_changes_is_no_place(self):
+        waiting = 'O1\n#1=0\nWHILE[#1LT#3001]DO1\n#1=#1+1\nEND1\nM30'
+        self.assertEqual(planted(loops, waiting, 'step-removed'), [([''], 'the machine changes what the condition reads')])
+
+
+class Variables(unittest.TestCase):
+    def test_an_assignment_that_is_read(self):
+        self.assertIn(([''], ''), planted(fanuc_variables.plants, DRILL, 'assignment-removed'))
+
+    def test_an_assignment_that_nothing_reads_is_left_out(self):
+        self.assertEqual(planted(fanuc_variables.plants, 'O1\n#33=5\nM99', 'assignment-removed'),
+                         [([''], 'nothing uses the variable afterwards')])
+
+    def test_a_letter_may_bring_an_argument(self):
+        self.assertEqual(planted(fanuc_variables.plants, 'O1\n#24=5\nG0X#24\nM99', 'assignment-removed'),
+                         [([''], 'an argument may have set it')])
+
+    def test_one_case_of_two(self):
+        cases = 'O1\nIF[#1EQ1]GOTO1\n#33=2\nGOTO2\nN1#33=3\nN2G0X#33\nM99'
+        self.assertEqual(planted(fanuc_variables.plants, cases, 'case-removed'), [([''], ''), (['N1'], '')])
+
+    def test_a_variable_that_is_set_to_0_and_only_counted_is_left_out(self):
+        counted = 'O1\n#33=0\n#33=#33+#1\nIF[#33GT5]GOTO1\nG0X1.\nN1M99'
+        self.assertEqual([harmless for _, harmless in planted(fanuc_variables.plants, counted, 'case-removed')][0],
+                         'it is set to 0, and vacant counts as 0 in every use')
+
+
+class Calls(unittest.TestCase):
+    MAIN = 'O1\nG65P2X1.Z-5.\nM30'
+
+    @staticmethod
+    def plants(kind, *texts):
+        programs = [program(text) for text in texts]
+        return [(edit.apply(texts[0].split('\n'), edits), harmless)
+                for name, edits, harmless in fanuc_calls.plants(programs[0], {1, 2}, Callers(programs)) if name == kind]
+
+    def test_a_letter_that_the_callee_reckons_with(self):
+        self.assertEqual(self.plants('letter-left-out', self.MAIN, 'O2\nG0Z[#26+5.]\nM99'), [({1: 'G65P2X1.'}, '')])
+
+    def test_a_letter_that_the_callee_tests_may_be_left_out(self):
+        self.assertEqual(self.plants('letter-left-out', self.MAIN, 'O2\nIF[#26EQ#0]THEN#26=1.\nG0Z[#26+5.]\nM99'), [])
+
+    def test_an_end_that_runs_into_another_is_left_out(self):
+        self.assertEqual(self.plants('return-removed', 'O2\nIF[#1EQ1]GOTO1\nM99\nN1M99')[0][1], 'the control runs on into another M99')
+
+    def test_callers_that_say_the_mode_anew_are_not_hurt(self):
+        hurt, safe = 'O1\nG65P2\nG0X1.\nM30', 'O1\nG65P2\nG90G0X1.\nM30'
+        callee = program('O2\nG91G0X1.\nM99')
+        self.assertFalse(Callers([program(hurt), callee]).none_is_hurt('mode-left', 2))
+        self.assertTrue(Callers([program(safe), callee]).none_is_hurt('mode-left', 2))
+        self.assertFalse(Callers([callee]).none_is_hurt('mode-left', 2))
+
+
+class Modal(unittest.TestCase):
+    @staticmethod
+    def plants(kind, text):
+        lines = text.split('\n')
+        return [([new for _, new in sorted(edit.apply(lines, edits).items())], harmless)
+                for name, edits, harmless in fanuc_modal.plants(program(text), lines) if name == kind]
+
+    def test_a_mode_is_left_only_when_it_is_not_the_customary_one(self):
+        incremental, absolute = ('O2\n#3=#4003\n%s\nG0Z1.\nG#3\nM99' % code for code in ('G91', 'G90'))
+        self.assertEqual(self.plants('mode-left', incremental), [([''], '')])
+        self.assertEqual([harmless for _, harmless in self.plants('mode-left', absolute)],
+                         ['what is left is the customary code, or unknown'])
+
+    def test_what_is_saved_late_changes_places_with_the_change(self):
+        self.assertEqual(self.plants('saved-late', 'O2\n#3=#4003\nG91\nG0Z1.\nG#3\nM99'), [(['G91', '#3=#4003'], '')])
+
+    def test_a_call_in_between_makes_a_leftover_unknown(self):
+        self.assertEqual(self.plants('cancel-removed', 'O2\nG41D1\nM98P7\nG40\nM99'), [])
+        self.assertEqual(self.plants('cancel-removed', 'O2\nG41D1\nG1X1.\nG40\nM99'), [([''], '')])
+
+
+class DinPlus(unittest.TestCase):
+    TEXT = 'MACHINING\nN1 #l1=0\nN2 WHILE #l1<5\nN3 G1 Zi-1\nN4 #l1=#l1+1\nN5 ENDWHILE\nN6 L"BORE" LA#l1 LB2\nN7 M30\nEND'
+
+    def plants(self, kind, callee=('G0 X#__la Z#__lb',)):
+        lines = self.TEXT.split('\n')
+        return [([new for _, new in sorted(edit.apply(lines, edits).items())], harmless)
+                for name, edits, harmless in dinplus.plants(lines, {'BORE': list(callee)}) if name == kind]
+
+    def test_structure_and_steps(self):
+        self.assertEqual(self.plants('din-while-open'), [(['N5 '], '')])
+        self.assertEqual(self.plants('din-step-sign'), [(['N4 #l1=#l1-1'], '')])
+        self.assertEqual(self.plants('din-end-removed'), [([''], '')])
+
+    def test_a_letter_that_the_subprogram_asks_for_may_be_left_out(self):
+        self.assertEqual(self.plants('din-letter-removed')[0], (['N6 L"BORE"  LB2'], ''))
+        asked = self.plants('din-letter-removed', ['IF DEF(__la)', 'G0 X#__la Z#__lb'])
+        self.assertEqual(asked[0][1], 'the callee looks whether it is passed')
+
+    def test_a_comment_may_go_on_over_lines(self):
+        self.assertEqual(dinplus.code_of(['N1 M5 [off', 'N2 M30', ' ] N3']), ['N1 M5     ', '      ', '   N3'])
+
+
+class Judging(unittest.TestCase):
+    """With the executable that MACLINT names."""
+
+    def setUp(self):
+        if 'MACLINT' not in os.environ:
+            self.skipTest('MACLINT does not name the executable')
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        folder = Path(temporary.name)
+        (folder / 'programs').mkdir()
+        (folder / 'programs' / 'row').write_text(DRILL)  # no usual name
+        self.corpora = {'own': Corpus.read(folder / 'programs', 'own', 'fanuc')}
+        self.judge = Judge(Path(os.environ['MACLINT']).resolve(), folder / 'work', 1)
+
+    def verdicts(self, plants):
+        return [verdict for verdict, _ in self.judge.judge(self.corpora, plants, lambda done: None)]
+
+    def test_most_is_found_in_a_clean_program(self):
+        plants = [plant for plant in self.corpora['own'].plants(Path('row')) if not plant.harmless]
+        kinds = {plant.kind for plant, verdict in zip(plants, self.verdicts(plants)) if verdict == 'found'}
+        self.assertLessEqual({'label-removed', 'goto-nowhere', 'step-removed', 'step-sign', 'feed-left', 'bracket-unclosed'}, kinds)
+
+    def test_a_change_without_a_defect_is_missed(self):
+        self.assertEqual(self.verdicts([Plant('step-removed', Path('own/row'), {7: 'G90G0'}, before=['G90'])]), ['missed'])
+
+    def test_a_finding_of_another_class_is_no_find(self):
+        self.assertEqual(self.verdicts([Plant('step-removed', Path('own/row'), {2: 'IF[#24EQ#0]GOTO8'}, before=[''])]), ['missed'])
+
+    def test_what_was_known_before_is_no_place(self):
+        plant = Plant('goto-nowhere', Path('own/row'), {2: 'IF[#24EQ#0]GOTO8'}, before=[''])
+        file = self.corpora['own'].files[Path('row')]
+        file.text = file.text.replace('IF[#24EQ#0]GOTO9', 'IF[#24EQ#0]GOTO7')
+        self.assertEqual(self.verdicts([plant]), ['known before'])
+
+
+class Report(unittest.TestCase):
+    @staticmethod
+    def results(found, missed, kind):
+        plant = Plant(kind, Path('own/row'), {1: 'GOTO8'}, before=['GOTO9'])
+        return [(plant, 'found', [])] * found + [(plant, 'missed', [])] * missed
+
+    def test_bars(self):
+        self.assertTrue(report.passes(self.results(19, 1, 'step-sign')))
+        self.assertFalse(report.passes(self.results(18, 2, 'step-sign')))
+        self.assertFalse(report.passes(self.results(198, 2, 'goto-nowhere')))
+        self.assertTrue(report.passes(self.results(199, 1, 'goto-nowhere')))
+
+    def test_what_is_not_linted_counts_nowhere(self):
+        plant = Plant('goto-nowhere', Path('own/row'), {1: ''}, before=[''])
+        self.assertEqual(report.share([(plant, 'not linted', []), (plant, 'found', [])]), 1.0)
+
+    def test_every_class_names_its_rules(self):
+        for kind in KINDS.values():
+            self.assertTrue(kind.rules and kind.what, kind.name)
+
+
+if __name__ == '__main__':
+    unittest.main()
