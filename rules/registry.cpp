@@ -19,6 +19,7 @@
     RULE(unknown_keyword)                       /* MAC118 */ \
     RULE(symbolic_comparison)                   /* MAC119 */ \
     RULE(unreadable_block)                      /* MAC121 */ \
+    RULE(unreached_text)                        /* MAC122 */ \
     RULE(assignment_to_null_variable)           /* MAC201 */ \
     RULE(uninitialised_local)                   /* MAC209 */ \
     RULE(zero_test_misses_vacant)               /* MAC220 */ \

@@ -27,7 +27,7 @@ extern const Rule oversized_block{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .messages = {{"oversized",
-                  "This block is longer than 4 KiB, so maclint skips it. Check the file for lost "
+                  "Block of more than 4 KiB, which maclint skips. Check the file for lost "
                   "line ends, or divide the block."}},
     .bad = {{"fanuc", long_block()}},
     .good = {{"fanuc", R"nc(
