@@ -13,6 +13,7 @@
     RULE(unknown_rule_in_suppression)           /* MAC002 */ \
     RULE(unreadable_file)                       /* MAC003 */ \
     RULE(oversized_block)                       /* MAC004 */ \
+    RULE(other_control)                         /* MAC005 */ \
     RULE(unterminated_comment)                  /* MAC102 */ \
     RULE(parenthesis_as_bracket)                /* MAC116 */ \
     RULE(bracket_mismatch)                      /* MAC117 */ \

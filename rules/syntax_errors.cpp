@@ -1,7 +1,6 @@
 //! Turns syntax errors into findings.
 #include "rules/syntax_errors.hpp"
 
-#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/encoding.hpp"
 
@@ -15,17 +14,24 @@ std::string without_digits(std::string text) {
     return text;
 }
 
+std::string in_capitals(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) {
+        return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    });
+    return text;
+}
+
 /// Why the text is wrong: who mends it in one place mends it in the same way in all of them.
 std::string reason_of(const SyntaxError& error) {
     switch (error.kind) {
     case SyntaxErrorKind::missing_construct: // whatever word of it was written
     case SyntaxErrorKind::unterminated_comment:
+    case SyntaxErrorKind::nested_comment:
     case SyntaxErrorKind::parenthesis_as_bracket:
     case SyntaxErrorKind::symbolic_comparison:
     case SyntaxErrorKind::oversized_block: return "";
     case SyntaxErrorKind::bracket_mismatch: return error.cure;
-    case SyntaxErrorKind::unreadable:
-        return error.cure.empty() ? without_digits(error.subject) : error.cure;
+    case SyntaxErrorKind::unreadable: return error.cure.empty() ? without_digits(error.subject) : error.cure;
     default: return in_capitals(error.subject);
     }
 }
@@ -34,9 +40,8 @@ std::string reason_of(const SyntaxError& error) {
 
 std::string same_cause(const ProgramFile& file, const SyntaxError& error) {
     if (error.kind == SyntaxErrorKind::bare_remark) return error.cure; // whoever wrote the file writes so
-    const auto begun = std::ranges::count_if(file.programs, [&](const Program& program) {
-        return program.span.begin <= error.span.begin;
-    });
+    const auto begun = std::ranges::count_if(
+        file.programs, [&](const Program& program) { return program.span.begin <= error.span.begin; });
     return std::to_string(begun) + " " + std::to_string(static_cast<int>(error.kind)) + " " +
            reason_of(error);
 }

@@ -14,8 +14,8 @@ bool is_reached(const flow::Graph& graph, std::size_t node) {
 Span region_around(const flow::Graph& graph, Offset place) {
     // Several nodes may stand in one block: all of them have to be out of reach.
     const auto& nodes = graph.nodes;
-    const auto after = std::ranges::upper_bound(
-        nodes, place, {}, [](const flow::Node& node) { return node.part.begin; });
+    const auto after =
+        std::ranges::upper_bound(nodes, place, {}, [](const flow::Node& node) { return node.part.begin; });
     auto first = static_cast<std::size_t>(after - nodes.begin());
     auto last = first;
     while (first > 0 && nodes[first - 1].part.contains(place)) --first;

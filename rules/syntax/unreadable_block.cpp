@@ -24,8 +24,9 @@ extern const Rule unreadable_block{
                  {"remark", "Remark without brackets: after {1}, the control runs '{0}' as a block. Put it in"
                             " ( ), or name the program's control (--dialect, or \"files\" in the"
                             " configuration)."},
-                 {"point", "Variable number with a decimal point: '{0}'. No manual says that the control takes"
-                           " it: write '{1}'."},
+                 {"point",
+                  "Variable number with a decimal point: '{0}'. No manual says that the control takes"
+                  " it: write '{1}'."},
                  {"fraction", "Variable number with a decimal point: '{0}'. Haas has such variables: choose"
                               " that control (--control haas) if it runs there."}},
     .bad = {{"fanuc", R"nc(
@@ -72,6 +73,7 @@ void report(const ProgramFile& file, SyntaxErrorKind kind, std::string_view mess
 
 void check(const ProgramFile& file, Reporter& reporter) {
     report_syntax_error(file, SyntaxErrorKind::unreadable, reporter);
+    report(file, SyntaxErrorKind::nested_comment, "cure", Severity::error, reporter);
     report(file, SyntaxErrorKind::bare_remark, "remark", Severity::warning, reporter);
     report(file, SyntaxErrorKind::point_in_variable_number, "point", Severity::warning, reporter);
     report(file, SyntaxErrorKind::fraction_in_variable_number, "fraction", Severity::error, reporter);

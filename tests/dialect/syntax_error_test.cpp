@@ -64,7 +64,7 @@ TEST(SyntaxErrors, WordsThatTheControlRefusesAreToldThoughTheyCanBeParsed) {
         {"##1=5", "! unreadable '##1' -> '#[#1]'"},
         {"N1 21 G40", "! unreadable '21' -> an address before the number"},
         {"(HOLES (8) / 1.7)",
-         "! unreadable '/ 1.7)' -> nothing after the first ')', because comments do not nest"},
+         "! nested-comment '/ 1.7)' -> nothing after the first ')', because comments do not nest"},
         {"#4=#1>2", "! unreadable '>' -> a calculation, because only IF and WHILE compare"},
         {"IF[#1>2]GOTO5", "! symbolic-comparison '>' -> GT"},
         {"NEXT", "! unknown-keyword 'NEXT' -> END"},

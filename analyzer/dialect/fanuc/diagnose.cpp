@@ -337,7 +337,7 @@ std::optional<SyntaxError> ErrorExplainer::remark() const {
         if (text(tokens_[i]).find('(', 1) == std::string_view::npos) continue;
         const Span tail{tokens_[i + 1].span.begin, tokens_.back().span.end};
         if (text_[tail.end - 1] == ')' && tail.length() > 1)
-            return make(SyntaxErrorKind::unreadable, tail, text_.substr(tail.begin, tail.length()),
+            return make(SyntaxErrorKind::nested_comment, tail, text_.substr(tail.begin, tail.length()),
                         "nothing after the first ')', because comments do not nest");
     }
     std::size_t words = 0;
@@ -402,9 +402,10 @@ std::optional<SyntaxError> find_parenthesis_as_bracket(std::string_view text, Sp
 
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const ErrorExplainer explainer(text, block);
-    for (const auto cause : {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::parenthesis_as_bracket,
-                             &ErrorExplainer::bracket_mismatch, &ErrorExplainer::unknown_keyword,
-                             &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value})
+    for (const auto cause :
+         {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::parenthesis_as_bracket,
+          &ErrorExplainer::bracket_mismatch, &ErrorExplainer::unknown_keyword,
+          &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value})
         if (std::optional<SyntaxError> found = (explainer.*cause)()) return found;
     return std::nullopt;
 }

@@ -87,7 +87,8 @@ bool sets_data(std::string_view block) {
 /// `G10L60P1[*BDB...]`: after the value of a word, brackets hold data of the machine builder, no expression.
 void blank_out_data(std::string_view block, std::string& key) {
     const std::size_t open = block.find('[');
-    if (open == std::string_view::npos || open == 0 || !is_digit(block[open - 1]) || !sets_data(block)) return;
+    if (open == std::string_view::npos || open == 0 || !is_digit(block[open - 1]) || !sets_data(block))
+        return;
     std::size_t letter = open;
     while (letter > 0 && is_digit(block[letter - 1])) --letter;
     if (letter == 0 || !is_letter(block[letter - 1])) return; // `#1[`

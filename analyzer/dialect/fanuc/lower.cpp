@@ -197,8 +197,8 @@ void BlockLowering::lower_if(const Node& node) {
         if (field_of(part) == Field::consequence) consequences.push_back(&part);
     });
     if (consequences.empty() && child(node, Field::then) != nullptr)
-        syntax_errors_.push_back({SyntaxErrorKind::missing_construct, span(node), "THEN",
-                                  std::string(in_place_of_block_if)});
+        syntax_errors_.push_back(
+            {SyntaxErrorKind::missing_construct, span(node), "THEN", std::string(in_place_of_block_if)});
     const std::size_t first = builder_->effect_count();
     lower_items(consequences);
     guard(test, first, span(node));
