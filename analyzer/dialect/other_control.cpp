@@ -1,6 +1,7 @@
 //! Looks only at what could not be read: a language shows by what it does not share.
 #include "analyzer/dialect/other_control.hpp"
 
+#include "analyzer/dialect/detect/first_program.hpp"
 #include "analyzer/dialect/detect/line.hpp"
 #include "analyzer/dialect/detect/signatures.hpp"
 #include "analyzer/program/readable.hpp"
@@ -27,11 +28,12 @@ constexpr std::size_t too_many = 10;
 constexpr std::size_t share = 5; ///< one block in so many
 constexpr std::size_t shown = 3;
 
-/// Whether the text says nothing in the language: neither a slip of the pen nor a remark.
+/// Whether the text says nothing in the language: it is no word that is known elsewhere, no habit of writing
+/// and no remark.
 bool makes_no_sense(const SyntaxError& error) {
     switch (error.kind) {
     case SyntaxErrorKind::unknown_keyword: return error.cure.empty();
-    case SyntaxErrorKind::unreadable: return error.cure.empty();
+    case SyntaxErrorKind::unreadable: return true;
     default: return false;
     }
 }
@@ -73,7 +75,10 @@ std::optional<OtherControl> control_by_marks(const ProgramFile& file,
 std::optional<OtherControl> find_other_control(const ProgramFile& file) {
     std::vector<const SyntaxError*> code;
     std::vector<const SyntaxError*> senseless;
+    // Of a program at the head that is whole only its own text tells: what follows it may be line noise.
+    const std::string_view head = detect::first_program(file.source->bytes());
     for (const SyntaxError& error : file.syntax_errors) {
+        if (!head.empty() && error.span.begin >= head.size()) break;
         if (is_code(error)) code.push_back(&error);
         if (makes_no_sense(error)) senseless.push_back(&error);
     }

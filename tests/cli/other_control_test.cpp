@@ -40,30 +40,33 @@ std::string with_wrong_blocks(int bad, int blocks) {
 }
 
 TEST(OtherControl, TwoMarksAreOneFindingThatSaysWhichWhatToDoAndHowMuchIsWithheld) {
-    EXPECT_THAT(codes(test::lint_text(lnc_program)), ElementsAre("MAC005"));
-    EXPECT_THAT(only_message(lnc_program), AllOf(HasSubstr("LNC"), HasSubstr("'R_SKIP[' in line 2"),
-                                       HasSubstr("--dialect fanuc"), HasSubstr(" findings, withheld")));
+    EXPECT_THAT(test::codes(test::lint_text(lnc_program)), ElementsAre("MAC005"));
+    EXPECT_THAT(only_message(lnc_program),
+                AllOf(HasSubstr("LNC"), HasSubstr("'R_SKIP[' in line 2"), HasSubstr("--dialect fanuc"),
+                      HasSubstr(" findings, withheld")));
 }
 
 TEST(OtherControl, WhoeverNamesTheDialectSeesAll) {
-    EXPECT_THAT(codes(lint_as_fanuc(lnc_program)),
+    EXPECT_THAT(test::codes(lint_as_fanuc(lnc_program)),
                 AllOf(Contains("MAC118"), Contains("MAC301"), Not(Contains("MAC005"))));
 }
 
 TEST(OtherControl, WhoeverAllowsOrIgnoresItSeesAll) {
-    EXPECT_THAT(codes(test::lint_text("(MACLINT ALLOW-FILE MAC005 - LNC)\n" + lnc_program)), Contains("MAC118"));
+    EXPECT_THAT(test::codes(test::lint_text("(MACLINT ALLOW-FILE MAC005 - LNC)\n" + lnc_program)),
+                Contains("MAC118"));
     cli::Overrides overrides;
     overrides.ignore = {"MAC005"};
-    EXPECT_THAT(codes(test::lint_texts({{"O1.nc", lnc_program}}, std::move(overrides))), Contains("MAC118"));
+    EXPECT_THAT(test::codes(test::lint_texts({{"O1.nc", lnc_program}}, std::move(overrides))),
+                Contains("MAC118"));
 }
 
 TEST(OtherControl, OneMarkIsAMistake) {
     const std::string one = "O100\n#1=R_SKIP[1]\n#2=R_SKIP[2]\nIF[#1EQ0]GOTO9\nG0X#2\nN9M99\n";
-    EXPECT_THAT(codes(test::lint_text(one)), ElementsAre("MAC118"));
+    EXPECT_THAT(test::codes(test::lint_text(one)), ElementsAre("MAC118"));
 }
 
 TEST(OtherControl, MarksInRemarksAreNone) {
-    EXPECT_THAT(codes(test::lint_text("O1\n(A (B) R_SKIP[1] C)\n(A (B) W_G53G59_COOR[1] C)\nM30\n")),
+    EXPECT_THAT(test::codes(test::lint_text("O1\n(A (B) R_SKIP[1] C)\n(A (B) W_G53G59_COOR[1] C)\nM30\n")),
                 Not(Contains("MAC005")));
 }
 
@@ -80,25 +83,31 @@ TEST(OtherControl, OthersAreNamedByTheirWords) {
 }
 
 TEST(OtherControl, FiveTypingErrorsAreNeverWithheld) {
-    const auto codes_found = codes(test::lint_text(with_wrong_blocks(5, 8)));
+    const auto codes_found = test::codes(test::lint_text(with_wrong_blocks(5, 8)));
     EXPECT_THAT(codes_found, Not(Contains("MAC005")));
     EXPECT_THAT(codes_found.size(), testing::Ge(4U));
 }
 
 TEST(OtherControl, AFifthOfTheBlocksWithoutSenseIsAnotherControl) {
-    EXPECT_THAT(codes(test::lint_text(with_wrong_blocks(30, 90))), ElementsAre("MAC005"));
-    EXPECT_THAT(codes(test::lint_text(with_wrong_blocks(30, 400))), Not(Contains("MAC005")));
+    EXPECT_THAT(test::codes(test::lint_text(with_wrong_blocks(40, 90))), ElementsAre("MAC005"));
+    EXPECT_THAT(test::codes(test::lint_text(with_wrong_blocks(30, 400))), Not(Contains("MAC005")));
+}
+
+TEST(OtherControl, NoiseAfterAWholeProgramIsNone) {
+    EXPECT_THAT(test::codes(test::lint_text("O1\nG0X1.\nGOTO77\nM30\n" + lnc_program.substr(5))),
+                AllOf(Contains("MAC301"), Not(Contains("MAC005"))));
 }
 
 TEST(OtherControl, AHabitOfWritingIsNone) {
     std::string brackets = "O1\n";
     for (int i = 0; i < 20; ++i) brackets += "#" + std::to_string(100 + i) + "=ABS(#2)\n";
-    EXPECT_THAT(codes(test::lint_text(brackets + "M30\n")), ElementsAre("MAC116"));
+    EXPECT_THAT(test::codes(test::lint_text(brackets + "M30\n")), ElementsAre("MAC116"));
 }
 
 TEST(OtherControl, DinPlusStaysDinPlus) {
-    EXPECT_THAT(codes(test::lint_text("MACHINING\nN10 G0 X100 Z2\nN11 CALL O5\nN12 NOEX\nN30 M30\nEND\n")),
-                Not(Contains("MAC005")));
+    EXPECT_THAT(
+        test::codes(test::lint_text("MACHINING\nN10 G0 X100 Z2\nN11 CALL O5\nN12 NOEX\nN30 M30\nEND\n")),
+        Not(Contains("MAC005")));
 }
 
 // ---- marks of a control of the family
@@ -122,8 +131,8 @@ TEST(ControlMarks, OneThatOthersMayHaveNamesNone) {
 
 TEST(ControlMarks, NothingFallsSilentOnAHaas) {
     const std::string wrong = "IF[#100LTE1]GOTO9\n#1=#1/0\nGOTO77\nN9M30\n";
-    EXPECT_EQ(codes(test::lint_text("O1(HAAS NGC)\n" + wrong)),
-              codes(test::lint_text("O1(FANUC)\n" + wrong)));
+    EXPECT_EQ(test::codes(test::lint_text("O1(HAAS NGC)\n" + wrong)),
+              test::codes(test::lint_text("O1(FANUC)\n" + wrong)));
 }
 
 } // namespace

@@ -133,6 +133,8 @@ constexpr Signature signatures[] = {
     // LinuxCNC [linuxcnc.org/docs: G-code overview, O-codes, G-codes, M-codes]
     {linuxcnc,       4, 2, In::code,    "",           o_word,                "an o-word"},
     {linuxcnc,       4, 2, In::inside,  "#<",         nullptr,               "a named parameter"},
+    {linuxcnc,       1, 1, In::inside,  " ENDSUB",    nullptr,               ""},
+    {linuxcnc,       1, 1, In::inside,  " ENDWHILE",  nullptr,               ""},
     {linuxcnc,       4, 1, In::inside,  "EXISTS[",    nullptr,               ""},
     {linuxcnc,       4, 1, In::words,   "",           tolerance_of_g64,      "G64 with P"},
     {linuxcnc,       2, 2, In::words,   "",           probing_move,          "G38 with a digit after the point"},

@@ -400,6 +400,10 @@ std::optional<SyntaxError> find_parenthesis_as_bracket(std::string_view text, Sp
     return ErrorExplainer(text, block).parenthesis_as_bracket();
 }
 
+bool is_bare_remark(std::string_view text, Span block) {
+    return ErrorExplainer(text, block).bare_remark().has_value();
+}
+
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const ErrorExplainer explainer(text, block);
     for (const auto cause :
@@ -428,7 +432,6 @@ UnreadableBlock names_in(const Program& program, Span block) {
     const std::span<const Token> tokens = explainer.tokens();
     const VariableFamily& family = program.control->families[numbered];
     UnreadableBlock names{{}, {}, false, false};
-    if (explainer.bare_remark()) return names; // whoever takes it for a remark does nothing
     std::vector<std::int64_t> named, labels;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const Token& token = tokens[i];

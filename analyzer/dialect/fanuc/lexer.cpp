@@ -75,11 +75,11 @@ bool is_pair(std::string_view signs) {
     return std::ranges::find(pairs, signs) != std::end(pairs);
 }
 
-/// Whether the block sets data: G10, whatever L it has.
-bool sets_data(std::string_view block) {
-    for (std::size_t at = 0; at + 2 < block.size(); ++at)
-        if (to_capital(block[at]) == 'G' && block.substr(at + 1, 2) == "10" &&
-            (at + 3 == block.size() || !is_digit(block[at + 3])))
+/// Whether G10 stands in the head of a block.
+bool sets_data(std::string_view head) {
+    for (std::size_t at = 0; at + 2 < head.size(); ++at)
+        if (to_capital(head[at]) == 'G' && head.substr(at + 1, 2) == "10" &&
+            (at + 3 == head.size() || !is_digit(head[at + 3])))
             return true;
     return false;
 }
@@ -87,13 +87,10 @@ bool sets_data(std::string_view block) {
 /// `G10L60P1[*BDB...]`: after the value of a word, brackets hold data of the machine builder, no expression.
 void blank_out_data(std::string_view block, std::string& key) {
     const std::size_t open = block.find('[');
-    if (open == std::string_view::npos || open == 0 || !is_digit(block[open - 1]) || !sets_data(block))
-        return;
-    std::size_t letter = open;
-    while (letter > 0 && is_digit(block[letter - 1])) --letter;
-    if (letter == 0 || !is_letter(block[letter - 1])) return; // `#1[`
-    const std::size_t close = block.rfind(']');
-    if (close == std::string_view::npos || close < open) return;
+    if (open == std::string_view::npos || open == 0 || !is_digit(block[open - 1])) return;
+    const std::size_t close = block.find(']', open);
+    if (close == std::string_view::npos || block.find('#') != std::string_view::npos) return;
+    if (!sets_data(block.substr(0, open))) return;
     std::fill(key.begin() + static_cast<std::ptrdiff_t>(open),
               key.begin() + static_cast<std::ptrdiff_t>(close) + 1, ' ');
 }

@@ -105,7 +105,9 @@ class Family {
     void add_unreadable(const RawBlock& raw) {
         ProgramBuilder& program = this->program();
         program.begin_block();
-        program.add_effect({names_in(program.program(), raw.span), raw.span});
+        // The control that it is written for passes a remark by; any other stops, and does nothing either.
+        if (!is_bare_remark(text_, raw.span))
+            program.add_effect({names_in(program.program(), raw.span), raw.span});
         program.end_block(unreadable_head(raw.span));
     }
 
