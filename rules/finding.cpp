@@ -27,10 +27,41 @@ std::string fill(std::string_view text, const std::vector<std::string>& argument
     return filled;
 }
 
+namespace {
+
+/// " The same in 3 more places: lines 67, 87 and 95."
+std::string repeated_in(const std::vector<RelatedLocation>& repeats) {
+    if (repeats.empty()) return {};
+    constexpr std::size_t most_lines = 6;
+    std::vector<std::uint32_t> lines;
+    for (const RelatedLocation& place : repeats) {
+        const std::uint32_t line = place.source->position(place.span.begin).line;
+        if (lines.empty() || lines.back() != line) lines.push_back(line);
+    }
+    const std::size_t named = std::min(lines.size(), most_lines);
+    const bool all = named == lines.size();
+    std::string text = " The same in " + std::to_string(repeats.size()) + " more place";
+    text += repeats.size() == 1 ? ": line " : lines.size() == 1 ? "s: line " : "s: lines ";
+    for (std::size_t i = 0; i < named; ++i) {
+        if (i != 0) text += all && i + 1 == named ? " and " : ", ";
+        text += std::to_string(lines[i]);
+    }
+    return text + (all ? "." : " …");
+}
+
+} // namespace
+
 std::string Finding::message() const {
     const auto found = std::ranges::find(rule->messages, message_id, &Message::id);
     assert(found != rule->messages.end());
-    return found == rule->messages.end() ? std::string(rule->summary) : fill(found->text, arguments);
+    if (found == rule->messages.end()) return std::string(rule->summary);
+    return fill(found->text, arguments) + repeated_in(repeats);
+}
+
+std::vector<RelatedLocation> Finding::further_places() const {
+    std::vector<RelatedLocation> places = related;
+    places.insert(places.end(), repeats.begin(), repeats.end());
+    return places;
 }
 
 void Finding::offer(Fix offered) {

@@ -68,11 +68,17 @@ struct Finding {
         path; ///< in execution order, the finding's own place last; empty: no data flow involved
     std::optional<Fix> fix;
     Proof proof = Proof::path;
+    /// Findings of one rule in one file that have the same words here are one finding in reports; empty: it
+    /// stands alone.
+    std::string same_cause = {};
+    std::vector<RelatedLocation> repeats = {}; ///< the other places of that cause, in text order
 
     /// Takes the fix, unless it changes nothing, or the same bytes twice: then the finding has none.
     void offer(Fix offered);
-    /// The message with its arguments filled in.
+    /// The message with its arguments filled in, and how many more places it is true of.
     [[nodiscard]] std::string message() const;
+    /// Related places and repeats.
+    [[nodiscard]] std::vector<RelatedLocation> further_places() const;
 };
 
 /// The order of reports: path, line, column, code.

@@ -13,12 +13,14 @@
     RULE(unknown_rule_in_suppression)           /* MAC002 */ \
     RULE(unreadable_file)                       /* MAC003 */ \
     RULE(oversized_block)                       /* MAC004 */ \
+    RULE(other_control)                         /* MAC005 */ \
     RULE(unterminated_comment)                  /* MAC102 */ \
     RULE(parenthesis_as_bracket)                /* MAC116 */ \
     RULE(bracket_mismatch)                      /* MAC117 */ \
     RULE(unknown_keyword)                       /* MAC118 */ \
     RULE(symbolic_comparison)                   /* MAC119 */ \
     RULE(unreadable_block)                      /* MAC121 */ \
+    RULE(unreached_text)                        /* MAC122 */ \
     RULE(assignment_to_null_variable)           /* MAC201 */ \
     RULE(uninitialised_local)                   /* MAC209 */ \
     RULE(argument_not_passed)                   /* MAC210 */ \

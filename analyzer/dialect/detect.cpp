@@ -1,5 +1,6 @@
 //! Tells which dialect a file is written in, or what it is instead, by its extension and the beginning of its
 //! text.
+#include "analyzer/dialect/detect/control_marks.hpp"
 #include "analyzer/dialect/detect/first_program.hpp"
 #include "analyzer/dialect/detect/line.hpp"
 #include "analyzer/dialect/detect/other_text.hpp"
@@ -57,6 +58,7 @@ bool has_nct_form(std::string_view code) {
 /// What the beginning of a text holds.
 struct Survey {
     Evidence evidence;
+    detect::ControlEvidence controls = {};
     std::size_t filled = 0, blocks = 0; ///< lines
     bool nct_head = false;
     std::size_t nct_line = 0; ///< after such a head, with the first form of NCT, or 0
@@ -75,6 +77,7 @@ Survey survey(std::string_view text, std::string_view extension) {
             if (++result.filled == 1) result.nct_head = has_nct_head(line.whole());
             result.blocks += detect::looks_like_block(line.whole()) ? 1U : 0U;
             result.evidence.add(line, number);
+            result.controls.add(line, number);
             if (result.nct_head && result.nct_line == 0 && has_nct_form(line.code()))
                 result.nct_line = number;
         }
@@ -110,8 +113,12 @@ Detection judge(Content content, std::string_view text, const std::string& exten
     if (language != Language::fanuc) return foreign(found.evidence, language);
     if (found.nct_line != 0)
         return {find_dialect("nct"), "an NCT form in line " + std::to_string(found.nct_line), false, certain};
-    return {fanuc, extension.empty() ? std::string("content") : "extension ." + extension + " and content",
-            false, certain};
+    Detection detected{
+        fanuc, extension.empty() ? std::string("content") : "extension ." + extension + " and content", false,
+        certain};
+    detected.control = found.controls.verdict();
+    if (!detected.control.empty()) detected.control_reason = found.controls.reason();
+    return detected;
 }
 
 // Extensions that are worth opening, if only to say that the file is not linted. Files without one are when
@@ -139,6 +146,8 @@ Detection detect_dialect(const Source& source) {
     Detection head = judge(Content::text, first, extension);
     if (head.dialect == nullptr) return whole;
     head.certain = true;
+    head.control = whole.control;
+    head.control_reason = std::move(whole.control_reason);
     return head;
 }
 

@@ -44,6 +44,8 @@ struct Detection {
     bool not_nc_text; ///< no NC program of any kind (binary, C, JSON, noise): MAC003 when the user named the
                       ///< file
     bool certain;     ///< the text bears marks of the dialect; else nothing in it speaks for another
+    std::string_view control = {};   ///< that the text bears marks of; empty: none
+    std::string control_reason = {}; ///< "'#30003.036' in line 5"
 };
 [[nodiscard]] Detection detect_dialect(const Source& source);
 

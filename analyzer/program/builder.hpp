@@ -29,6 +29,7 @@ class ProgramBuilder {
     void set_name_span(Span span) { program_.name_span = span; }
     /// A further name that a call may use; one that it has already is passed over.
     void add_name(std::string_view name);
+    void set_folder(std::string folder) { program_.folder = std::move(folder); }
     void set_local() { program_.local = true; }
     void set_started(Program::Started started) { program_.started = started; }
     void set_plain_tables(decltype(Program::plain_tables) tables) { program_.plain_tables = tables; }

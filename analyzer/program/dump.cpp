@@ -124,13 +124,28 @@ std::string_view name_of(Operation operation) {
 }
 
 std::string_view name_of(SyntaxErrorKind syntax_error) {
-    static constexpr std::string_view names[] = {
-        "oversized-block",      "unterminated-comment",    "parenthesis-as-bracket",
-        "bracket-mismatch",     "unknown-keyword",         "missing-construct",
-        "symbolic-comparison",  "bracket-depth",           "assignment-to-null",
-        "loop-without-do",      "call-without-program",    "not-alone",
-        "then-missing",         "assignment-in-condition", "comparison-as-assignment",
-        "hash-in-vacancy-test", "unknown-transfer-value",  "unreadable"};
+    static constexpr std::string_view names[] = {"oversized-block",
+                                                 "unterminated-comment",
+                                                 "parenthesis-as-bracket",
+                                                 "bracket-mismatch",
+                                                 "unknown-keyword",
+                                                 "missing-construct",
+                                                 "symbolic-comparison",
+                                                 "bracket-depth",
+                                                 "assignment-to-null",
+                                                 "loop-without-do",
+                                                 "call-without-program",
+                                                 "not-alone",
+                                                 "then-missing",
+                                                 "assignment-in-condition",
+                                                 "comparison-as-assignment",
+                                                 "hash-in-vacancy-test",
+                                                 "unknown-transfer-value",
+                                                 "nested-comment",
+                                                 "bare-remark",
+                                                 "point-in-variable-number",
+                                                 "fraction-in-variable-number",
+                                                 "unreadable"};
     static_assert(std::size(names) == static_cast<std::size_t>(SyntaxErrorKind::unreadable) + 1);
     return names[static_cast<std::size_t>(syntax_error)];
 }

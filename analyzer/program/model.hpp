@@ -361,9 +361,10 @@ class Program {
     std::optional<std::int64_t> number;     ///< program number
     std::vector<std::string> also_known_as; ///< further names that a call may use (<NAME>, file name)
     bool local = false;                     ///< only programs of its own file can call it
-    Span span;                              ///< all its blocks
-    Span name_span;                         ///< where the name stands; empty at the first block otherwise
-    std::string_view text;                  ///< bytes of the whole file; all spans point into it
+    std::string folder;    ///< on the control, where the text says it: "MTB/PROBING"; empty: it does not
+    Span span;             ///< all its blocks
+    Span name_span;        ///< where the name stands; empty at the first block otherwise
+    std::string_view text; ///< bytes of the whole file; all spans point into it
     const ControlModel* control = nullptr;
     /// By these, plain blocks are read again.
     std::array<const syntax::PlainTables*, 2> plain_tables{};

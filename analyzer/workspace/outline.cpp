@@ -37,6 +37,7 @@ ProgramOutline outline_of(const Program& program) {
     ProgramOutline outline{.language = program.control->language,
                            .number = program.number,
                            .names = {in_capitals(program.name)},
+                           .folder = in_capitals(program.folder),
                            .local = program.local,
                            .started_by_hand = program.started == Program::Started::by_hand,
                            .calls = {}};

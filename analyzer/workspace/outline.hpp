@@ -30,6 +30,7 @@ struct ProgramOutline {
     std::string_view language; ///< of the control, which has to outlive the outline
     std::optional<std::int64_t> number;
     std::vector<std::string> names; ///< in capitals, sorted, each once
+    std::string folder = {};        ///< on the control, in capitals, where the text says it
     bool local = false;             ///< only programs of its own file can call it
     bool started_by_hand = false;
     std::vector<CallOutline> calls; ///< in the order of for_each_effect

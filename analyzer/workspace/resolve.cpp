@@ -45,6 +45,8 @@ CallResolver::CallResolver(std::span<const FileOutline> files)
     ProgramIndex index = 0;
     for (std::size_t file = 0; file < files.size(); ++file)
         for (const ProgramOutline& program : files[file].programs) {
+            if (!program.folder.empty())
+                homes_.try_emplace({file, program.folder}, files[file].path + "/" + program.folder);
             if (program.number) add(by_number_[{program.language, *program.number}], file, program, index);
             for (const std::string& name : program.names)
                 add(by_name_[{program.language, name}], file, program, index);
@@ -55,12 +57,19 @@ CallResolver::CallResolver(std::span<const FileOutline> files)
 void CallResolver::add(ProgramsByName& programs_by_name, std::size_t file, const ProgramOutline& program,
                        ProgramIndex index) {
     const std::size_t by_hand = handicap(program);
+    // A file that says in which folders its programs are stored is itself a folder.
+    const std::string_view home = home_of(file, program);
     // Every file may have local programs of the same names: only calls in the file look at them.
     if (program.local) return programs_by_name.local[file].consider(index, by_hand);
-    programs_by_name.in_file[file].consider(index, by_hand);
-    for_each_folder_around(folder_of(files_[file].path), [&](std::string_view folder, std::size_t down) {
+    if (program.folder.empty()) programs_by_name.in_file[file].consider(index, by_hand);
+    for_each_folder_around(home, [&](std::string_view folder, std::size_t down) {
         programs_by_name.below[folder].consider(index, step * down + by_hand);
     });
+}
+
+std::string_view CallResolver::home_of(std::size_t file, const ProgramOutline& program) const {
+    if (program.folder.empty()) return folder_of(files_[file].path);
+    return homes_.find({file, program.folder})->second;
 }
 
 const CallResolver::ProgramsByName* CallResolver::programs_named(const ProgramOutline& caller,
@@ -92,10 +101,10 @@ Namesakes CallResolver::resolve(std::size_t file, const ProgramOutline& caller,
     };
     // First the file itself, then folder by folder outwards. A name that the call looks for in other files
     // may still be that of a local program.
-    look_into(programs_by_name->in_file);
+    if (caller.folder.empty()) look_into(programs_by_name->in_file);
     if (call.lookup != LookupScope::other_files) look_into(programs_by_name->local);
     if (found.nearest.empty())
-        for_each_folder_around(folder_of(files_[file].path), [&](std::string_view folder, std::size_t up) {
+        for_each_folder_around(home_of(file, caller), [&](std::string_view folder, std::size_t up) {
             if (const auto there = programs_by_name->below.find(folder);
                 there != programs_by_name->below.end())
                 look_at(there->second, step * (1 + up));

@@ -61,7 +61,12 @@ class CallResolver {
     [[nodiscard]] const ProgramsByName* programs_named(const ProgramOutline& caller,
                                                        const CallOutline& call) const;
 
+    /// The folder that the program is in.
+    [[nodiscard]] std::string_view home_of(std::size_t file, const ProgramOutline& program) const;
+
     std::span<const FileOutline> files_;
+    std::map<std::pair<std::size_t, std::string_view>, std::string>
+        homes_; ///< of files that name folders of the control
     Index<std::int64_t> by_number_;
     Index<std::string_view> by_name_;
 };

@@ -23,7 +23,9 @@ std::string with_reason(std::string_view value, const std::string& reason) {
 std::string control_line(const SnapshotFile& file, const ReadFile& read) {
     const ControlModel& control = *read.file->control;
     const NamedControl* named = control_for(*read.dialect, file.settings.controls);
-    std::string reason = named == nullptr ? "assumed for the dialect" : named->reason;
+    std::string reason = named != nullptr               ? named->reason
+                         : !read.control_reason.empty() ? read.control_reason
+                                                        : "assumed for the dialect";
     if (&control != read.control) reason += "; the text is written for a lathe";
     return line("control", with_reason(control.name + ", " + control.description, reason));
 }

@@ -6,6 +6,7 @@
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/workspace.hpp"
 #include "cli/engine/computed_calls.hpp"
+#include "cli/engine/other_control.hpp"
 #include "cli/engine/read.hpp"
 
 #include <algorithm>
@@ -135,6 +136,9 @@ class Run {
             const auto programs = held.emplace_back(programs_of(i));
             if (programs == nullptr) continue;
             if (file.input.asked) rules.push_back({programs.get(), file.settings.rules.get()});
+            if (file.input.asked && file.settings.dialect == nullptr) // whoever names it wants to see all
+                std::ranges::move(other_control(*programs, *seen_[i].read.dialect),
+                                  std::back_inserter(findings));
             if (seen_[i].read.not_nc)
                 std::ranges::move(not_nc(*programs, *seen_[i].read.not_nc), std::back_inserter(findings));
             else
@@ -145,7 +149,7 @@ class Run {
         const auto workspace =
             Workspace::analyse(std::move(members), {.jobs = jobs, .facts = facts_for(selection)});
         std::ranges::move(run_rules(*workspace, selection, jobs), std::back_inserter(findings));
-        return apply_suppressions(std::move(findings), rules);
+        return withhold_misread(apply_suppressions(std::move(findings), rules));
     }
 
     /// The file's programs, whole; nullptr when it is not linted, or has gone in the meantime.

@@ -10,9 +10,11 @@
 namespace maclint::cli {
 namespace {
 
-const ControlModel& control_of(const SnapshotFile& file, const Dialect& dialect) {
+const ControlModel& control_of(const SnapshotFile& file, const Dialect& dialect, std::string_view shown) {
     if (const NamedControl* named = control_for(dialect, file.settings.controls)) return *named->control;
-    return *find_control(dialect.default_control);
+    const ControlModel* control = shown.empty() ? nullptr : find_control(shown);
+    return control != nullptr && is_for(*control, dialect) ? *control
+                                                           : *find_control(dialect.default_control);
 }
 
 /// Whoever names the dialect knows better what a text is, but no dialect reads an image.
@@ -74,7 +76,7 @@ ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> sou
     const bool not_nc = detection.not_nc_text && (!named || is_no_text(*read.source));
     if (not_nc && file.input.named) {
         if (read.dialect == nullptr) read.dialect = &dialects().front();
-        read.control = &control_of(file, *read.dialect);
+        read.control = &control_of(file, *read.dialect, {});
         read.not_nc = detection.reason;
         read.file = empty_file(read);
         return read;
@@ -87,7 +89,8 @@ ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> sou
     if (classify(read.source->bytes()) == Content::empty) read.notice = empty(file);
     const bool doubtful = !named && !detection.certain;
     read.extent = doubtful ? Extent::whole : extent;
-    read.control = &control_of(file, *read.dialect);
+    read.control = &control_of(file, *read.dialect, detection.control);
+    if (read.control->name == detection.control) read.control_reason = detection.control_reason;
     if (read.extent == Extent::whole) {
         read.file = store.read(read.source, *read.dialect, *read.control, file.settings.configuration);
         read.source = read.file->source; // that of the findings

@@ -19,7 +19,9 @@ struct ReadFile {
     std::shared_ptr<const Source> source = {};
     const Dialect* dialect = nullptr; ///< that it was read in; nullptr: not linted, `notice` may say why
     std::string dialect_reason = {};
-    const ControlModel* control = nullptr;        ///< that was named, or is assumed for the dialect
+    const ControlModel* control =
+        nullptr;                     ///< that was named, that the text shows, or assumed for the dialect
+    std::string control_reason = {}; ///< the marks of it in the text, where these tell
     std::shared_ptr<const ProgramFile> file = {}; ///< nullptr where there is no dialect
     Extent extent = Extent::whole;                ///< of `file`
     std::optional<std::string> not_nc = {}; ///< what it is instead of an NC program (MAC003); `file` has no

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -204,8 +205,20 @@ class FileSuppressions {
             const RuleState& state = rules_.of(*finding.rule);
             if (!state.on) continue; // it ran only to tell whether its suppressions are of use
             finding.severity = state.severity.value_or(finding.severity);
+            if (!suppressed && joins_earlier(finding)) continue;
             evaluated_.push_back({std::move(finding), std::move(suppressed)});
         }
+    }
+
+    /// One cause is told once: later places become repeats of the first that no comment allows.
+    bool joins_earlier(const Finding& finding) {
+        if (finding.same_cause.empty()) return false;
+        const auto [first, is_new] =
+            first_of_cause_.try_emplace({finding.rule, finding.same_cause}, evaluated_.size());
+        if (!is_new)
+            evaluated_[first->second].finding.repeats.push_back(
+                {finding.source, finding.span, "the same stands here"});
+        return !is_new;
     }
 
     std::vector<Finding> unused() const {
@@ -246,6 +259,7 @@ class FileSuppressions {
     std::vector<Directive> directives_;
     Suppressions suppressions_;
     std::vector<FilteredFinding> evaluated_;
+    std::map<std::pair<const Rule*, std::string>, std::size_t> first_of_cause_; ///< places in evaluated_
 };
 
 } // namespace

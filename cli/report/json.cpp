@@ -54,7 +54,7 @@ Json json_of(const FilteredFinding& filtered) {
                 {"arguments", finding.arguments},
                 {"file", path_of(source)},
                 {"range", json_of(source, finding.span)},
-                {"related", json_of(finding.related)},
+                {"related", json_of(finding.further_places())},
                 {"path", json_of(finding.path)},
                 {"fix", finding.fix ? json_of(finding.fix->edits) : Json::array()}};
     if (finding.fix) {

@@ -208,8 +208,11 @@ class SarifWriter {
 
     Json result_of(const FilteredFinding& filtered) {
         const Finding& finding = filtered.finding;
-        Json message = {{"text", without_placeholders(finding.message())}, {"id", finding.message_id}};
-        if (!finding.arguments.empty()) message["arguments"] = finding.arguments;
+        Json message = {{"text", without_placeholders(finding.message())}};
+        if (finding.repeats.empty()) { // else the rule's message is not the whole of it (3.11.6)
+            message["id"] = finding.message_id;
+            if (!finding.arguments.empty()) message["arguments"] = finding.arguments;
+        }
         Json result = {
             {"ruleId", finding.rule->code},
             {"ruleIndex", RuleStates::index_of(*finding.rule)},
@@ -217,7 +220,8 @@ class SarifWriter {
             {"message", std::move(message)},
             {"locations", Json::array({{{"physicalLocation", physical(*finding.source, finding.span)}}})},
             {"partialFingerprints", fingerprints_of(finding)}};
-        if (!finding.related.empty()) result["relatedLocations"] = related_of(finding);
+        if (Json related = related_of(finding); !related.empty())
+            result["relatedLocations"] = std::move(related);
         if (!finding.path.empty()) result["codeFlows"] = code_flows_of(finding);
         if (finding.fix) result["fixes"] = Json::array({fix_of(*finding.fix)});
         result["suppressions"] = suppressions_of(filtered);
@@ -236,7 +240,7 @@ class SarifWriter {
 
     [[nodiscard]] Json related_of(const Finding& finding) const {
         Json list = Json::array();
-        for (const RelatedLocation& related : finding.related)
+        for (const RelatedLocation& related : finding.further_places())
             list.push_back({{"id", list.size() + 1},
                             {"physicalLocation", short_physical(*related.source, related.span)},
                             {"message", text_message(sentence(related.text))}});

@@ -129,7 +129,7 @@ module.exports = grammar({
     _consequence: $ => choice($._head, $._content),
 
     while_statement: $ => prec.right(seq(
-      keyword('WHILE'), field('condition', $._condition), optional(field('loop', $.do_statement)))),
+      alias(token(choice(anyCase('WHILE'), anyCase('WH'))), 'WHILE'), field('condition', $._condition), optional(field('loop', $.do_statement)))),
 
     do_statement: $ => seq(keyword('DO'), field('number', choice($.number, $._place, $.bracket))),
     end_statement: $ => seq(keyword('END'), field('number', choice($.number, $._place, $.bracket))),
@@ -166,7 +166,8 @@ module.exports = grammar({
     // Variables
     _place: $ => choice($.variable, $.indirect_variable, $.double_sharp, $.named_variable, $.foreign_variable),
 
-    variable: $ => token(/#[ \t]*[0-9]+/),
+    // With a point only on some controls: `#30003.036`.
+    variable: $ => token(/#[ \t]*[0-9]+(\.[0-9]*)?/),
     indirect_variable: $ => seq('#', field('index', $.bracket)),
     double_sharp: $ => seq('#', field('index', $._place)),
     named_variable: $ => prec.right(seq(

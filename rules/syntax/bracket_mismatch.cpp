@@ -12,7 +12,8 @@ extern const Rule bracket_mismatch{
            " the result is another number.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"plain", "The brackets of this block do not pair at '{0}': {1}. The control stops here."}},
+    .yields_to = "MAC122",
+    .messages = {{"plain", "Brackets that do not pair: at '{0}', {1}. The control stops here."}},
     .bad = {{"fanuc", R"nc(
 O9117(DEPTH)
 #100=[#101+2*[#102-1]

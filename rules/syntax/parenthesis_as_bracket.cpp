@@ -12,9 +12,9 @@ extern const Rule parenthesis_as_bracket{
            " '(' when a parameter says so.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"plain",
-                  "'{0}' is followed by a comment instead of its value, because ( ) is no expression. "
-                  "Write '{1}'."}},
+    .yields_to = "MAC122",
+    .messages = {{"cure", "Round brackets make a comment, and '{0}' is left without its value. Write '{1}'."},
+                 {"plain", "Round brackets make a comment, and '{0}' is left without its value. Write [ ]."}},
     .bad = {{"fanuc", R"nc(
 O9116(ANGLE)
 #100=SIN(30)

@@ -11,8 +11,10 @@ extern const Rule symbolic_comparison{
            "the condition.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"cure", "'{0}' does not compare: the control stops here. Write {1}."},
-                 {"plain", "'{0}' does not compare: the control stops here. Use EQ, NE, GT, GE, LT or LE."}},
+    .yields_to = "MAC122",
+    .messages = {{"cure", "Sign '{0}' does not compare: the control stops here. Write {1}."},
+                 {"plain",
+                  "Sign '{0}' does not compare: the control stops here. Use EQ, NE, GT, GE, LT or LE."}},
     .bad = {{"fanuc", R"nc(
 O9119(CHOICE)
 IF[#100=2]GOTO5

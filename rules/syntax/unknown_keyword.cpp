@@ -18,11 +18,12 @@ extern const Rule unknown_keyword{
            "the job.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"cure", "'{0}' is no word of the control, which stops here. Write '{1}'."},
+    .yields_to = "MAC122",
+    .messages = {{"cure", "Unknown word '{0}': the control stops here. Write '{1}'."},
                  {"plain",
-                  "'{0}' is no word of the control, which stops here. Use the words of the language's "
-                  "manual."},
-                 {"construct", "'{0}' is no word of the control, which stops here. {1}."}},
+                  "Unknown word '{0}': the control stops here. If the program is for another control,"
+                  " name that (--dialect, or \"files\" in the configuration)."},
+                 {"construct", "No block IF on this control, which stops at '{0}'. {1}."}},
     .bad = {{"fanuc", R"nc(
 O9118(DEPTH)
 IF[#100LTE5]GOTO10
@@ -67,8 +68,10 @@ void check(const ProgramFile& file, Reporter& reporter) {
     report_syntax_error(file, SyntaxErrorKind::unknown_keyword, reporter);
     for (const SyntaxError& syntax_error : file.syntax_errors)
         if (syntax_error.kind == SyntaxErrorKind::missing_construct)
-            reporter.report({file, syntax_error.span}, syntax_error.span, "construct",
-                            {syntax_error.subject, syntax_error.cure});
+            reporter
+                .report({file, syntax_error.span}, syntax_error.span, "construct",
+                        {syntax_error.subject, syntax_error.cure})
+                .same_cause = same_cause(file, syntax_error);
 }
 
 } // namespace

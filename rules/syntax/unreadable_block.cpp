@@ -1,32 +1,83 @@
 //! MAC121: a block that makes no sense to the control.
+#include "analyzer/program/model.hpp"
 #include "rules/rule.hpp"
+#include "rules/syntax_errors.hpp"
 
 namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
 
 extern const Rule unreadable_block{
     .code = "MAC121",
     .name = "unreadable-block",
     .summary = "A block that cannot be read",
     .why = "The control stops with a format alarm in this block. maclint does not guess what was"
-           " meant: other rules take it that the block may do anything it names.",
+           " meant: other rules take it that the block may do anything it names. Remarks after '//' or ';'"
+           " are the habit of some controls: one warning a file names them all.",
     .severity = Severity::error,
     .precision = Precision::high,
-    .messages = {{"cure", "'{0}' cannot be read here: expected {1}. The control stops in this block."},
-                 {"plain", "'{0}' cannot be read. The control stops in this block."}},
+    .yields_to = "MAC122",
+    .messages = {{"cure", "Unreadable text '{0}': expected {1}. The control stops in this block."},
+                 {"plain", "Unreadable text '{0}': the control stops in this block."},
+                 {"remark", "Remark without brackets: after {1}, the control runs '{0}' as a block. Put it in"
+                            " ( ), or name the program's control (--dialect, or \"files\" in the"
+                            " configuration)."},
+                 {"point",
+                  "Variable number with a decimal point: '{0}'. No manual says that the control takes"
+                  " it: write '{1}'."},
+                 {"fraction", "Variable number with a decimal point: '{0}'. Haas has such variables: choose"
+                              " that control (--control haas) if it runs there."}},
     .bad = {{"fanuc", R"nc(
 O9121(POINT)
 G1 X5. Y? F100
 M30
+)nc"},
+            {"fanuc", R"nc(
+O9121(REMARKS)
+// first side, clamp at the rear
+G0 X5. ; over the bore
+M30
+)nc"},
+            {"fanuc", R"nc(
+O9121(DOOR OPEN)
+IF[#30003.036EQ1]GOTO2
+#504.=1
+N2 M30
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9121(POINT)
 G1 X5. Y10. F100
+G0 X#504 ; (OVER THE BORE)
 M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 16i/18i/21i", "004", "ADDRESS NOT FOUND"}},
     .sources = {"CSDN-PS", "GH-ALM"},
-    .check = SyntaxErrorKind::unreadable,
+    .check = &check,
 };
 
+namespace {
+
+void report(const ProgramFile& file, SyntaxErrorKind kind, std::string_view message, Severity severity,
+            Reporter& reporter) {
+    for (const SyntaxError& error : file.syntax_errors) {
+        if (error.kind != kind) continue;
+        Finding& finding =
+            reporter.report({file, error.span}, error.span, message, {error.subject, error.cure});
+        finding.severity = severity;
+        finding.same_cause = same_cause(file, error);
+    }
+}
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    report_syntax_error(file, SyntaxErrorKind::unreadable, reporter);
+    report(file, SyntaxErrorKind::nested_comment, "cure", Severity::error, reporter);
+    report(file, SyntaxErrorKind::bare_remark, "remark", Severity::warning, reporter);
+    report(file, SyntaxErrorKind::point_in_variable_number, "point", Severity::warning, reporter);
+    report(file, SyntaxErrorKind::fraction_in_variable_number, "fraction", Severity::error, reporter);
+}
+
+} // namespace
 } // namespace maclint::rules

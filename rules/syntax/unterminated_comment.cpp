@@ -13,8 +13,9 @@ extern const Rule unterminated_comment{
            "following blocks, too.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .yields_to = "MAC122",
     .messages = {{"plain",
-                  "'{0}' opens a comment that is never closed, so all that it takes in does nothing. "
+                  "Comment without its end: '{0}' is never closed, so all that it takes in does nothing. "
                   "Close it with '{1}'."}},
     .bad = {{"fanuc", R"nc(
 O9102(PART)

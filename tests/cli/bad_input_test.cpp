@@ -20,7 +20,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::SizeIs;
 using testing::StartsWith;
 
 std::string replaced(std::string_view text, std::string_view line_end) {
@@ -178,19 +177,18 @@ TEST_F(BadBytes, MegabyteOfLineNoiseBetweenTwoGoodPrograms) {
     std::mt19937 random(7);
     std::string noise(1 << 20, ' ');
     for (char& c : noise) c = random() % 64 == 0 ? '\n' : static_cast<char>(' ' + random() % 95);
-    expect_both_found(findings_in(between_programs(noise)), noise, 1000);
+    expect_both_found(findings_in(between_programs(noise)), noise, 2);
     for (char& c : noise) c = static_cast<char>(random());
     std::ranges::replace(noise, '\r', ' '); // only LF ends a line here, so that lines can be counted
-    expect_both_found(findings_in(between_programs(noise)), noise, 1000);
+    expect_both_found(findings_in(between_programs(noise)), noise, 2);
 }
 
 TEST_F(BadBytes, UnclosedComment) {
-    EXPECT_THAT(findings_in_fixture("unclosed-comment.nc"), ElementsAre("2:7 MAC102", "4:8 MAC102"));
+    EXPECT_THAT(findings_in_fixture("unclosed-comment.nc"), ElementsAre("2:7 MAC102")) << "one cause";
 }
 
 TEST_F(BadBytes, UnclosedBracket) {
-    EXPECT_THAT(findings_in_fixture("unclosed-bracket.nc"),
-                ElementsAre("4:4 MAC117", "5:8 MAC117", "6:5 MAC117"));
+    EXPECT_THAT(findings_in_fixture("unclosed-bracket.nc"), ElementsAre("4:4 MAC117", "5:8 MAC117"));
 }
 
 TEST_F(BadBytes, NulBytesAsTapeLeader) {
@@ -225,7 +223,7 @@ TEST_F(BadBytes, Latin1Comments) {
     EXPECT_THAT(findings_in_fixture("latin1-comment.nc"), IsEmpty());
     EXPECT_THAT(findings_in("%\nO1 (T\xDCR)\n(H\xD6HE) GOTO 99\nM30\n%\n"), ElementsAre("3:8 MAC301"));
     folder.write("bad.nc", "%\nO1\nG0 X1. (H\xD6HE\nM30\n%\n");
-    EXPECT_THAT(lint({"."}).out, HasSubstr("'(HÖHE' opens a comment"));
+    EXPECT_THAT(lint({"."}).out, HasSubstr("'(HÖHE' is never closed"));
 }
 
 TEST_F(BadBytes, ShiftJisComments) {
@@ -250,8 +248,8 @@ TEST_F(BadBytes, HundredThousandNestedBrackets) {
                             "\nGOTO 99\nM30\n%\n"),
                 ElementsAre("3:1 MAC004", "4:1 MAC301"));
     EXPECT_THAT(findings_in("%\nO1\n" + repeated("#1=[[[[[[[[[\n", depth) + "GOTO 99\nM30\n%\n"),
-                SizeIs(depth / 13 + 2))
-        << "one finding a block";
+                ElementsAre("3:12 MAC117", std::to_string(depth / 13 + 4) + ":1 MAC301"))
+        << "one cause";
 }
 
 TEST_F(BadBytes, ProgramThatCallsItselfThroughThreeOthers) {

@@ -202,7 +202,7 @@ TEST(FanucOutput, SendsVariables) {
 
 TEST(FanucUnreadable, NamesWhatTheBlockMayDo) {
     EXPECT_EQ(lower("#1=ATAN(ABS(#2)/#3)"),
-              "unreadable writes #1 writes #3\n! parenthesis-as-bracket 'ATAN' -> [");
+              "unreadable writes #1 writes #3\n! parenthesis-as-bracket 'ATAN' -> [ABS[#2]/#3]");
     EXPECT_EQ(lower("N5 #1=SIN(30)"), "N5 unreadable writes #1\n! parenthesis-as-bracket 'SIN' -> [30]");
     EXPECT_EQ(lower("IF[#1EQ2GOTO5"), "unreadable writes #1 jumps N5 opens-or-closes\n! bracket-mismatch '[' "
                                       "-> a ']' is missing before 'GOTO'");

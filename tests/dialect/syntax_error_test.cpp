@@ -64,14 +64,13 @@ TEST(SyntaxErrors, WordsThatTheControlRefusesAreToldThoughTheyCanBeParsed) {
         {"##1=5", "! unreadable '##1' -> '#[#1]'"},
         {"N1 21 G40", "! unreadable '21' -> an address before the number"},
         {"(HOLES (8) / 1.7)",
-         "! unreadable '/ 1.7)' -> nothing after the first ')', because comments do not nest"},
+         "! nested-comment '/ 1.7)' -> nothing after the first ')', because comments do not nest"},
         {"#4=#1>2", "! unreadable '>' -> a calculation, because only IF and WHILE compare"},
         {"IF[#1>2]GOTO5", "! symbolic-comparison '>' -> GT"},
         {"NEXT", "! unknown-keyword 'NEXT' -> END"},
-        {"ENDIF", "! missing-construct 'ENDIF' -> There is no block IF: delete the word, or let GOTO jump "
-                  "over the blocks"},
+        {"ENDIF", "! missing-construct 'ENDIF' -> THEN takes one statement"},
         {"#1=[5 ELSE", "! bracket-mismatch '[' -> its ']' is missing"},
-        {"#1=5 ELSE IF", "! missing-construct 'ELSE' -> There is no block IF: let GOTO jump over the blocks"},
+        {"#1=5 ELSE IF", "! missing-construct 'ELSE' -> THEN takes one statement"},
     };
     for (const auto& [block, reported] : blocks)
         EXPECT_THAT(lower(block), ::testing::HasSubstr(reported)) << block;
@@ -90,9 +89,10 @@ TEST(SyntaxErrors, TheNumberOfALoopStandsWithoutBrackets) {
     EXPECT_EQ(test::read("END(1)").syntax_errors.at(0).cure, "1");
 }
 
-TEST(SyntaxErrors, ABracketThatTheCommentCutsOffIsNotWrittenAsACure) {
+TEST(SyntaxErrors, TheCureHasAllThatTheBracketsHoldNotOnlyTheComment) {
     // The comment is "(ABS(#2)": in brackets it would be as wrong as before.
-    EXPECT_EQ(test::read("#1=ATAN(ABS(#2)/ABS(#3))").syntax_errors.at(0).cure, "[");
+    EXPECT_EQ(test::read("#1=ATAN(ABS(#2)/ABS(#3))").syntax_errors.at(0).cure, "[ABS[#2]/ABS[#3]]");
+    EXPECT_EQ(test::read("#1=ATAN(ABS(#2)/ABS(#3)").syntax_errors.at(0).cure, "");
     EXPECT_EQ(test::read("#1=ATAN(#2)").syntax_errors.at(0).cure, "[#2]");
 }
 

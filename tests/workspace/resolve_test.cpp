@@ -34,6 +34,15 @@ Meant meant(const std::vector<test::NamedText>& files) {
     return {called.program().name + " in " + called.file().source->path(), site.candidates};
 }
 
+TEST(Resolve, FoldersOfTheControlAreFoldersOfTheFile) {
+    const std::string mtb = "&F=/MTB/\nO1\nM98P2\nM30\nO2\nM99\n";
+    const std::string user = "&F=/USER/\nO2\nG0X1.\nM99\n";
+    EXPECT_EQ(meant({{"a.nc", mtb + user}}), (Meant{"O2 in a.nc", 2}));
+    // Without folder of its own it lies around both, and they are equally near.
+    EXPECT_EQ(meant({{"a.nc", "O1\nM98P2\nM30\n&F=/MTB/\nO2\nM99\n" + user}}), (Meant{"", 2}));
+    EXPECT_EQ(meant({{"a.nc", mtb + "&F=\nO2\nM99\n"}, {"b.nc", "O2\nM99\n"}}), (Meant{"O2 in a.nc", 3}));
+}
+
 TEST(Resolve, TwoProgramsOfOneNumberInAFileMeanUnknown) {
     EXPECT_EQ(meant({{"a.nc", "O1\nM98P2\nM30\nO2\nM99\nO2\nG0X1.\nM99\n"}}), (Meant{"", 2}));
     EXPECT_EQ(meant({{"a.nc", "O1\nM98P2\nM30\nO2\nM99\n"}, {"b.nc", "O2\nM99\n"}}),

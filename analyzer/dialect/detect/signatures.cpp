@@ -133,6 +133,8 @@ constexpr Signature signatures[] = {
     // LinuxCNC [linuxcnc.org/docs: G-code overview, O-codes, G-codes, M-codes]
     {linuxcnc,       4, 2, In::code,    "",           o_word,                "an o-word"},
     {linuxcnc,       4, 2, In::inside,  "#<",         nullptr,               "a named parameter"},
+    {linuxcnc,       1, 1, In::inside,  " ENDSUB",    nullptr,               ""},
+    {linuxcnc,       1, 1, In::inside,  " ENDWHILE",  nullptr,               ""},
     {linuxcnc,       4, 1, In::inside,  "EXISTS[",    nullptr,               ""},
     {linuxcnc,       4, 1, In::words,   "",           tolerance_of_g64,      "G64 with P"},
     {linuxcnc,       2, 2, In::words,   "",           probing_move,          "G38 with a digit after the point"},
@@ -170,6 +172,41 @@ constexpr Signature signatures[] = {
     {okuma,          2, 2, In::inside,  "VZOF",       nullptr,               ""},
     {okuma,          2, 1, In::head,    "NOEX",       nullptr,               ""},
     {okuma,          2, 2, In::words,   "",           work_offset_by_g15,    "G15 with H"},
+
+    // LNC [T: its macro functions and messages]
+    {lnc,            2, 2, In::inside,  "R_SKIP[",    nullptr,               ""},
+    {lnc,            2, 2, In::inside,  "R_BIT[",     nullptr,               ""},
+    {lnc,            2, 2, In::inside,  "W_BIT[",     nullptr,               ""},
+    {lnc,            2, 2, In::inside,  "R_G53G59_COOR[", nullptr,           ""},
+    {lnc,            2, 2, In::inside,  "W_G53G59_COOR[", nullptr,           ""},
+    {lnc,            2, 2, In::inside,  "R_MACH_COOR[", nullptr,             ""},
+    {lnc,            1, 2, In::inside,  "ALARM",      nullptr,               ""},
+
+    // SYNTEC [T: its MACRO files]
+    {syntec,         4, 1, In::line,    "%@MACRO",    nullptr,               ""},
+    {syntec,         2, 2, In::inside,  ":=",         nullptr,               ""},
+    {syntec,         2, 2, In::head,    "END_IF",     nullptr,               ""},
+    {syntec,         2, 2, In::head,    "END_WHILE",  nullptr,               ""},
+    {syntec,         2, 2, In::head,    "END_REPEAT", nullptr,               ""},
+    {syntec,         2, 2, In::line,    "@",          nullptr,               "a variable @"},
+    {syntec,         1, 2, In::inside,  "ALARM",      nullptr,               ""},
+
+    // FAGOR 8055/8065 [T: high-level blocks]
+    {fagor,          2, 2, In::line,    "$IF",        nullptr,               ""},
+    {fagor,          2, 2, In::line,    "$GOTO",      nullptr,               ""},
+    {fagor,          2, 2, In::line,    "$WHILE",     nullptr,               ""},
+    {fagor,          2, 2, In::line,    "$FOR",       nullptr,               ""},
+    {fagor,          2, 2, In::inside,  "V.E.",       nullptr,               ""},
+    {fagor,          2, 2, In::inside,  "V.A.",       nullptr,               ""},
+    {fagor,          2, 2, In::inside,  "V.G.",       nullptr,               ""},
+
+    // FADAL [T: macro lines begin with #]
+    {fadal,          2, 1, In::line,    "#CLEAR",     nullptr,               ""},
+    {fadal,          2, 1, In::line,    "#V",         nullptr,               "a macro line #V"},
+    {fadal,          2, 1, In::line,    "#R",         nullptr,               "a macro line #R"},
+    {fadal,          2, 1, In::line,    "#IF",        nullptr,               ""},
+    {fadal,          2, 1, In::line,    "#GOTO",      nullptr,               ""},
+    {fadal,          2, 1, In::line,    "#PRINT",     nullptr,               ""},
 
     {hobby,          2, 2, In::remark,  "",           remark,                "remarks after ';'"},
 };
@@ -273,6 +310,7 @@ constexpr Extension extensions[] = {
 constexpr std::array<std::string_view, language_count> names = {
     "FANUC",    "HEIDENHAIN DIN PLUS", "HEIDENHAIN Klartext", "HEIDENHAIN DIN/ISO", "SINUMERIK",
     "LinuxCNC", "a 3D printer",        "GRBL",                "wire erosion",       "OKUMA OSP",
+    "LNC",        "SYNTEC",    "FAGOR",     "FADAL",
     "G-code for LinuxCNC, GRBL, a 3D printer or the like"};
 // clang-format on
 
@@ -314,6 +352,11 @@ std::span<const std::uint8_t> rows_for(In in, const Line& line) {
     if (line.code().empty()) return {};
     const std::size_t first = last_bits_of(line.code().front());
     return all.subspan(by_place().heads[first], by_place().heads[first + 1] - by_place().heads[first]);
+}
+
+std::string spell(const Signature& signature) {
+    return signature.called.empty() ? "'" + std::string(trim(signature.text)) + "'"
+                                    : std::string(signature.called);
 }
 
 int extension_points(std::string_view extension, Language language) {
@@ -368,6 +411,17 @@ Language Evidence::verdict() const {
     return static_cast<Language>(best);
 }
 
+std::vector<Evidence::Seen> Evidence::seen_in_code(Language language) const {
+    std::vector<Seen> seen;
+    for (std::size_t i = 0; i < std::size(signatures); ++i) {
+        const Signature& signature = signatures[i];
+        const bool in_code = signature.in != In::comment && signature.in != In::remark;
+        if (signature.language == language && in_code && sightings_[i].times != 0)
+            seen.push_back({spell(signature), sightings_[i].line});
+    }
+    return seen;
+}
+
 std::string Evidence::reason(Language language) const {
     const Signature* best = nullptr;
     std::uint32_t line = 0;
@@ -380,9 +434,7 @@ std::string Evidence::reason(Language language) const {
     }
     if (best == nullptr || extension_points(extension_, language) > best->points)
         return "extension ." + std::string(extension_);
-    const std::string called =
-        best->called.empty() ? "'" + std::string(trim(best->text)) + "'" : std::string(best->called);
-    return called + " in line " + std::to_string(line);
+    return spell(*best) + " in line " + std::to_string(line);
 }
 
 } // namespace maclint::detect

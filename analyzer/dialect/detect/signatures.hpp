@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace maclint::detect {
 
@@ -23,9 +24,13 @@ enum class Language : std::uint8_t {
     grbl,
     wire_erosion,
     okuma,
+    lnc,
+    syntec,
+    fagor,
+    fadal,
     hobby, ///< G-code with remarks after `;`, whoever reads it
 };
-constexpr std::size_t language_count = 11;
+constexpr std::size_t language_count = 15;
 
 /// "HEIDENHAIN Klartext"
 [[nodiscard]] std::string_view name_of(Language language);
@@ -46,11 +51,18 @@ class Evidence {
     [[nodiscard]] Language verdict() const;
     /// The weightiest signature of the language and where it stands: "an o-word in line 3", "extension .mpf".
     [[nodiscard]] std::string reason(Language language) const;
+    /// A signature that was seen, and where first.
+    struct Seen {
+        std::string called; ///< "'R_SKIP['", "an o-word"
+        std::uint32_t line;
+    };
+    /// The different signatures of the language in code, in the order of the table.
+    [[nodiscard]] std::vector<Seen> seen_in_code(Language language) const;
 
   private:
     [[nodiscard]] std::array<int, language_count> points() const;
 
-    static constexpr std::size_t most_signatures = 128;
+    static constexpr std::size_t most_signatures = 160;
     struct Sighting {
         std::uint8_t times = 0;
         std::uint32_t line = 0; ///< of the first

@@ -29,6 +29,7 @@ class ErrorExplainer {
   public:
     ErrorExplainer(std::string_view text, Span block)
         : text_(text)
+        , block_(block)
         , tokens_(tokens_of(text, block)) {}
 
     [[nodiscard]] std::span<const Token> tokens() const { return tokens_; }
@@ -42,6 +43,7 @@ class ErrorExplainer {
     [[nodiscard]] std::optional<SyntaxError> unknown_keyword() const;
     [[nodiscard]] std::optional<SyntaxError> symbolic_comparison() const;
     [[nodiscard]] std::optional<SyntaxError> missing_value() const;
+    [[nodiscard]] std::optional<SyntaxError> bare_remark() const;
     [[nodiscard]] std::optional<SyntaxError> remark() const;
 
   private:
@@ -77,7 +79,12 @@ class ErrorExplainer {
         return {kind, span, shown(subject), std::move(cure)};
     }
 
+    /// Whether a person wrote it for persons: it has a word that no control could mean.
+    [[nodiscard]] bool is_prose() const;
+    [[nodiscard]] std::string in_square_brackets(Offset open) const;
+
     std::string_view text_;
+    Span block_;
     std::vector<Token> tokens_;
 };
 
@@ -142,6 +149,21 @@ bool ErrorExplainer::looks_like_expression(const Token& comment) const {
     return operand;
 }
 
+/// What the round brackets at `open` hold, all of them square; empty when they do not pair in the block. The
+/// control ends a comment at its first ')', but that is not what was meant.
+std::string ErrorExplainer::in_square_brackets(Offset open) const {
+    std::string square;
+    int depth = 0;
+    for (Offset at = open; at < block_.end && square.size() < longest_shown; ++at) {
+        const char c = text_[at];
+        if (c == '(') ++depth;
+        if (c == ')') --depth;
+        square += c == '(' ? '[' : c == ')' ? ']' : c;
+        if (depth == 0) return square;
+    }
+    return {};
+}
+
 std::optional<SyntaxError> ErrorExplainer::parenthesis_as_bracket() const {
     for (std::size_t i = 1; i < tokens_.size(); ++i) {
         const Token& comment = tokens_[i];
@@ -160,15 +182,9 @@ std::optional<SyntaxError> ErrorExplainer::parenthesis_as_bracket() const {
         const bool address =
             word.size() == 1 && touches && looks_like_expression(comment) && word != "N" && word != "O";
         if (!certain && !operand && !address) continue;
-        // The comment ends at its first ')': one that holds a '(' is not all that is meant.
-        const bool whole = is_closed(text(comment)) && text(comment).rfind('(') == 0;
-        std::string cure = "[";
-        if (whole && comment.span.length() <= longest_shown) {
-            const bool plain = word == "DO" || word == "END"; // their number stands without brackets
-            if (plain) cure.clear();
-            cure += text_.substr(comment.span.begin + 1, comment.span.length() - 2);
-            if (!plain) cure += ']';
-        }
+        std::string cure = in_square_brackets(comment.span.begin);
+        const bool number = word == "DO" || word == "END"; // it stands without brackets
+        if (number && !cure.empty()) cure = cure.substr(1, cure.size() - 2);
         const std::string_view subject = text(before);
         return make(SyntaxErrorKind::parenthesis_as_bracket, comment.span,
                     word.empty() ? subject
@@ -285,6 +301,34 @@ std::optional<SyntaxError> ErrorExplainer::missing_value() const {
     return std::nullopt;
 }
 
+bool ErrorExplainer::is_prose() const {
+    return std::ranges::any_of(tokens_, [&](const Token& token) {
+        constexpr unsigned char last_of_ascii = 0x7F;
+        const std::string_view written = text(token);
+        if (token.kind == TokenKind::other)
+            return static_cast<unsigned char>(written.front()) > last_of_ascii;
+        const std::string word = token.kind == TokenKind::letters ? capitals(token) : std::string();
+        return word.size() > 2 && split_keywords(word).empty() && !explain(word).known;
+    });
+}
+
+/// Text after `//`, or after a `;` within the line, which ends a block here and begins a remark elsewhere.
+std::optional<SyntaxError> ErrorExplainer::bare_remark() const {
+    std::size_t first = 0;
+    if (tokens_.size() > 1 && capitals(tokens_[0]) == "N" && tokens_[1].kind == TokenKind::number) first = 2;
+    Offset before = block_.begin;
+    while (before > 0 && is_blank(text_[before - 1])) --before;
+    Span sign{before, before};
+    if (before > 0 && text_[before - 1] == ';')
+        sign.begin = before - 1;
+    else if (first + 1 < tokens_.size() && text(tokens_[first]) == "/" && text(tokens_[first + 1]) == "/")
+        sign = join(tokens_[first].span, tokens_[first + 1].span);
+    if (sign.empty() || !is_prose()) return std::nullopt;
+    return make(SyntaxErrorKind::bare_remark, {sign.begin, block_.end},
+                text_.substr(sign.begin, block_.end - sign.begin),
+                "'" + std::string(text_.substr(sign.begin, sign.length())) + "'");
+}
+
 /// Words that are no code: somebody wrote a remark without parentheses, or with parentheses in it.
 std::optional<SyntaxError> ErrorExplainer::remark() const {
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
@@ -293,7 +337,7 @@ std::optional<SyntaxError> ErrorExplainer::remark() const {
         if (text(tokens_[i]).find('(', 1) == std::string_view::npos) continue;
         const Span tail{tokens_[i + 1].span.begin, tokens_.back().span.end};
         if (text_[tail.end - 1] == ')' && tail.length() > 1)
-            return make(SyntaxErrorKind::unreadable, tail, text_.substr(tail.begin, tail.length()),
+            return make(SyntaxErrorKind::nested_comment, tail, text_.substr(tail.begin, tail.length()),
                         "nothing after the first ')', because comments do not nest");
     }
     std::size_t words = 0;
@@ -319,6 +363,14 @@ const syntax::Node* first_error(const syntax::Tree& tree) {
     for (const syntax::Node& node : tree.nodes)
         if (node.missing || kind_of(node) == Kind::error) return &node;
     return nullptr;
+}
+
+/// The words that the span cuts into, whole.
+Span whole_words(std::string_view text, Span block, Span span) {
+    while (span.begin > block.begin && is_letter(text[span.begin]) && is_letter(text[span.begin - 1]))
+        --span.begin;
+    while (span.end < block.end && is_letter(text[span.end - 1]) && is_letter(text[span.end])) ++span.end;
+    return span;
 }
 
 /// What the parser put in, in the user's words.
@@ -348,11 +400,16 @@ std::optional<SyntaxError> find_parenthesis_as_bracket(std::string_view text, Sp
     return ErrorExplainer(text, block).parenthesis_as_bracket();
 }
 
+bool is_bare_remark(std::string_view text, Span block) {
+    return ErrorExplainer(text, block).bare_remark().has_value();
+}
+
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const ErrorExplainer explainer(text, block);
-    for (const auto cause : {&ErrorExplainer::remark, &ErrorExplainer::parenthesis_as_bracket,
-                             &ErrorExplainer::bracket_mismatch, &ErrorExplainer::unknown_keyword,
-                             &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value})
+    for (const auto cause :
+         {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::parenthesis_as_bracket,
+          &ErrorExplainer::bracket_mismatch, &ErrorExplainer::unknown_keyword,
+          &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value})
         if (std::optional<SyntaxError> found = (explainer.*cause)()) return found;
     return std::nullopt;
 }
@@ -364,7 +421,7 @@ SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tr
         if (error->missing)
             expected = expected_word(*error);
         else if (!error->span.empty())
-            span = {block.begin + error->span.begin, block.begin + error->span.end};
+            span = whole_words(text, block, {block.begin + error->span.begin, block.begin + error->span.end});
     }
     return {SyntaxErrorKind::unreadable, span, shown(text.substr(span.begin, span.length())),
             std::move(expected)};
@@ -396,7 +453,7 @@ UnreadableBlock names_in(const Program& program, Span block) {
         for (const std::string_view keyword : words)
             names.may_open_or_close |=
                 keyword == "IF" || keyword == "WHILE" || keyword == "DO" || keyword == "END";
-        names.may_open_or_close |= word == "ELSE" || word == "ENDIF";
+        names.may_open_or_close |= word == "ELSE" || word == "ENDIF" || word == "WH";
         if (next == nullptr || next->kind != TokenKind::number) continue;
         const double code = read_number(explainer.text(*next)).value;
         if (word.back() == 'G')

@@ -13,6 +13,9 @@ namespace maclint::fanuc {
 /// What a block that could not be read names: variables that it may write, labels that it may jump to.
 [[nodiscard]] UnreadableBlock names_in(const Program& program, Span block);
 
+/// Whether the block is text after a sign that begins a remark on other controls.
+[[nodiscard]] bool is_bare_remark(std::string_view text, Span block);
+
 /// What is wrong with a block that does not parse, told from its text alone; none where only the parser can
 /// say what it stumbled over.
 [[nodiscard]] std::optional<SyntaxError> find_cause(std::string_view text, Span block);

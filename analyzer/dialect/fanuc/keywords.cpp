@@ -22,11 +22,6 @@ struct Foreign {
     std::string_view advice = {};
 };
 
-/// [4: there is no ELSE]
-constexpr std::string_view no_block_if = "There is no block IF: let GOTO jump over the blocks";
-constexpr std::string_view no_end_of_if =
-    "There is no block IF: delete the word, or let GOTO jump over the blocks";
-
 // Words that other languages have, or that people expect, and what Custom Macro B has for them.
 constexpr Foreign foreign_words[] = {
     {"LTE", "LE"},
@@ -60,11 +55,11 @@ constexpr Foreign foreign_words[] = {
     {"MODULO", "MOD"},
     {"DIV", "/"},
     {"ENDFOR", "END"},
-    {"ELSE", "", no_block_if},
-    {"ELSEIF", "", no_block_if},
-    {"ELSIF", "", no_block_if},
-    {"ELIF", "", no_block_if},
-    {"ENDIF", "", no_end_of_if},
+    {"ELSE", "", in_place_of_block_if},
+    {"ELSEIF", "", in_place_of_block_if},
+    {"ELSIF", "", in_place_of_block_if},
+    {"ELIF", "", in_place_of_block_if},
+    {"ENDIF", "", in_place_of_block_if},
 };
 
 bool holds(std::span<const std::string_view> words, std::string_view word) {

@@ -19,6 +19,11 @@ namespace maclint::fanuc {
 /// The keywords that a row of capitals consists of; empty when it does not consist of keywords alone.
 [[nodiscard]] std::vector<std::string_view> split_keywords(std::string_view capitals);
 
+/// [4: there is no ELSE]
+constexpr std::string_view in_place_of_block_if = "THEN takes one statement in its own block, and there is "
+                                                  "no ELSE or ENDIF. To skip several blocks, let IF "
+                                                  "and GOTO jump over them";
+
 /// What somebody meant who wrote a word that is none.
 struct Misspelling {
     bool known;        ///< a word of other languages, or close to a keyword

@@ -75,6 +75,26 @@ bool is_pair(std::string_view signs) {
     return std::ranges::find(pairs, signs) != std::end(pairs);
 }
 
+/// Whether G10 stands in the head of a block.
+bool sets_data(std::string_view head) {
+    for (std::size_t at = 0; at + 2 < head.size(); ++at)
+        if (to_capital(head[at]) == 'G' && head.substr(at + 1, 2) == "10" &&
+            (at + 3 == head.size() || !is_digit(head[at + 3])))
+            return true;
+    return false;
+}
+
+/// `G10L60P1[*BDB...]`: after the value of a word, brackets hold data of the machine builder, no expression.
+void blank_out_data(std::string_view block, std::string& key) {
+    const std::size_t open = block.find('[');
+    if (open == std::string_view::npos || open == 0 || !is_digit(block[open - 1])) return;
+    const std::size_t close = block.find(']', open);
+    if (close == std::string_view::npos || block.find('#') != std::string_view::npos) return;
+    if (!sets_data(block.substr(0, open))) return;
+    std::fill(key.begin() + static_cast<std::ptrdiff_t>(open),
+              key.begin() + static_cast<std::ptrdiff_t>(close) + 1, ' ');
+}
+
 } // namespace
 
 Offset after_comment(std::string_view text, Offset open) {
@@ -147,6 +167,7 @@ void make_cache_key(std::string_view block, std::string& key) {
     key.assign(block);
     for (std::size_t i = 0; i < key.size(); ++i) // a skip level is one of 1 to 9
         if (is_digit(key[i]) && (i == 0 || block[i - 1] != '/')) key[i] = '0';
+    blank_out_data(block, key);
     if (block.find('(') == std::string_view::npos) return;
     Lexer lexer(block, {0, static_cast<Offset>(block.size())});
     while (const std::optional<Token> token = lexer.next()) {

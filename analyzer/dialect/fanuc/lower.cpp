@@ -43,6 +43,11 @@ std::uint16_t skip_level(std::string_view mark) {
 
 } // namespace
 
+std::optional<std::int64_t> number_of_variable(std::string_view written) {
+    const bool has_decimals = written.find('.') < written.size() - 1;
+    return has_decimals ? std::nullopt : read_integer(written);
+}
+
 void BlockLowering::lower(const syntax::Tree& tree, Span block, ProgramBuilder& builder) {
     begin_block(tree, block, builder);
     depth_reported_ = false;
@@ -131,7 +136,7 @@ void BlockLowering::lower_assignment(const Node& node) {
 void BlockLowering::store(const Node& target, ExpressionId value, Span span) {
     switch (kind_of(target)) {
     case Kind::variable:
-        if (const std::optional<std::int64_t> number = read_integer(text(target))) {
+        if (const std::optional<std::int64_t> number = number_of_variable(text(target))) {
             store_numbered(*number, this->span(target), value, span);
             return;
         }
@@ -191,6 +196,9 @@ void BlockLowering::lower_if(const Node& node) {
     for_each_child(node, [&](const Node& part) {
         if (field_of(part) == Field::consequence) consequences.push_back(&part);
     });
+    if (consequences.empty() && child(node, Field::then) != nullptr)
+        syntax_errors_.push_back(
+            {SyntaxErrorKind::missing_construct, span(node), "THEN", std::string(in_place_of_block_if)});
     const std::size_t first = builder_->effect_count();
     lower_items(consequences);
     guard(test, first, span(node));
@@ -249,6 +257,7 @@ void BlockLowering::check_tokens() {
         case Kind::symbolic_operator:
         case Kind::foreign_keyword: has_foreign_words = true; break;
         case Kind::empty_word: has_empty_words = true; break;
+        case Kind::variable: check_number_of(node); break;
         case Kind::malformed_word: // alarms 006 and 007
             report(SyntaxErrorKind::unreadable, span(node),
                    "a number with at most one sign and one decimal point");
@@ -272,6 +281,18 @@ void BlockLowering::check_tokens() {
     if (has_foreign_words) check_words();
     if (brackets > program_->control->limits.bracket_levels) check_depth(tree_->nodes.front(), 0);
     if (has_empty_words) check_parenthesis_for_value();
+}
+
+/// `#504.`, `#30003.036`
+void BlockLowering::check_number_of(const Node& variable) {
+    const std::string_view written = text(variable);
+    const std::size_t point = written.find('.');
+    if (point == std::string_view::npos) return;
+    if (point + 1 == written.size())
+        report(SyntaxErrorKind::point_in_variable_number, span(variable),
+               std::string(written.substr(0, point)));
+    else if (!has_variables_with_decimals(*program_->control))
+        report(SyntaxErrorKind::fraction_in_variable_number, span(variable), "");
 }
 
 /// Operators and keywords of other languages.

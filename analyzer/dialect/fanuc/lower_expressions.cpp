@@ -72,7 +72,7 @@ ExpressionId BlockLowering::lower_expression(const Node& node) {
             return number ? literal(static_cast<double>(*number), span(node)) : unreadable(span(node));
         }
         case Kind::variable: {
-            const std::optional<std::int64_t> number = read_integer(text(node));
+            const std::optional<std::int64_t> number = number_of_variable(text(node));
             return number ? load_numbered(*number, span(node)) : unreadable(span(node));
         }
         case Kind::indirect_variable:

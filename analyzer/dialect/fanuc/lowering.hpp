@@ -14,6 +14,9 @@
 namespace maclint::fanuc {
 
 /// Lowers blocks of programs whose control has the codes.
+/// The number of `#101`; nothing for one with decimals, which names no variable that a program can set.
+[[nodiscard]] std::optional<std::int64_t> number_of_variable(std::string_view written);
+
 class BlockLowering : private TreeLowering {
   public:
     BlockLowering(const CodeTable& codes, std::vector<SyntaxError>& syntax_errors)
@@ -79,6 +82,7 @@ class BlockLowering : private TreeLowering {
     // ---- what is wrong with it
     void check_tokens();
     void check_words();
+    void check_number_of(const Node& variable);
     void check_depth(const Node& node, int depth);
     void check_parenthesis_for_value();
 

@@ -86,8 +86,14 @@ class Family {
 
     void cut(Offset at, RawBlock& raw) const { cut_block(text_, at, raw); }
 
-    /// The number of a program is a block of it, too.
+    /// The number of a program is a block of it, too. A memory dump says in lines of their own in which
+    /// folder of the control the next programs are.
     bool take_head(const RawBlock& raw) {
+        if (const std::optional<std::string_view> folder = folder_mark(text_, raw.span)) {
+            close_program();
+            folder_ = *folder;
+            return true;
+        }
         if (std::optional<ProgramHead> head = find_program_head(text_, raw.span)) {
             close_program();
             open_program(std::move(head->name), head->number).set_name_span(head->span);
@@ -100,7 +106,9 @@ class Family {
     void add_unreadable(const RawBlock& raw) {
         ProgramBuilder& program = this->program();
         program.begin_block();
-        program.add_effect({names_in(program.program(), raw.span), raw.span});
+        // The control that it is written for passes a remark by; any other stops, and does nothing either.
+        if (!is_bare_remark(text_, raw.span))
+            program.add_effect({names_in(program.program(), raw.span), raw.span});
         program.end_block(unreadable_head(raw.span));
     }
 
@@ -117,10 +125,10 @@ class Family {
         program.end_block(unreadable_head(block));
     }
 
-    /// Without P and `<`, without `O1` or `:` that may be a program number, `;` that ends it within the line,
-    /// and `%`. A line of comments alone is no block.
+    /// Without P, `<` and `&`, without `O1` or `:` that may be a program number, `;` that ends it within the
+    /// line, and `%`. A line of comments alone is no block.
     static std::optional<Offset> end_at_a_glance(std::string_view text, Offset at) {
-        static constexpr auto tells = bytes_of("Pp<:;%");
+        static constexpr auto tells = bytes_of("Pp<:;%&");
         bool has_code = false;
         for (; at < text.size() && !is_line_break(text[at]); ++at) {
             const char c = text[at];
@@ -158,6 +166,7 @@ class Family {
         program.set_plain_tables({&codes_.plain});
         program.begin_section("program", Section::Executed::when_reached, {});
         if (number) program.set_number(*number);
+        program.set_folder(folder_);
         add_spellings(program);
         return program;
     }
@@ -225,6 +234,7 @@ class Family {
     }
 
     const Source& source_;
+    std::string folder_; ///< that the last folder mark names
     std::string_view text_;
     const ControlModel& control_;
     ProgramFile& file_;

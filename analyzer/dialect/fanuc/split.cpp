@@ -183,6 +183,15 @@ AfterMark after_mark(std::string_view text, Offset mark) {
     return {size_of(here), next.has_value()};
 }
 
+std::optional<std::string_view> folder_mark(std::string_view text, Span block) {
+    std::string_view line = text.substr(block.begin, block.length());
+    if (!line.starts_with("&F=") && !line.starts_with("&f=")) return std::nullopt;
+    constexpr std::string_view around = "/ \t";
+    const std::size_t first = line.find_first_not_of(around, 3);
+    if (first == std::string_view::npos) return std::string_view{};
+    return line.substr(first, line.find_last_not_of(around) + 1 - first);
+}
+
 std::optional<ProgramHead> find_program_head(std::string_view text, Span block) {
     text = text.substr(0, block.end);
     Offset at = skip_blanks(text, block.begin);

@@ -40,6 +40,9 @@ struct AfterMark {
 /// text.
 [[nodiscard]] AfterMark after_mark(std::string_view text, Offset mark);
 
+/// The folder that a line `&F=/MTB/` of a memory dump names, without its outer slashes; empty for `&F=`.
+[[nodiscard]] std::optional<std::string_view> folder_mark(std::string_view text, Span block);
+
 /// A program number or name that heads a block.
 struct ProgramHead {
     Span span;

@@ -49,5 +49,7 @@ constexpr std::array<std::int32_t, 26> local_of_letter{1, 2, 3, 7, 8, 9, 0, 11, 
 
 /// Whether `M98 P51002` means five times O1002 (program numbers of four digits).
 [[nodiscard]] bool program_word_holds_repeats(const ControlModel& control);
+/// Whether `#30003.036` is a variable.
+[[nodiscard]] bool has_variables_with_decimals(const ControlModel& control);
 
 } // namespace maclint::fanuc

@@ -18,18 +18,19 @@ struct ControlRow {
     bool repeats_in_program_word; ///< M98 P51002 is 5 x O1002
     bool has_lathe;
     bool offset_is_group_12; ///< #4012 reads G54-G59
+    bool decimals;           ///< variables like #30003.036 read settings and parameters
 };
 
 // clang-format off
 const std::array<ControlRow, 7> rows{{
-    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012
-    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false},
-    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false},
-    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false},
-    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false},
-    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false},
-    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  false, false},
-    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, true,  true},
+    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012  decimals
+    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false, false},
+    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false, false},
+    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false, false},
+    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false},
+    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false},
+    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  false, false, false},
+    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, true,  true,  true},
 }};
 // clang-format on
 
@@ -107,6 +108,11 @@ const ControlModel& fanuc_control(std::string_view name) {
 bool program_word_holds_repeats(const ControlModel& control) {
     const auto* row = std::ranges::find(rows, control.model, &ControlRow::model);
     return row == rows.end() || row->repeats_in_program_word;
+}
+
+bool has_variables_with_decimals(const ControlModel& control) {
+    const auto* row = std::ranges::find(rows, control.model, &ControlRow::model);
+    return row != rows.end() && row->decimals;
 }
 
 } // namespace maclint::fanuc

@@ -1204,82 +1204,82 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
   eof = lexer->eof(lexer);
   switch (state) {
     case 0:
-      if (eof) ADVANCE(111);
+      if (eof) ADVANCE(110);
       ADVANCE_MAP(
-        '\n', 114,
-        '\r', 113,
+        '\n', 113,
+        '\r', 112,
         '!', 14,
-        '#', 222,
-        '%', 118,
-        '&', 101,
-        '(', 116,
-        ')', 117,
-        '*', 243,
-        '+', 245,
-        ',', 145,
-        '-', 244,
-        '.', 98,
-        '/', 246,
-        ':', 123,
-        ';', 112,
-        '<', 255,
-        '=', 201,
-        '>', 254,
-        '[', 202,
-        ']', 203,
-        'A', 182,
-        'a', 182,
-        'B', 183,
-        'b', 183,
-        'C', 181,
-        'c', 181,
-        'D', 192,
-        'd', 192,
-        'E', 189,
-        'e', 189,
-        'F', 188,
-        'f', 188,
-        'G', 193,
-        'g', 193,
-        'I', 146,
-        'i', 146,
-        'L', 190,
-        'l', 190,
-        'M', 194,
-        'm', 194,
-        'N', 126,
-        'n', 126,
-        'O', 122,
-        'o', 122,
-        'P', 184,
-        'p', 184,
-        'R', 185,
-        'r', 185,
-        'S', 186,
-        's', 186,
-        'T', 180,
-        't', 180,
-        'U', 191,
-        'u', 191,
-        'W', 187,
-        'w', 187,
-        'X', 195,
-        'x', 195,
+        '#', 223,
+        '%', 117,
+        '&', 100,
+        '(', 115,
+        ')', 116,
+        '*', 244,
+        '+', 246,
+        ',', 144,
+        '-', 245,
+        '.', 97,
+        '/', 247,
+        ':', 122,
+        ';', 111,
+        '<', 256,
+        '=', 200,
+        '>', 255,
+        '[', 201,
+        ']', 202,
+        'A', 181,
+        'a', 181,
+        'B', 182,
+        'b', 182,
+        'C', 180,
+        'c', 180,
+        'D', 191,
+        'd', 191,
+        'E', 188,
+        'e', 188,
+        'F', 187,
+        'f', 187,
+        'G', 192,
+        'g', 192,
+        'I', 145,
+        'i', 145,
+        'L', 189,
+        'l', 189,
+        'M', 193,
+        'm', 193,
+        'N', 125,
+        'n', 125,
+        'O', 121,
+        'o', 121,
+        'P', 183,
+        'p', 183,
+        'R', 184,
+        'r', 184,
+        'S', 185,
+        's', 185,
+        'T', 179,
+        't', 179,
+        'U', 190,
+        'u', 190,
+        'W', 186,
+        'w', 186,
+        'X', 194,
+        'x', 194,
       );
       if ((!eof && lookahead == 00) ||
           lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) SKIP(0);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
       if (('@' <= lookahead && lookahead <= 'Z') ||
-          ('h' <= lookahead && lookahead <= 'z')) ADVANCE(146);
+          ('h' <= lookahead && lookahead <= 'z')) ADVANCE(145);
       END_STATE();
     case 1:
       if ((!eof && lookahead == 00)) SKIP(1);
-      if (lookahead == '#') ADVANCE(223);
-      if (lookahead == '(') ADVANCE(116);
-      if (lookahead == '[') ADVANCE(202);
-      if (lookahead == ']') ADVANCE(203);
+      if (lookahead == '#') ADVANCE(224);
+      if (lookahead == '(') ADVANCE(115);
+      if (lookahead == '[') ADVANCE(201);
+      if (lookahead == ']') ADVANCE(202);
       if (lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) ADVANCE(217);
@@ -1293,30 +1293,30 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 2:
       ADVANCE_MAP(
-        '#', 222,
-        '(', 116,
-        '+', 245,
-        '-', 244,
-        '.', 98,
-        '[', 202,
+        '#', 223,
+        '(', 115,
+        '+', 246,
+        '-', 245,
+        '.', 97,
+        '[', 201,
         'A', 24,
         'a', 24,
         'B', 25,
         'b', 25,
-        'C', 65,
-        'c', 65,
-        'E', 95,
-        'e', 95,
+        'C', 64,
+        'c', 64,
+        'E', 94,
+        'e', 94,
         'F', 40,
         'f', 40,
-        'L', 52,
-        'l', 52,
-        'N', 66,
-        'n', 66,
-        'P', 68,
-        'p', 68,
-        'R', 61,
-        'r', 61,
+        'L', 51,
+        'l', 51,
+        'N', 65,
+        'n', 65,
+        'P', 67,
+        'p', 67,
+        'R', 60,
+        'r', 60,
         'S', 39,
         's', 39,
         'T', 20,
@@ -1326,11 +1326,11 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) SKIP(2);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
       END_STATE();
     case 3:
-      if (lookahead == '&') ADVANCE(103);
-      if (lookahead == '(') ADVANCE(116);
+      if (lookahead == '&') ADVANCE(102);
+      if (lookahead == '(') ADVANCE(115);
       if ((!eof && lookahead == 00) ||
           lookahead == '\t' ||
           lookahead == ' ' ||
@@ -1338,10 +1338,10 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (('@' <= lookahead && lookahead <= 'M') ||
           ('P' <= lookahead && lookahead <= 'Z') ||
           ('a' <= lookahead && lookahead <= 'm') ||
-          ('p' <= lookahead && lookahead <= 'z')) ADVANCE(179);
+          ('p' <= lookahead && lookahead <= 'z')) ADVANCE(178);
       END_STATE();
     case 4:
-      if (lookahead == '(') ADVANCE(116);
+      if (lookahead == '(') ADVANCE(115);
       if ((!eof && lookahead == 00) ||
           lookahead == '\t' ||
           lookahead == ' ' ||
@@ -1356,7 +1356,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(5);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(9);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 6:
       if (lookahead == '.') ADVANCE(7);
@@ -1365,60 +1365,60 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(9);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+          lookahead == 'o') ADVANCE(143);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 7:
-      if (lookahead == '.') ADVANCE(137);
+      if (lookahead == '.') ADVANCE(136);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(129);
+          lookahead == 'o') ADVANCE(143);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(128);
       END_STATE();
     case 8:
-      if (lookahead == '.') ADVANCE(137);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(130);
+      if (lookahead == '.') ADVANCE(136);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(129);
       END_STATE();
     case 9:
-      if (lookahead == '.') ADVANCE(99);
+      if (lookahead == '.') ADVANCE(98);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(10);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(9);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(135);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(134);
       END_STATE();
     case 10:
-      if (lookahead == '.') ADVANCE(99);
+      if (lookahead == '.') ADVANCE(98);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(10);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(135);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(134);
       END_STATE();
     case 11:
-      if (lookahead == '.') ADVANCE(100);
+      if (lookahead == '.') ADVANCE(99);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(11);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(130);
       END_STATE();
     case 12:
       if (lookahead == '<') ADVANCE(16);
-      if (lookahead == '_') ADVANCE(104);
+      if (lookahead == '_') ADVANCE(103);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(12);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
       if (('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(224);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(225);
       END_STATE();
     case 13:
       if (lookahead == '<') ADVANCE(16);
-      if (lookahead == '_') ADVANCE(104);
+      if (lookahead == '_') ADVANCE(103);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(13);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
       END_STATE();
     case 14:
-      if (lookahead == '=') ADVANCE(253);
+      if (lookahead == '=') ADVANCE(254);
       END_STATE();
     case 15:
-      if (lookahead == '>') ADVANCE(124);
+      if (lookahead == '>') ADVANCE(123);
       if (lookahead == ' ' ||
           lookahead == '+' ||
           lookahead == '-' ||
@@ -1429,7 +1429,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(15);
       END_STATE();
     case 16:
-      if (lookahead == '>') ADVANCE(226);
+      if (lookahead == '>') ADVANCE(227);
       if (lookahead != 0 &&
           lookahead != '\n' &&
           lookahead != '\r') ADVANCE(16);
@@ -1437,74 +1437,74 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
     case 17:
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(17);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(121);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(120);
       END_STATE();
     case 18:
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(18);
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(67);
+          lookahead == 't') ADVANCE(66);
       END_STATE();
     case 19:
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(125);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(124);
       END_STATE();
     case 20:
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(232);
+          lookahead == 'a') ADVANCE(233);
       END_STATE();
     case 21:
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(45);
+          lookahead == 'a') ADVANCE(44);
       END_STATE();
     case 22:
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(84);
+          lookahead == 'a') ADVANCE(83);
       END_STATE();
     case 23:
       ADVANCE_MAP(
-        'B', 237,
-        'b', 237,
-        'C', 234,
-        'c', 234,
-        'D', 235,
-        'd', 235,
+        'B', 238,
+        'b', 238,
+        'C', 235,
+        'c', 235,
+        'D', 236,
+        'd', 236,
         'N', 27,
         'n', 27,
-        'S', 231,
-        's', 231,
-        'T', 242,
-        't', 242,
+        'S', 232,
+        's', 232,
+        'T', 243,
+        't', 243,
       );
       END_STATE();
     case 24:
       ADVANCE_MAP(
-        'B', 237,
-        'b', 237,
-        'C', 234,
-        'c', 234,
-        'D', 235,
-        'd', 235,
-        'S', 231,
-        's', 231,
-        'T', 242,
-        't', 242,
+        'B', 238,
+        'b', 238,
+        'C', 235,
+        'c', 235,
+        'D', 236,
+        'd', 236,
+        'S', 232,
+        's', 232,
+        'T', 243,
+        't', 243,
       );
       END_STATE();
     case 25:
       if (lookahead == 'C' ||
-          lookahead == 'c') ADVANCE(230);
+          lookahead == 'c') ADVANCE(231);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(232);
+          lookahead == 'i') ADVANCE(233);
       END_STATE();
     case 26:
       if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(229);
+          lookahead == 'd') ADVANCE(230);
       END_STATE();
     case 27:
       if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(247);
+          lookahead == 'd') ADVANCE(248);
       END_STATE();
     case 28:
       if (lookahead == 'D' ||
@@ -1512,13 +1512,13 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 29:
       if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(249);
+          lookahead == 'd') ADVANCE(250);
       END_STATE();
     case 30:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(251);
+          lookahead == 'e') ADVANCE(252);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(85);
+          lookahead == 'o') ADVANCE(84);
       END_STATE();
     case 31:
       if (lookahead == 'E' ||
@@ -1536,7 +1536,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 34:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(207);
+          lookahead == 'e') ADVANCE(206);
       END_STATE();
     case 35:
       if (lookahead == 'E' ||
@@ -1544,13 +1544,13 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 36:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(56);
+          lookahead == 'e') ADVANCE(55);
       if (lookahead == 'N' ||
           lookahead == 'n') ADVANCE(210);
       END_STATE();
     case 37:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(57);
+          lookahead == 'e') ADVANCE(56);
       END_STATE();
     case 38:
       if (lookahead == 'F' ||
@@ -1558,213 +1558,213 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 39:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(232);
+          lookahead == 'i') ADVANCE(233);
       if (lookahead == 'Q' ||
-          lookahead == 'q') ADVANCE(236);
+          lookahead == 'q') ADVANCE(237);
       END_STATE();
     case 40:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(240);
+          lookahead == 'i') ADVANCE(241);
       if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(235);
+          lookahead == 'u') ADVANCE(236);
       END_STATE();
     case 41:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(46);
+          lookahead == 'i') ADVANCE(45);
       END_STATE();
     case 42:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(48);
+          lookahead == 'i') ADVANCE(49);
       END_STATE();
     case 43:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(50);
+          lookahead == 'i') ADVANCE(58);
       END_STATE();
     case 44:
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(59);
-      END_STATE();
-    case 45:
       if (lookahead == 'K' ||
           lookahead == 'k') ADVANCE(210);
       END_STATE();
-    case 46:
+    case 45:
       if (lookahead == 'L' ||
           lookahead == 'l') ADVANCE(210);
       END_STATE();
-    case 47:
+    case 46:
       if (lookahead == 'L' ||
-          lookahead == 'l') ADVANCE(72);
+          lookahead == 'l') ADVANCE(71);
       END_STATE();
-    case 48:
+    case 47:
       if (lookahead == 'L' ||
           lookahead == 'l') ADVANCE(34);
       END_STATE();
-    case 49:
+    case 48:
       if (lookahead == 'L' ||
-          lookahead == 'l') ADVANCE(46);
+          lookahead == 'l') ADVANCE(45);
       END_STATE();
-    case 50:
+    case 49:
       if (lookahead == 'L' ||
           lookahead == 'l') ADVANCE(32);
       END_STATE();
-    case 51:
+    case 50:
       if (lookahead == 'M' ||
-          lookahead == 'm') ADVANCE(241);
+          lookahead == 'm') ADVANCE(242);
+      END_STATE();
+    case 51:
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(230);
       END_STATE();
     case 52:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(229);
-      END_STATE();
-    case 53:
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(229);
+          lookahead == 'n') ADVANCE(230);
       if (lookahead == 'E' ||
           lookahead == 'T' ||
           lookahead == 'e' ||
-          lookahead == 't') ADVANCE(251);
+          lookahead == 't') ADVANCE(252);
+      END_STATE();
+    case 53:
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(242);
       END_STATE();
     case 54:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(241);
+          lookahead == 'n') ADVANCE(210);
       END_STATE();
     case 55:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(210);
+          lookahead == 'n') ADVANCE(205);
       END_STATE();
     case 56:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(206);
+          lookahead == 'n') ADVANCE(213);
       END_STATE();
     case 57:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(213);
+          lookahead == 'n') ADVANCE(219);
       END_STATE();
     case 58:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(219);
+          lookahead == 'n') ADVANCE(90);
       END_STATE();
     case 59:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(91);
+          lookahead == 'n') ADVANCE(26);
       END_STATE();
     case 60:
       if (lookahead == 'N' ||
           lookahead == 'n') ADVANCE(26);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(240);
       END_STATE();
     case 61:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(26);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(239);
+          lookahead == 'n') ADVANCE(89);
       END_STATE();
     case 62:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(89);
+          lookahead == 'n') ADVANCE(87);
       END_STATE();
     case 63:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(87);
+          lookahead == 'n') ADVANCE(88);
       END_STATE();
     case 64:
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(88);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(238);
       END_STATE();
     case 65:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(237);
+          lookahead == 'o') ADVANCE(84);
       END_STATE();
     case 66:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(85);
+          lookahead == 'o') ADVANCE(203);
       END_STATE();
     case 67:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(204);
+          lookahead == 'o') ADVANCE(93);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(50);
       END_STATE();
     case 68:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(94);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(51);
+          lookahead == 'o') ADVANCE(76);
       END_STATE();
     case 69:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(77);
+          lookahead == 'o') ADVANCE(29);
       END_STATE();
     case 70:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(29);
+          lookahead == 'o') ADVANCE(75);
       END_STATE();
     case 71:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(76);
+          lookahead == 'o') ADVANCE(82);
       END_STATE();
     case 72:
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(83);
-      END_STATE();
-    case 73:
       if (lookahead == 'P' ||
           lookahead == 'p') ADVANCE(37);
       if (lookahead == 'W' ||
-          lookahead == 'w') ADVANCE(229);
+          lookahead == 'w') ADVANCE(230);
       END_STATE();
-    case 74:
+    case 73:
       if (lookahead == 'P' ||
           lookahead == 'p') ADVANCE(35);
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(92);
+          lookahead == 't') ADVANCE(91);
+      END_STATE();
+    case 74:
+      if (lookahead == 'Q' ||
+          lookahead == 'q') ADVANCE(252);
+      if (lookahead == 'X' ||
+          lookahead == 'x') ADVANCE(236);
       END_STATE();
     case 75:
-      if (lookahead == 'Q' ||
-          lookahead == 'q') ADVANCE(251);
-      if (lookahead == 'X' ||
-          lookahead == 'x') ADVANCE(235);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(249);
       END_STATE();
     case 76:
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(248);
+          lookahead == 'r') ADVANCE(210);
       END_STATE();
     case 77:
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(210);
+          lookahead == 'r') ADVANCE(62);
       END_STATE();
     case 78:
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(63);
+          lookahead == 'r') ADVANCE(54);
       END_STATE();
     case 79:
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(55);
+          lookahead == 'r') ADVANCE(63);
       END_STATE();
     case 80:
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(64);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(230);
       END_STATE();
     case 81:
       if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(229);
+          lookahead == 's') ADVANCE(33);
       END_STATE();
     case 82:
       if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(33);
-      END_STATE();
-    case 83:
-      if (lookahead == 'S' ||
           lookahead == 's') ADVANCE(214);
       END_STATE();
-    case 84:
+    case 83:
       if (lookahead == 'T' ||
           lookahead == 't') ADVANCE(210);
       END_STATE();
+    case 84:
+      if (lookahead == 'T' ||
+          lookahead == 't') ADVANCE(251);
+      END_STATE();
     case 85:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(250);
+          lookahead == 't') ADVANCE(92);
       END_STATE();
     case 86:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(93);
+          lookahead == 't') ADVANCE(41);
       END_STATE();
     case 87:
       if (lookahead == 'T' ||
@@ -1776,252 +1776,317 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 89:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(44);
+          lookahead == 't') ADVANCE(43);
       END_STATE();
     case 90:
-      if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(41);
-      END_STATE();
-    case 91:
       if (lookahead == 'U' ||
           lookahead == 'u') ADVANCE(32);
       END_STATE();
-    case 92:
+    case 91:
       if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(79);
+          lookahead == 'u') ADVANCE(78);
+      END_STATE();
+    case 92:
+      if (lookahead == 'V' ||
+          lookahead == 'v') ADVANCE(57);
       END_STATE();
     case 93:
-      if (lookahead == 'V' ||
-          lookahead == 'v') ADVANCE(58);
+      if (lookahead == 'W' ||
+          lookahead == 'w') ADVANCE(230);
       END_STATE();
     case 94:
-      if (lookahead == 'W' ||
-          lookahead == 'w') ADVANCE(229);
+      if (lookahead == 'X' ||
+          lookahead == 'x') ADVANCE(236);
       END_STATE();
     case 95:
       if (lookahead == 'X' ||
-          lookahead == 'x') ADVANCE(235);
+          lookahead == 'x') ADVANCE(83);
       END_STATE();
     case 96:
-      if (lookahead == 'X' ||
-          lookahead == 'x') ADVANCE(84);
-      END_STATE();
-    case 97:
       if (lookahead == 'E' ||
           lookahead == 'T' ||
           lookahead == 'e' ||
-          lookahead == 't') ADVANCE(251);
+          lookahead == 't') ADVANCE(252);
+      END_STATE();
+    case 97:
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(229);
       END_STATE();
     case 98:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(135);
       END_STATE();
     case 99:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(136);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
       END_STATE();
     case 100:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(134);
+      if (('@' <= lookahead && lookahead <= 'M') ||
+          ('P' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'm') ||
+          ('p' <= lookahead && lookahead <= 'z')) ADVANCE(145);
       END_STATE();
     case 101:
       if (('@' <= lookahead && lookahead <= 'M') ||
           ('P' <= lookahead && lookahead <= 'Z') ||
           ('a' <= lookahead && lookahead <= 'm') ||
-          ('p' <= lookahead && lookahead <= 'z')) ADVANCE(146);
+          ('p' <= lookahead && lookahead <= 'z')) ADVANCE(162);
       END_STATE();
     case 102:
       if (('@' <= lookahead && lookahead <= 'M') ||
           ('P' <= lookahead && lookahead <= 'Z') ||
           ('a' <= lookahead && lookahead <= 'm') ||
-          ('p' <= lookahead && lookahead <= 'z')) ADVANCE(163);
+          ('p' <= lookahead && lookahead <= 'z')) ADVANCE(178);
       END_STATE();
     case 103:
-      if (('@' <= lookahead && lookahead <= 'M') ||
-          ('P' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'm') ||
-          ('p' <= lookahead && lookahead <= 'z')) ADVANCE(179);
-      END_STATE();
-    case 104:
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
           lookahead == '_' ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(225);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(226);
+      END_STATE();
+    case 104:
+      if (eof) ADVANCE(110);
+      ADVANCE_MAP(
+        '\n', 113,
+        '\r', 112,
+        '!', 14,
+        '#', 224,
+        '%', 117,
+        '&', 101,
+        '(', 115,
+        ')', 116,
+        '*', 244,
+        '+', 246,
+        ',', 144,
+        '-', 245,
+        '.', 97,
+        '/', 247,
+        ';', 111,
+        '<', 256,
+        '=', 200,
+        '>', 255,
+        '[', 201,
+        'A', 156,
+        'a', 156,
+        'B', 160,
+        'b', 160,
+        'C', 147,
+        'c', 147,
+        'D', 159,
+        'd', 159,
+        'E', 153,
+        'e', 153,
+        'F', 172,
+        'f', 172,
+        'G', 173,
+        'g', 173,
+        'I', 168,
+        'i', 168,
+        'L', 161,
+        'l', 161,
+        'M', 176,
+        'm', 176,
+        'N', 126,
+        'n', 126,
+        'O', 75,
+        'o', 75,
+        'P', 164,
+        'p', 164,
+        'R', 151,
+        'r', 151,
+        'S', 167,
+        's', 167,
+        'T', 169,
+        't', 169,
+        'U', 158,
+        'u', 158,
+        'W', 152,
+        'w', 152,
+        'X', 177,
+        'x', 177,
+      );
+      if ((!eof && lookahead == 00) ||
+          lookahead == '\t' ||
+          lookahead == ' ' ||
+          lookahead == 0xfeff) SKIP(104);
+      if (lookahead == '@' ||
+          ('Q' <= lookahead && lookahead <= 'V') ||
+          ('q' <= lookahead && lookahead <= 'v')) ADVANCE(162);
+      if (('H' <= lookahead && lookahead <= 'Z') ||
+          ('h' <= lookahead && lookahead <= 'z')) ADVANCE(175);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
       END_STATE();
     case 105:
-      if (eof) ADVANCE(111);
+      if (eof) ADVANCE(110);
       ADVANCE_MAP(
-        '\n', 114,
-        '\r', 113,
+        '\n', 113,
+        '\r', 112,
         '!', 14,
-        '#', 223,
-        '%', 118,
-        '&', 102,
-        '(', 116,
-        ')', 117,
-        '*', 243,
-        '+', 245,
-        ',', 145,
-        '-', 244,
-        '.', 98,
-        '/', 246,
-        ';', 112,
-        '<', 255,
-        '=', 201,
-        '>', 254,
-        '[', 202,
-        'A', 157,
-        'a', 157,
-        'B', 161,
-        'b', 161,
-        'C', 148,
-        'c', 148,
-        'D', 160,
-        'd', 160,
-        'E', 154,
-        'e', 154,
-        'F', 173,
-        'f', 173,
-        'G', 174,
-        'g', 174,
-        'I', 169,
-        'i', 169,
-        'L', 162,
-        'l', 162,
-        'M', 177,
-        'm', 177,
-        'N', 127,
-        'n', 127,
-        'O', 76,
-        'o', 76,
-        'P', 165,
-        'p', 165,
-        'R', 152,
-        'r', 152,
-        'S', 168,
-        's', 168,
-        'T', 170,
-        't', 170,
-        'U', 159,
-        'u', 159,
-        'W', 153,
-        'w', 153,
-        'X', 178,
-        'x', 178,
+        '#', 224,
+        '(', 115,
+        '*', 244,
+        '+', 246,
+        ',', 144,
+        '-', 245,
+        '.', 97,
+        '/', 247,
+        ';', 111,
+        '<', 257,
+        '=', 200,
+        '>', 255,
+        '[', 201,
+        ']', 202,
+        'A', 23,
+        'a', 23,
+        'B', 25,
+        'b', 25,
+        'C', 64,
+        'c', 64,
+        'E', 74,
+        'e', 74,
+        'F', 40,
+        'f', 40,
+        'G', 96,
+        'g', 96,
+        'I', 198,
+        'i', 198,
+        'L', 52,
+        'l', 52,
+        'M', 69,
+        'm', 69,
+        'N', 30,
+        'n', 30,
+        'O', 75,
+        'o', 75,
+        'P', 67,
+        'p', 67,
+        'R', 60,
+        'r', 60,
+        'S', 39,
+        's', 39,
+        'T', 20,
+        't', 20,
+        'X', 70,
+        'x', 70,
       );
       if ((!eof && lookahead == 00) ||
           lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) SKIP(105);
-      if (lookahead == '@' ||
-          ('Q' <= lookahead && lookahead <= 'V') ||
-          ('q' <= lookahead && lookahead <= 'v')) ADVANCE(163);
-      if (('H' <= lookahead && lookahead <= 'Z') ||
-          ('h' <= lookahead && lookahead <= 'z')) ADVANCE(176);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
       END_STATE();
     case 106:
-      if (eof) ADVANCE(111);
+      if (eof) ADVANCE(110);
       ADVANCE_MAP(
-        '\n', 114,
-        '\r', 113,
-        '!', 14,
-        '#', 223,
-        '(', 116,
-        '*', 243,
-        '+', 245,
-        ',', 145,
-        '-', 244,
-        '.', 98,
-        '/', 246,
-        ';', 112,
-        '<', 256,
-        '=', 201,
-        '>', 254,
-        '[', 202,
-        ']', 203,
-        'A', 23,
-        'a', 23,
-        'B', 25,
-        'b', 25,
-        'C', 65,
-        'c', 65,
-        'E', 75,
-        'e', 75,
-        'F', 40,
-        'f', 40,
-        'G', 97,
-        'g', 97,
-        'I', 199,
-        'i', 199,
-        'L', 53,
-        'l', 53,
-        'M', 70,
-        'm', 70,
-        'N', 30,
-        'n', 30,
-        'O', 76,
-        'o', 76,
-        'P', 68,
-        'p', 68,
-        'R', 61,
-        'r', 61,
-        'S', 39,
-        's', 39,
-        'T', 20,
-        't', 20,
-        'X', 71,
-        'x', 71,
+        '\n', 113,
+        '\r', 112,
+        '#', 224,
+        '%', 117,
+        '&', 101,
+        '(', 115,
+        ')', 116,
+        '+', 246,
+        ',', 144,
+        '-', 245,
+        '.', 97,
+        '/', 247,
+        ';', 111,
+        '<', 15,
+        '[', 201,
+        'B', 160,
+        'b', 160,
+        'C', 147,
+        'c', 147,
+        'D', 159,
+        'd', 159,
+        'E', 155,
+        'e', 155,
+        'F', 172,
+        'f', 172,
+        'G', 174,
+        'g', 174,
+        'I', 168,
+        'i', 168,
+        'N', 127,
+        'n', 127,
+        'P', 164,
+        'p', 164,
+        'R', 151,
+        'r', 151,
+        'S', 167,
+        's', 167,
+        'T', 170,
+        't', 170,
+        'U', 158,
+        'u', 158,
+        'W', 152,
+        'w', 152,
       );
       if ((!eof && lookahead == 00) ||
           lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) SKIP(106);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
+      if (lookahead == '@' ||
+          lookahead == 'A' ||
+          lookahead == 'L' ||
+          ('Q' <= lookahead && lookahead <= 'V') ||
+          lookahead == 'a' ||
+          lookahead == 'l' ||
+          ('q' <= lookahead && lookahead <= 'v')) ADVANCE(162);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
+      if (('H' <= lookahead && lookahead <= 'M') ||
+          ('X' <= lookahead && lookahead <= 'Z') ||
+          ('h' <= lookahead && lookahead <= 'm') ||
+          ('x' <= lookahead && lookahead <= 'z')) ADVANCE(175);
       END_STATE();
     case 107:
-      if (eof) ADVANCE(111);
+      if (eof) ADVANCE(110);
       ADVANCE_MAP(
-        '\n', 114,
-        '\r', 113,
-        '#', 223,
-        '%', 118,
-        '&', 102,
-        '(', 116,
-        ')', 117,
-        '+', 245,
-        ',', 145,
-        '-', 244,
-        '.', 98,
-        '/', 246,
-        ';', 112,
+        '\n', 113,
+        '\r', 112,
+        '#', 224,
+        '%', 117,
+        '&', 101,
+        '(', 115,
+        ')', 116,
+        '+', 246,
+        ',', 144,
+        '-', 245,
+        '.', 97,
+        '/', 119,
+        ';', 111,
         '<', 15,
-        '[', 202,
-        'B', 161,
-        'b', 161,
-        'C', 148,
-        'c', 148,
-        'D', 160,
-        'd', 160,
-        'E', 156,
-        'e', 156,
-        'F', 173,
-        'f', 173,
-        'G', 175,
-        'g', 175,
-        'I', 169,
-        'i', 169,
-        'N', 128,
-        'n', 128,
-        'P', 165,
-        'p', 165,
-        'R', 152,
-        'r', 152,
-        'S', 168,
-        's', 168,
-        'T', 171,
-        't', 171,
-        'U', 159,
-        'u', 159,
-        'W', 153,
-        'w', 153,
+        '=', 199,
+        '[', 201,
+        ']', 202,
+        'B', 160,
+        'b', 160,
+        'C', 147,
+        'c', 147,
+        'D', 159,
+        'd', 159,
+        'E', 155,
+        'e', 155,
+        'F', 172,
+        'f', 172,
+        'G', 174,
+        'g', 174,
+        'I', 168,
+        'i', 168,
+        'N', 127,
+        'n', 127,
+        'P', 164,
+        'p', 164,
+        'R', 151,
+        'r', 151,
+        'S', 167,
+        's', 167,
+        'T', 169,
+        't', 169,
+        'U', 158,
+        'u', 158,
+        'W', 152,
+        'w', 152,
+        ':', 122,
+        'O', 122,
+        'o', 122,
       );
       if ((!eof && lookahead == 00) ||
           lookahead == '\t' ||
@@ -2033,1081 +2098,1017 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           ('Q' <= lookahead && lookahead <= 'V') ||
           lookahead == 'a' ||
           lookahead == 'l' ||
-          ('q' <= lookahead && lookahead <= 'v')) ADVANCE(163);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
-      if (('H' <= lookahead && lookahead <= 'M') ||
-          ('X' <= lookahead && lookahead <= 'Z') ||
-          ('h' <= lookahead && lookahead <= 'm') ||
-          ('x' <= lookahead && lookahead <= 'z')) ADVANCE(176);
+          ('q' <= lookahead && lookahead <= 'v')) ADVANCE(162);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
+      if (('H' <= lookahead && lookahead <= 'Z') ||
+          ('h' <= lookahead && lookahead <= 'z')) ADVANCE(175);
       END_STATE();
     case 108:
-      if (eof) ADVANCE(111);
+      if (eof) ADVANCE(110);
       ADVANCE_MAP(
-        '\n', 114,
-        '\r', 113,
-        '#', 223,
-        '%', 118,
-        '&', 102,
-        '(', 116,
-        ')', 117,
-        '+', 245,
-        ',', 145,
-        '-', 244,
-        '.', 98,
-        '/', 120,
-        ';', 112,
+        '\n', 113,
+        '\r', 112,
+        '#', 224,
+        '%', 117,
+        '&', 101,
+        '(', 115,
+        ')', 116,
+        '+', 246,
+        ',', 144,
+        '-', 245,
+        '.', 97,
+        '/', 119,
+        ';', 111,
         '<', 15,
-        '=', 200,
-        '[', 202,
-        ']', 203,
-        'B', 161,
-        'b', 161,
-        'C', 148,
-        'c', 148,
-        'D', 160,
-        'd', 160,
-        'E', 156,
-        'e', 156,
-        'F', 173,
-        'f', 173,
-        'G', 175,
-        'g', 175,
-        'I', 169,
-        'i', 169,
-        'N', 128,
-        'n', 128,
+        '[', 201,
+        'A', 148,
+        'a', 148,
+        'B', 149,
+        'b', 149,
+        'C', 146,
+        'c', 146,
+        'D', 159,
+        'd', 159,
+        'E', 154,
+        'e', 154,
+        'F', 171,
+        'f', 171,
+        'G', 174,
+        'g', 174,
+        'I', 168,
+        'i', 168,
+        'L', 157,
+        'l', 157,
+        'N', 127,
+        'n', 127,
         'P', 165,
         'p', 165,
-        'R', 152,
-        'r', 152,
-        'S', 168,
-        's', 168,
-        'T', 170,
-        't', 170,
-        'U', 159,
-        'u', 159,
-        'W', 153,
-        'w', 153,
-        ':', 123,
-        'O', 123,
-        'o', 123,
+        'R', 150,
+        'r', 150,
+        'S', 166,
+        's', 166,
+        'T', 163,
+        't', 163,
+        'U', 158,
+        'u', 158,
+        'W', 152,
+        'w', 152,
       );
       if ((!eof && lookahead == 00) ||
           lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) SKIP(108);
       if (lookahead == '@' ||
-          lookahead == 'A' ||
-          lookahead == 'L' ||
           ('Q' <= lookahead && lookahead <= 'V') ||
-          lookahead == 'a' ||
-          lookahead == 'l' ||
-          ('q' <= lookahead && lookahead <= 'v')) ADVANCE(163);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
-      if (('H' <= lookahead && lookahead <= 'Z') ||
-          ('h' <= lookahead && lookahead <= 'z')) ADVANCE(176);
+          ('q' <= lookahead && lookahead <= 'v')) ADVANCE(162);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
+      if (('H' <= lookahead && lookahead <= 'M') ||
+          ('X' <= lookahead && lookahead <= 'Z') ||
+          ('h' <= lookahead && lookahead <= 'm') ||
+          ('x' <= lookahead && lookahead <= 'z')) ADVANCE(175);
       END_STATE();
     case 109:
-      if (eof) ADVANCE(111);
+      if (eof) ADVANCE(110);
       ADVANCE_MAP(
-        '\n', 114,
-        '\r', 113,
-        '#', 223,
-        '%', 118,
-        '&', 102,
-        '(', 116,
-        ')', 117,
-        '+', 245,
-        ',', 145,
-        '-', 244,
-        '.', 98,
-        '/', 120,
-        ';', 112,
+        '\n', 113,
+        '\r', 112,
+        '#', 224,
+        '%', 117,
+        '&', 101,
+        '(', 115,
+        ')', 116,
+        '+', 246,
+        ',', 144,
+        '-', 245,
+        '.', 97,
+        '/', 119,
+        ';', 111,
         '<', 15,
-        '[', 202,
-        'A', 149,
-        'a', 149,
-        'B', 150,
-        'b', 150,
+        '[', 201,
+        'A', 156,
+        'a', 156,
+        'B', 160,
+        'b', 160,
         'C', 147,
         'c', 147,
-        'D', 160,
-        'd', 160,
+        'D', 159,
+        'd', 159,
         'E', 155,
         'e', 155,
         'F', 172,
         'f', 172,
-        'G', 175,
-        'g', 175,
-        'I', 169,
-        'i', 169,
-        'L', 158,
-        'l', 158,
-        'N', 128,
-        'n', 128,
-        'P', 166,
-        'p', 166,
+        'G', 174,
+        'g', 174,
+        'I', 168,
+        'i', 168,
+        'N', 127,
+        'n', 127,
+        'O', 75,
+        'o', 75,
+        'P', 164,
+        'p', 164,
         'R', 151,
         'r', 151,
         'S', 167,
         's', 167,
-        'T', 164,
-        't', 164,
-        'U', 159,
-        'u', 159,
-        'W', 153,
-        'w', 153,
+        'T', 169,
+        't', 169,
+        'U', 158,
+        'u', 158,
+        'W', 152,
+        'w', 152,
+        'X', 177,
+        'x', 177,
       );
       if ((!eof && lookahead == 00) ||
           lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) SKIP(109);
       if (lookahead == '@' ||
-          ('Q' <= lookahead && lookahead <= 'V') ||
-          ('q' <= lookahead && lookahead <= 'v')) ADVANCE(163);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
-      if (('H' <= lookahead && lookahead <= 'M') ||
-          ('X' <= lookahead && lookahead <= 'Z') ||
-          ('h' <= lookahead && lookahead <= 'm') ||
-          ('x' <= lookahead && lookahead <= 'z')) ADVANCE(176);
-      END_STATE();
-    case 110:
-      if (eof) ADVANCE(111);
-      ADVANCE_MAP(
-        '\n', 114,
-        '\r', 113,
-        '#', 223,
-        '%', 118,
-        '&', 102,
-        '(', 116,
-        ')', 117,
-        '+', 245,
-        ',', 145,
-        '-', 244,
-        '.', 98,
-        '/', 120,
-        ';', 112,
-        '<', 15,
-        '[', 202,
-        'A', 157,
-        'a', 157,
-        'B', 161,
-        'b', 161,
-        'C', 148,
-        'c', 148,
-        'D', 160,
-        'd', 160,
-        'E', 156,
-        'e', 156,
-        'F', 173,
-        'f', 173,
-        'G', 175,
-        'g', 175,
-        'I', 169,
-        'i', 169,
-        'N', 128,
-        'n', 128,
-        'O', 76,
-        'o', 76,
-        'P', 165,
-        'p', 165,
-        'R', 152,
-        'r', 152,
-        'S', 168,
-        's', 168,
-        'T', 170,
-        't', 170,
-        'U', 159,
-        'u', 159,
-        'W', 153,
-        'w', 153,
-        'X', 178,
-        'x', 178,
-      );
-      if ((!eof && lookahead == 00) ||
-          lookahead == '\t' ||
-          lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(110);
-      if (lookahead == '@' ||
           lookahead == 'L' ||
           ('Q' <= lookahead && lookahead <= 'V') ||
           lookahead == 'l' ||
-          ('q' <= lookahead && lookahead <= 'v')) ADVANCE(163);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
+          ('q' <= lookahead && lookahead <= 'v')) ADVANCE(162);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
       if (('H' <= lookahead && lookahead <= 'Z') ||
-          ('h' <= lookahead && lookahead <= 'z')) ADVANCE(176);
+          ('h' <= lookahead && lookahead <= 'z')) ADVANCE(175);
+      END_STATE();
+    case 110:
+      ACCEPT_TOKEN(ts_builtin_sym_end);
       END_STATE();
     case 111:
-      ACCEPT_TOKEN(ts_builtin_sym_end);
+      ACCEPT_TOKEN(sym__end_of_block);
       END_STATE();
     case 112:
       ACCEPT_TOKEN(sym__end_of_block);
+      if (lookahead == '\n') ADVANCE(111);
       END_STATE();
     case 113:
       ACCEPT_TOKEN(sym__end_of_block);
-      if (lookahead == '\n') ADVANCE(112);
+      if (lookahead == '\r') ADVANCE(113);
       END_STATE();
     case 114:
-      ACCEPT_TOKEN(sym__end_of_block);
-      if (lookahead == '\r') ADVANCE(114);
+      ACCEPT_TOKEN(sym_comment);
       END_STATE();
     case 115:
       ACCEPT_TOKEN(sym_comment);
-      END_STATE();
-    case 116:
-      ACCEPT_TOKEN(sym_comment);
-      if (lookahead == ')') ADVANCE(115);
+      if (lookahead == ')') ADVANCE(114);
       if (lookahead != 0 &&
           lookahead != '\n' &&
-          lookahead != '\r') ADVANCE(116);
+          lookahead != '\r') ADVANCE(115);
       END_STATE();
-    case 117:
+    case 116:
       ACCEPT_TOKEN(sym_stray_parenthesis);
       END_STATE();
-    case 118:
+    case 117:
       ACCEPT_TOKEN(sym_tape_mark);
+      END_STATE();
+    case 118:
+      ACCEPT_TOKEN(sym_skip);
       END_STATE();
     case 119:
       ACCEPT_TOKEN(sym_skip);
+      if (('1' <= lookahead && lookahead <= '9')) ADVANCE(118);
       END_STATE();
     case 120:
-      ACCEPT_TOKEN(sym_skip);
-      if (('1' <= lookahead && lookahead <= '9')) ADVANCE(119);
+      ACCEPT_TOKEN(sym_program_number);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(120);
       END_STATE();
     case 121:
-      ACCEPT_TOKEN(sym_program_number);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(121);
+      ACCEPT_TOKEN(aux_sym_computed_program_number_token1);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(17);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(249);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(120);
       END_STATE();
     case 122:
       ACCEPT_TOKEN(aux_sym_computed_program_number_token1);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(17);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(248);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(121);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(120);
       END_STATE();
     case 123:
-      ACCEPT_TOKEN(aux_sym_computed_program_number_token1);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(17);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(121);
-      END_STATE();
-    case 124:
       ACCEPT_TOKEN(sym_program_name);
       END_STATE();
-    case 125:
+    case 124:
       ACCEPT_TOKEN(sym_sequence_number);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(125);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(124);
+      END_STATE();
+    case 125:
+      ACCEPT_TOKEN(aux_sym_computed_sequence_number_token1);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(253);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(84);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(124);
       END_STATE();
     case 126:
       ACCEPT_TOKEN(aux_sym_computed_sequence_number_token1);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(252);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(85);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(125);
+          lookahead == 'e') ADVANCE(253);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(124);
       END_STATE();
     case 127:
       ACCEPT_TOKEN(aux_sym_computed_sequence_number_token1);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(252);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(125);
+          lookahead == 'e') ADVANCE(95);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(124);
       END_STATE();
     case 128:
-      ACCEPT_TOKEN(aux_sym_computed_sequence_number_token1);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(96);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(125);
+      ACCEPT_TOKEN(sym_literal_word);
+      if (lookahead == '.') ADVANCE(136);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(143);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(128);
       END_STATE();
     case 129:
       ACCEPT_TOKEN(sym_literal_word);
-      if (lookahead == '.') ADVANCE(137);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
+      if (lookahead == '.') ADVANCE(136);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(129);
       END_STATE();
     case 130:
       ACCEPT_TOKEN(sym_literal_word);
-      if (lookahead == '.') ADVANCE(137);
+      if (lookahead == '.') ADVANCE(133);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(130);
       END_STATE();
     case 131:
       ACCEPT_TOKEN(sym_literal_word);
-      if (lookahead == '.') ADVANCE(134);
+      if (lookahead == '.') ADVANCE(129);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 132:
       ACCEPT_TOKEN(sym_literal_word);
-      if (lookahead == '.') ADVANCE(130);
+      if (lookahead == '.') ADVANCE(128);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(143);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 133:
       ACCEPT_TOKEN(sym_literal_word);
-      if (lookahead == '.') ADVANCE(129);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
       END_STATE();
     case 134:
-      ACCEPT_TOKEN(sym_literal_word);
+      ACCEPT_TOKEN(sym_malformed_word);
+      if (lookahead == '.') ADVANCE(135);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(134);
       END_STATE();
     case 135:
       ACCEPT_TOKEN(sym_malformed_word);
-      if (lookahead == '.') ADVANCE(136);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(135);
       END_STATE();
     case 136:
       ACCEPT_TOKEN(sym_malformed_word);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(136);
+      if (lookahead == '.' ||
+          ('0' <= lookahead && lookahead <= '9')) ADVANCE(136);
       END_STATE();
     case 137:
-      ACCEPT_TOKEN(sym_malformed_word);
-      if (lookahead == '.' ||
-          ('0' <= lookahead && lookahead <= '9')) ADVANCE(137);
-      END_STATE();
-    case 138:
       ACCEPT_TOKEN(sym_letter_o_word);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(18);
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(67);
+          lookahead == 't') ADVANCE(66);
       if (lookahead == '.' ||
           ('0' <= lookahead && lookahead <= '9') ||
           lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
+          lookahead == 'o') ADVANCE(143);
+      END_STATE();
+    case 138:
+      ACCEPT_TOKEN(sym_letter_o_word);
+      if (lookahead == 'D' ||
+          lookahead == 'd') ADVANCE(250);
+      if (lookahead == '.' ||
+          ('0' <= lookahead && lookahead <= '9') ||
+          lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(143);
       END_STATE();
     case 139:
       ACCEPT_TOKEN(sym_letter_o_word);
-      if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(249);
+      if (lookahead == 'P' ||
+          lookahead == 'p') ADVANCE(37);
+      if (lookahead == 'W' ||
+          lookahead == 'w') ADVANCE(230);
       if (lookahead == '.' ||
           ('0' <= lookahead && lookahead <= '9') ||
           lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
+          lookahead == 'o') ADVANCE(143);
       END_STATE();
     case 140:
       ACCEPT_TOKEN(sym_letter_o_word);
       if (lookahead == 'P' ||
           lookahead == 'p') ADVANCE(37);
-      if (lookahead == 'W' ||
-          lookahead == 'w') ADVANCE(229);
       if (lookahead == '.' ||
           ('0' <= lookahead && lookahead <= '9') ||
           lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
+          lookahead == 'o') ADVANCE(143);
       END_STATE();
     case 141:
       ACCEPT_TOKEN(sym_letter_o_word);
-      if (lookahead == 'P' ||
-          lookahead == 'p') ADVANCE(37);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(249);
       if (lookahead == '.' ||
           ('0' <= lookahead && lookahead <= '9') ||
           lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
+          lookahead == 'o') ADVANCE(143);
       END_STATE();
     case 142:
-      ACCEPT_TOKEN(sym_letter_o_word);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(248);
-      if (lookahead == '.' ||
-          ('0' <= lookahead && lookahead <= '9') ||
-          lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
-      END_STATE();
-    case 143:
       ACCEPT_TOKEN(sym_letter_o_word);
       if (lookahead == 'R' ||
           lookahead == 'r') ADVANCE(210);
       if (lookahead == '.' ||
           ('0' <= lookahead && lookahead <= '9') ||
           lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
+          lookahead == 'o') ADVANCE(143);
       END_STATE();
-    case 144:
+    case 143:
       ACCEPT_TOKEN(sym_letter_o_word);
       if (lookahead == '.' ||
           ('0' <= lookahead && lookahead <= '9') ||
           lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
+          lookahead == 'o') ADVANCE(143);
+      END_STATE();
+    case 144:
+      ACCEPT_TOKEN(anon_sym_COMMA);
       END_STATE();
     case 145:
-      ACCEPT_TOKEN(anon_sym_COMMA);
+      ACCEPT_TOKEN(sym__address);
       END_STATE();
     case 146:
       ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 8,
+        '\t', 195,
+        ' ', 195,
+        '+', 5,
+        '-', 5,
+        'A', 48,
+        'a', 48,
+        'O', 234,
+        'o', 234,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 147:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 8,
-        '\t', 196,
-        ' ', 196,
+        '\t', 195,
+        ' ', 195,
         '+', 5,
         '-', 5,
-        'A', 49,
-        'a', 49,
-        'O', 233,
-        'o', 233,
+        'A', 48,
+        'a', 48,
+        'O', 61,
+        'o', 61,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 148:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 8,
-        '\t', 196,
-        ' ', 196,
+        '\t', 195,
+        ' ', 195,
         '+', 5,
         '-', 5,
-        'A', 49,
-        'a', 49,
-        'O', 62,
-        'o', 62,
+        'B', 238,
+        'b', 238,
+        'C', 235,
+        'c', 235,
+        'D', 236,
+        'd', 236,
+        'S', 232,
+        's', 232,
+        'T', 243,
+        't', 243,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 149:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 8,
-        '\t', 196,
-        ' ', 196,
+        '\t', 195,
+        ' ', 195,
         '+', 5,
         '-', 5,
-        'B', 237,
-        'b', 237,
-        'C', 234,
-        'c', 234,
-        'D', 235,
-        'd', 235,
-        'S', 231,
-        's', 231,
-        'T', 242,
-        't', 242,
+        'C', 231,
+        'c', 231,
+        'I', 233,
+        'i', 233,
+        'P', 77,
+        'p', 77,
+        'R', 31,
+        'r', 31,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 150:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 8,
-        '\t', 196,
-        ' ', 196,
+        '\t', 195,
+        ' ', 195,
         '+', 5,
         '-', 5,
-        'C', 230,
-        'c', 230,
-        'I', 232,
-        'i', 232,
-        'P', 78,
-        'p', 78,
-        'R', 31,
-        'r', 31,
+        'E', 73,
+        'e', 73,
+        'N', 26,
+        'n', 26,
+        'O', 240,
+        'o', 240,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 151:
       ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 8,
-        '\t', 196,
-        ' ', 196,
-        '+', 5,
-        '-', 5,
-        'E', 74,
-        'e', 74,
-        'N', 26,
-        'n', 26,
-        'O', 239,
-        'o', 239,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (lookahead == '.') ADVANCE(8);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(195);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(5);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(73);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 152:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(8);
       if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(196);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(5);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(74);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
-      END_STATE();
-    case 153:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(8);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(196);
+          lookahead == ' ') ADVANCE(195);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(5);
       if (lookahead == 'H' ||
-          lookahead == 'h') ADVANCE(42);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+          lookahead == 'h') ADVANCE(207);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
+      END_STATE();
+    case 153:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 8,
+        '\t', 195,
+        ' ', 195,
+        '+', 5,
+        '-', 5,
+        'L', 81,
+        'l', 81,
+        'N', 28,
+        'n', 28,
+        'Q', 252,
+        'q', 252,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 154:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 8,
-        '\t', 196,
-        ' ', 196,
+        '\t', 195,
+        ' ', 195,
         '+', 5,
         '-', 5,
-        'L', 82,
-        'l', 82,
+        'L', 81,
+        'l', 81,
         'N', 28,
         'n', 28,
-        'Q', 251,
-        'q', 251,
+        'X', 236,
+        'x', 236,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 155:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 8,
-        '\t', 196,
-        ' ', 196,
+        '\t', 195,
+        ' ', 195,
         '+', 5,
         '-', 5,
-        'L', 82,
-        'l', 82,
+        'L', 81,
+        'l', 81,
         'N', 28,
         'n', 28,
-        'X', 235,
-        'x', 235,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 156:
       ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 8,
-        '\t', 196,
-        ' ', 196,
-        '+', 5,
-        '-', 5,
-        'L', 82,
-        'l', 82,
-        'N', 28,
-        'n', 28,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (lookahead == '.') ADVANCE(8);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(195);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(5);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(27);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 157:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(8);
       if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(196);
+          lookahead == ' ') ADVANCE(195);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(5);
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(27);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+          lookahead == 'n') ADVANCE(230);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 158:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(8);
       if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(196);
+          lookahead == ' ') ADVANCE(195);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(5);
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(229);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+          lookahead == 'n') ADVANCE(86);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 159:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(8);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(196);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(5);
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(90);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      ADVANCE_MAP(
+        '.', 8,
+        '\t', 195,
+        ' ', 195,
+        '+', 5,
+        '-', 5,
+        'O', 208,
+        'o', 208,
+        'P', 79,
+        'p', 79,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 160:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 8,
-        '\t', 196,
-        ' ', 196,
+        '\t', 195,
+        ' ', 195,
         '+', 5,
         '-', 5,
-        'O', 208,
-        'o', 208,
-        'P', 80,
-        'p', 80,
+        'P', 77,
+        'p', 77,
+        'R', 31,
+        'r', 31,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 161:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 8,
-        '\t', 196,
-        ' ', 196,
+        '\t', 195,
+        ' ', 195,
         '+', 5,
         '-', 5,
-        'P', 78,
-        'p', 78,
-        'R', 31,
-        'r', 31,
+        'E', 252,
+        'T', 252,
+        'e', 252,
+        't', 252,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 162:
       ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 8,
-        '\t', 196,
-        ' ', 196,
-        '+', 5,
-        '-', 5,
-        'E', 251,
-        'T', 251,
-        'e', 251,
-        't', 251,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      if (lookahead == '.') ADVANCE(8);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(195);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(5);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
       END_STATE();
     case 163:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(8);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(196);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(5);
+      ADVANCE_MAP(
+        '.', 7,
+        '\t', 196,
+        ' ', 196,
+        '+', 6,
+        '-', 6,
+        'A', 233,
+        'a', 233,
+        'H', 54,
+        'h', 54,
+        'O', 143,
+        'o', 143,
+      );
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 164:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 7,
-        '\t', 197,
-        ' ', 197,
+        '\t', 196,
+        ' ', 196,
         '+', 6,
         '-', 6,
-        'A', 232,
-        'a', 232,
-        'H', 55,
-        'h', 55,
-        'O', 144,
-        'o', 144,
+        'C', 46,
+        'c', 46,
+        'O', 140,
+        'o', 140,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 165:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 7,
-        '\t', 197,
-        ' ', 197,
+        '\t', 196,
+        ' ', 196,
         '+', 6,
         '-', 6,
-        'C', 47,
-        'c', 47,
-        'O', 141,
-        'o', 141,
+        'C', 46,
+        'c', 46,
+        'O', 139,
+        'o', 139,
+        'R', 50,
+        'r', 50,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 166:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 7,
-        '\t', 197,
-        ' ', 197,
+        '\t', 196,
+        ' ', 196,
         '+', 6,
         '-', 6,
-        'C', 47,
-        'c', 47,
-        'O', 140,
-        'o', 140,
-        'R', 51,
-        'r', 51,
+        'E', 85,
+        'e', 85,
+        'I', 233,
+        'i', 233,
+        'O', 143,
+        'o', 143,
+        'Q', 237,
+        'q', 237,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 167:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 7,
-        '\t', 197,
-        ' ', 197,
+        '\t', 196,
+        ' ', 196,
         '+', 6,
         '-', 6,
-        'E', 86,
-        'e', 86,
-        'I', 232,
-        'i', 232,
-        'O', 144,
-        'o', 144,
-        'Q', 236,
-        'q', 236,
+        'E', 85,
+        'e', 85,
+        'O', 143,
+        'o', 143,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 168:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 7,
-        '\t', 197,
-        ' ', 197,
+        '\t', 196,
+        ' ', 196,
         '+', 6,
         '-', 6,
-        'E', 86,
-        'e', 86,
-        'O', 144,
-        'o', 144,
+        'F', 204,
+        'f', 204,
+        'O', 143,
+        'o', 143,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 169:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 7,
-        '\t', 197,
-        ' ', 197,
+        '\t', 196,
+        ' ', 196,
         '+', 6,
         '-', 6,
-        'F', 205,
-        'f', 205,
-        'O', 144,
-        'o', 144,
+        'H', 36,
+        'h', 36,
+        'O', 143,
+        'o', 143,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 170:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 7,
-        '\t', 197,
-        ' ', 197,
+        '\t', 196,
+        ' ', 196,
         '+', 6,
         '-', 6,
-        'H', 36,
-        'h', 36,
-        'O', 144,
-        'o', 144,
+        'H', 54,
+        'h', 54,
+        'O', 143,
+        'o', 143,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 171:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 7,
-        '\t', 197,
-        ' ', 197,
+        '\t', 196,
+        ' ', 196,
         '+', 6,
         '-', 6,
-        'H', 55,
-        'h', 55,
-        'O', 144,
-        'o', 144,
+        'I', 241,
+        'i', 241,
+        'O', 142,
+        'o', 142,
+        'U', 236,
+        'u', 236,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 172:
       ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 7,
-        '\t', 197,
-        ' ', 197,
-        '+', 6,
-        '-', 6,
-        'I', 240,
-        'i', 240,
-        'O', 143,
-        'o', 143,
-        'U', 235,
-        'u', 235,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
-      END_STATE();
-    case 173:
-      ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(7);
       if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(197);
+          lookahead == ' ') ADVANCE(196);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(6);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(143);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+          lookahead == 'o') ADVANCE(142);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
-    case 174:
+    case 173:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 7,
-        '\t', 197,
-        ' ', 197,
+        '\t', 196,
+        ' ', 196,
         '+', 6,
         '-', 6,
-        'O', 138,
-        'o', 138,
-        'E', 251,
-        'T', 251,
-        'e', 251,
-        't', 251,
+        'O', 137,
+        'o', 137,
+        'E', 252,
+        'T', 252,
+        'e', 252,
+        't', 252,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
+      END_STATE();
+    case 174:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(7);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(196);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(6);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(137);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 175:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(7);
       if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(197);
+          lookahead == ' ') ADVANCE(196);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(6);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(138);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+          lookahead == 'o') ADVANCE(143);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 176:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(7);
       if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(197);
+          lookahead == ' ') ADVANCE(196);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(6);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+          lookahead == 'o') ADVANCE(138);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 177:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(7);
       if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(197);
+          lookahead == ' ') ADVANCE(196);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(6);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(139);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+          lookahead == 'o') ADVANCE(141);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 178:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(7);
+      if (lookahead == '.') ADVANCE(99);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(197);
       if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(6);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(142);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+          lookahead == '-') ADVANCE(11);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(130);
       END_STATE();
     case 179:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(100);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(198);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(11);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
+      if (lookahead == 'A' ||
+          lookahead == 'a') ADVANCE(233);
+      if (lookahead == 'H' ||
+          lookahead == 'h') ADVANCE(36);
       END_STATE();
     case 180:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(232);
-      if (lookahead == 'H' ||
-          lookahead == 'h') ADVANCE(36);
+          lookahead == 'a') ADVANCE(48);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(234);
       END_STATE();
     case 181:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(49);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(233);
+      ADVANCE_MAP(
+        'B', 238,
+        'b', 238,
+        'C', 235,
+        'c', 235,
+        'D', 236,
+        'd', 236,
+        'N', 27,
+        'n', 27,
+        'S', 232,
+        's', 232,
+        'T', 243,
+        't', 243,
+      );
       END_STATE();
     case 182:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
-        'B', 237,
-        'b', 237,
-        'C', 234,
-        'c', 234,
-        'D', 235,
-        'd', 235,
-        'N', 27,
-        'n', 27,
-        'S', 231,
-        's', 231,
-        'T', 242,
-        't', 242,
-      );
-      END_STATE();
-    case 183:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        'C', 230,
-        'c', 230,
-        'I', 232,
-        'i', 232,
-        'P', 78,
-        'p', 78,
+        'C', 231,
+        'c', 231,
+        'I', 233,
+        'i', 233,
+        'P', 77,
+        'p', 77,
         'R', 31,
         'r', 31,
       );
       END_STATE();
-    case 184:
+    case 183:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == 'C' ||
-          lookahead == 'c') ADVANCE(47);
+          lookahead == 'c') ADVANCE(46);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(73);
+          lookahead == 'o') ADVANCE(72);
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(51);
+          lookahead == 'r') ADVANCE(50);
+      END_STATE();
+    case 184:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(73);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(26);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(240);
       END_STATE();
     case 185:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(74);
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(26);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(239);
+          lookahead == 'e') ADVANCE(85);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(233);
+      if (lookahead == 'Q' ||
+          lookahead == 'q') ADVANCE(237);
       END_STATE();
     case 186:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(86);
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(232);
-      if (lookahead == 'Q' ||
-          lookahead == 'q') ADVANCE(236);
+      if (lookahead == 'H' ||
+          lookahead == 'h') ADVANCE(207);
       END_STATE();
     case 187:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == 'H' ||
-          lookahead == 'h') ADVANCE(42);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(241);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(76);
+      if (lookahead == 'U' ||
+          lookahead == 'u') ADVANCE(236);
       END_STATE();
     case 188:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(240);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(77);
-      if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(235);
+      ADVANCE_MAP(
+        'L', 81,
+        'l', 81,
+        'N', 28,
+        'n', 28,
+        'Q', 252,
+        'q', 252,
+        'X', 236,
+        'x', 236,
+      );
       END_STATE();
     case 189:
       ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        'L', 82,
-        'l', 82,
-        'N', 28,
-        'n', 28,
-        'Q', 251,
-        'q', 251,
-        'X', 235,
-        'x', 235,
-      );
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(230);
+      if (lookahead == 'E' ||
+          lookahead == 'T' ||
+          lookahead == 'e' ||
+          lookahead == 't') ADVANCE(252);
       END_STATE();
     case 190:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(229);
-      if (lookahead == 'E' ||
-          lookahead == 'T' ||
-          lookahead == 'e' ||
-          lookahead == 't') ADVANCE(251);
+          lookahead == 'n') ADVANCE(86);
       END_STATE();
     case 191:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(90);
-      END_STATE();
-    case 192:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == 'O' ||
           lookahead == 'o') ADVANCE(208);
       if (lookahead == 'P' ||
-          lookahead == 'p') ADVANCE(80);
+          lookahead == 'p') ADVANCE(79);
       END_STATE();
-    case 193:
+    case 192:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == 'O' ||
           lookahead == 'o') ADVANCE(18);
       if (lookahead == 'E' ||
           lookahead == 'T' ||
           lookahead == 'e' ||
-          lookahead == 't') ADVANCE(251);
+          lookahead == 't') ADVANCE(252);
       END_STATE();
-    case 194:
+    case 193:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == 'O' ||
           lookahead == 'o') ADVANCE(29);
       END_STATE();
-    case 195:
+    case 194:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(76);
+          lookahead == 'o') ADVANCE(75);
       END_STATE();
-    case 196:
+    case 195:
       ACCEPT_TOKEN(sym__spaced_address);
       if (lookahead == '.') ADVANCE(8);
       if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(196);
+          lookahead == ' ') ADVANCE(195);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(5);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
+      END_STATE();
+    case 196:
+      ACCEPT_TOKEN(sym__spaced_address);
+      if (lookahead == '.') ADVANCE(7);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(196);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(6);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(143);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(132);
       END_STATE();
     case 197:
       ACCEPT_TOKEN(sym__spaced_address);
-      if (lookahead == '.') ADVANCE(7);
+      if (lookahead == '.') ADVANCE(99);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(197);
       if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(6);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(144);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(133);
+          lookahead == '-') ADVANCE(11);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(130);
       END_STATE();
     case 198:
-      ACCEPT_TOKEN(sym__spaced_address);
-      if (lookahead == '.') ADVANCE(100);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(198);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(11);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(131);
+      ACCEPT_TOKEN(sym_incremental);
       END_STATE();
     case 199:
-      ACCEPT_TOKEN(sym_incremental);
+      ACCEPT_TOKEN(anon_sym_EQ);
       END_STATE();
     case 200:
       ACCEPT_TOKEN(anon_sym_EQ);
+      if (('<' <= lookahead && lookahead <= '>')) ADVANCE(254);
       END_STATE();
     case 201:
-      ACCEPT_TOKEN(anon_sym_EQ);
-      if (('<' <= lookahead && lookahead <= '>')) ADVANCE(253);
-      END_STATE();
-    case 202:
       ACCEPT_TOKEN(anon_sym_LBRACK);
       END_STATE();
-    case 203:
+    case 202:
       ACCEPT_TOKEN(anon_sym_RBRACK);
       END_STATE();
-    case 204:
+    case 203:
       ACCEPT_TOKEN(aux_sym_goto_statement_token1);
       END_STATE();
-    case 205:
+    case 204:
       ACCEPT_TOKEN(aux_sym_if_statement_token1);
       END_STATE();
-    case 206:
+    case 205:
       ACCEPT_TOKEN(aux_sym_if_statement_token2);
+      END_STATE();
+    case 206:
+      ACCEPT_TOKEN(aux_sym_while_statement_token1);
       END_STATE();
     case 207:
       ACCEPT_TOKEN(aux_sym_while_statement_token1);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(47);
       END_STATE();
     case 208:
       ACCEPT_TOKEN(aux_sym_do_statement_token1);
@@ -3115,7 +3116,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
     case 209:
       ACCEPT_TOKEN(aux_sym_end_statement_token1);
       if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(69);
+          lookahead == 'f') ADVANCE(68);
       if (lookahead == 'I' ||
           lookahead == 'i') ADVANCE(38);
       if (lookahead == 'W' ||
@@ -3127,7 +3128,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
     case 211:
       ACCEPT_TOKEN(sym_foreign_keyword);
       if (lookahead == 'H' ||
-          lookahead == 'h') ADVANCE(43);
+          lookahead == 'h') ADVANCE(42);
       END_STATE();
     case 212:
       ACCEPT_TOKEN(sym_foreign_keyword);
@@ -3149,10 +3150,10 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
     case 217:
       ACCEPT_TOKEN(sym_output_text);
       if ((!eof && lookahead == 00)) SKIP(1);
-      if (lookahead == '#') ADVANCE(223);
-      if (lookahead == '(') ADVANCE(116);
-      if (lookahead == '[') ADVANCE(202);
-      if (lookahead == ']') ADVANCE(203);
+      if (lookahead == '#') ADVANCE(224);
+      if (lookahead == '(') ADVANCE(115);
+      if (lookahead == '[') ADVANCE(201);
+      if (lookahead == ']') ADVANCE(202);
       if (lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) ADVANCE(217);
@@ -3188,165 +3189,170 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 221:
       ACCEPT_TOKEN(sym_variable);
+      if (lookahead == '.') ADVANCE(222);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
       END_STATE();
     case 222:
-      ACCEPT_TOKEN(anon_sym_POUND);
-      if (lookahead == '<') ADVANCE(16);
-      if (lookahead == '_') ADVANCE(104);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(12);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
-      if (('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(224);
+      ACCEPT_TOKEN(sym_variable);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(222);
       END_STATE();
     case 223:
       ACCEPT_TOKEN(anon_sym_POUND);
       if (lookahead == '<') ADVANCE(16);
-      if (lookahead == '_') ADVANCE(104);
+      if (lookahead == '_') ADVANCE(103);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(12);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
+      if (('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(225);
+      END_STATE();
+    case 224:
+      ACCEPT_TOKEN(anon_sym_POUND);
+      if (lookahead == '<') ADVANCE(16);
+      if (lookahead == '_') ADVANCE(103);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(13);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(221);
       END_STATE();
-    case 224:
-      ACCEPT_TOKEN(sym_user_name);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          lookahead == '_' ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(224);
-      END_STATE();
     case 225:
-      ACCEPT_TOKEN(sym_system_name);
+      ACCEPT_TOKEN(sym_user_name);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
           lookahead == '_' ||
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(225);
       END_STATE();
     case 226:
-      ACCEPT_TOKEN(sym_foreign_variable);
+      ACCEPT_TOKEN(sym_system_name);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          lookahead == '_' ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(226);
       END_STATE();
     case 227:
-      ACCEPT_TOKEN(sym_number);
-      if (lookahead == '.') ADVANCE(228);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(227);
+      ACCEPT_TOKEN(sym_foreign_variable);
       END_STATE();
     case 228:
       ACCEPT_TOKEN(sym_number);
+      if (lookahead == '.') ADVANCE(229);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(228);
       END_STATE();
     case 229:
-      ACCEPT_TOKEN(sym_function);
+      ACCEPT_TOKEN(sym_number);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(229);
       END_STATE();
     case 230:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(229);
       END_STATE();
     case 231:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(52);
+      if (lookahead == 'D' ||
+          lookahead == 'd') ADVANCE(230);
       END_STATE();
     case 232:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(229);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(51);
       END_STATE();
     case 233:
       ACCEPT_TOKEN(sym_function);
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(89);
-      if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(229);
+          lookahead == 'n') ADVANCE(230);
       END_STATE();
     case 234:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(81);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(89);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(230);
       END_STATE();
     case 235:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'P' ||
-          lookahead == 'p') ADVANCE(229);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(80);
       END_STATE();
     case 236:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(238);
+      if (lookahead == 'P' ||
+          lookahead == 'p') ADVANCE(230);
       END_STATE();
     case 237:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(229);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(239);
       END_STATE();
     case 238:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(229);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(230);
       END_STATE();
     case 239:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(60);
+      if (lookahead == 'T' ||
+          lookahead == 't') ADVANCE(230);
       END_STATE();
     case 240:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'X' ||
-          lookahead == 'x') ADVANCE(229);
+      if (lookahead == 'U' ||
+          lookahead == 'u') ADVANCE(59);
       END_STATE();
     case 241:
-      ACCEPT_TOKEN(sym__slash_function);
+      ACCEPT_TOKEN(sym_function);
+      if (lookahead == 'X' ||
+          lookahead == 'x') ADVANCE(230);
       END_STATE();
     case 242:
       ACCEPT_TOKEN(sym__slash_function);
-      if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(54);
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(241);
       END_STATE();
     case 243:
-      ACCEPT_TOKEN(anon_sym_STAR);
+      ACCEPT_TOKEN(sym__slash_function);
+      if (lookahead == 'A' ||
+          lookahead == 'a') ADVANCE(53);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(242);
       END_STATE();
     case 244:
-      ACCEPT_TOKEN(anon_sym_DASH);
+      ACCEPT_TOKEN(anon_sym_STAR);
       END_STATE();
     case 245:
-      ACCEPT_TOKEN(anon_sym_PLUS);
+      ACCEPT_TOKEN(anon_sym_DASH);
       END_STATE();
     case 246:
-      ACCEPT_TOKEN(anon_sym_SLASH);
+      ACCEPT_TOKEN(anon_sym_PLUS);
       END_STATE();
     case 247:
-      ACCEPT_TOKEN(sym__and);
+      ACCEPT_TOKEN(anon_sym_SLASH);
       END_STATE();
     case 248:
-      ACCEPT_TOKEN(sym__or);
+      ACCEPT_TOKEN(sym__and);
       END_STATE();
     case 249:
-      ACCEPT_TOKEN(sym__mod);
+      ACCEPT_TOKEN(sym__or);
       END_STATE();
     case 250:
-      ACCEPT_TOKEN(sym__not);
+      ACCEPT_TOKEN(sym__mod);
       END_STATE();
     case 251:
-      ACCEPT_TOKEN(sym__comparison);
+      ACCEPT_TOKEN(sym__not);
       END_STATE();
     case 252:
       ACCEPT_TOKEN(sym__comparison);
-      if (lookahead == 'X' ||
-          lookahead == 'x') ADVANCE(84);
       END_STATE();
     case 253:
-      ACCEPT_TOKEN(sym_symbolic_operator);
+      ACCEPT_TOKEN(sym__comparison);
+      if (lookahead == 'X' ||
+          lookahead == 'x') ADVANCE(83);
       END_STATE();
     case 254:
       ACCEPT_TOKEN(sym_symbolic_operator);
-      if (lookahead == '=') ADVANCE(253);
       END_STATE();
     case 255:
       ACCEPT_TOKEN(sym_symbolic_operator);
-      if (lookahead == '=') ADVANCE(253);
-      if (lookahead == '>') ADVANCE(124);
+      if (lookahead == '=') ADVANCE(254);
+      END_STATE();
+    case 256:
+      ACCEPT_TOKEN(sym_symbolic_operator);
+      if (lookahead == '=') ADVANCE(254);
+      if (lookahead == '>') ADVANCE(123);
       if (lookahead == ' ' ||
           lookahead == '+' ||
           lookahead == '-' ||
@@ -3356,10 +3362,10 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == '_' ||
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(15);
       END_STATE();
-    case 256:
+    case 257:
       ACCEPT_TOKEN(sym_symbolic_operator);
       if (lookahead == '=' ||
-          lookahead == '>') ADVANCE(253);
+          lookahead == '>') ADVANCE(254);
       END_STATE();
     default:
       return false;
@@ -3368,87 +3374,87 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
 
 static const TSLexMode ts_lex_modes[STATE_COUNT] = {
   [0] = {.lex_state = 0},
-  [1] = {.lex_state = 108},
-  [2] = {.lex_state = 108},
-  [3] = {.lex_state = 108},
-  [4] = {.lex_state = 108},
-  [5] = {.lex_state = 108},
-  [6] = {.lex_state = 108},
-  [7] = {.lex_state = 108},
-  [8] = {.lex_state = 108},
-  [9] = {.lex_state = 108},
-  [10] = {.lex_state = 108},
-  [11] = {.lex_state = 108},
-  [12] = {.lex_state = 108},
-  [13] = {.lex_state = 108},
-  [14] = {.lex_state = 109},
-  [15] = {.lex_state = 105},
-  [16] = {.lex_state = 105},
-  [17] = {.lex_state = 105},
-  [18] = {.lex_state = 105},
-  [19] = {.lex_state = 105},
-  [20] = {.lex_state = 105},
-  [21] = {.lex_state = 105},
-  [22] = {.lex_state = 105},
-  [23] = {.lex_state = 105},
-  [24] = {.lex_state = 105},
-  [25] = {.lex_state = 105},
-  [26] = {.lex_state = 105},
-  [27] = {.lex_state = 105},
-  [28] = {.lex_state = 105},
-  [29] = {.lex_state = 105},
-  [30] = {.lex_state = 105},
-  [31] = {.lex_state = 105},
-  [32] = {.lex_state = 105},
-  [33] = {.lex_state = 105},
-  [34] = {.lex_state = 108},
-  [35] = {.lex_state = 108},
-  [36] = {.lex_state = 108},
-  [37] = {.lex_state = 108},
-  [38] = {.lex_state = 110},
-  [39] = {.lex_state = 110},
-  [40] = {.lex_state = 110},
-  [41] = {.lex_state = 108},
-  [42] = {.lex_state = 108},
-  [43] = {.lex_state = 108},
-  [44] = {.lex_state = 110},
-  [45] = {.lex_state = 107},
-  [46] = {.lex_state = 108},
-  [47] = {.lex_state = 108},
-  [48] = {.lex_state = 107},
-  [49] = {.lex_state = 107},
-  [50] = {.lex_state = 107},
-  [51] = {.lex_state = 107},
-  [52] = {.lex_state = 107},
-  [53] = {.lex_state = 107},
-  [54] = {.lex_state = 107},
-  [55] = {.lex_state = 108},
-  [56] = {.lex_state = 108},
-  [57] = {.lex_state = 108},
-  [58] = {.lex_state = 108},
-  [59] = {.lex_state = 108},
-  [60] = {.lex_state = 108},
-  [61] = {.lex_state = 108},
-  [62] = {.lex_state = 108},
-  [63] = {.lex_state = 108},
-  [64] = {.lex_state = 108},
-  [65] = {.lex_state = 108},
-  [66] = {.lex_state = 108},
-  [67] = {.lex_state = 108},
-  [68] = {.lex_state = 108},
-  [69] = {.lex_state = 108},
-  [70] = {.lex_state = 108},
-  [71] = {.lex_state = 108},
-  [72] = {.lex_state = 108},
-  [73] = {.lex_state = 108},
-  [74] = {.lex_state = 108},
-  [75] = {.lex_state = 108},
-  [76] = {.lex_state = 108},
-  [77] = {.lex_state = 108},
-  [78] = {.lex_state = 108},
-  [79] = {.lex_state = 108},
-  [80] = {.lex_state = 106},
-  [81] = {.lex_state = 106},
+  [1] = {.lex_state = 107},
+  [2] = {.lex_state = 107},
+  [3] = {.lex_state = 107},
+  [4] = {.lex_state = 107},
+  [5] = {.lex_state = 107},
+  [6] = {.lex_state = 107},
+  [7] = {.lex_state = 107},
+  [8] = {.lex_state = 107},
+  [9] = {.lex_state = 107},
+  [10] = {.lex_state = 107},
+  [11] = {.lex_state = 107},
+  [12] = {.lex_state = 107},
+  [13] = {.lex_state = 107},
+  [14] = {.lex_state = 108},
+  [15] = {.lex_state = 104},
+  [16] = {.lex_state = 104},
+  [17] = {.lex_state = 104},
+  [18] = {.lex_state = 104},
+  [19] = {.lex_state = 104},
+  [20] = {.lex_state = 104},
+  [21] = {.lex_state = 104},
+  [22] = {.lex_state = 104},
+  [23] = {.lex_state = 104},
+  [24] = {.lex_state = 104},
+  [25] = {.lex_state = 104},
+  [26] = {.lex_state = 104},
+  [27] = {.lex_state = 104},
+  [28] = {.lex_state = 104},
+  [29] = {.lex_state = 104},
+  [30] = {.lex_state = 104},
+  [31] = {.lex_state = 104},
+  [32] = {.lex_state = 104},
+  [33] = {.lex_state = 104},
+  [34] = {.lex_state = 107},
+  [35] = {.lex_state = 107},
+  [36] = {.lex_state = 107},
+  [37] = {.lex_state = 107},
+  [38] = {.lex_state = 109},
+  [39] = {.lex_state = 109},
+  [40] = {.lex_state = 109},
+  [41] = {.lex_state = 107},
+  [42] = {.lex_state = 107},
+  [43] = {.lex_state = 107},
+  [44] = {.lex_state = 109},
+  [45] = {.lex_state = 106},
+  [46] = {.lex_state = 107},
+  [47] = {.lex_state = 107},
+  [48] = {.lex_state = 106},
+  [49] = {.lex_state = 106},
+  [50] = {.lex_state = 106},
+  [51] = {.lex_state = 106},
+  [52] = {.lex_state = 106},
+  [53] = {.lex_state = 106},
+  [54] = {.lex_state = 106},
+  [55] = {.lex_state = 107},
+  [56] = {.lex_state = 107},
+  [57] = {.lex_state = 107},
+  [58] = {.lex_state = 107},
+  [59] = {.lex_state = 107},
+  [60] = {.lex_state = 107},
+  [61] = {.lex_state = 107},
+  [62] = {.lex_state = 107},
+  [63] = {.lex_state = 107},
+  [64] = {.lex_state = 107},
+  [65] = {.lex_state = 107},
+  [66] = {.lex_state = 107},
+  [67] = {.lex_state = 107},
+  [68] = {.lex_state = 107},
+  [69] = {.lex_state = 107},
+  [70] = {.lex_state = 107},
+  [71] = {.lex_state = 107},
+  [72] = {.lex_state = 107},
+  [73] = {.lex_state = 107},
+  [74] = {.lex_state = 107},
+  [75] = {.lex_state = 107},
+  [76] = {.lex_state = 107},
+  [77] = {.lex_state = 107},
+  [78] = {.lex_state = 107},
+  [79] = {.lex_state = 107},
+  [80] = {.lex_state = 105},
+  [81] = {.lex_state = 105},
   [82] = {.lex_state = 2},
   [83] = {.lex_state = 2},
   [84] = {.lex_state = 2},
@@ -3459,84 +3465,84 @@ static const TSLexMode ts_lex_modes[STATE_COUNT] = {
   [89] = {.lex_state = 2},
   [90] = {.lex_state = 2},
   [91] = {.lex_state = 2},
-  [92] = {.lex_state = 106},
-  [93] = {.lex_state = 106},
-  [94] = {.lex_state = 106},
-  [95] = {.lex_state = 106},
-  [96] = {.lex_state = 106},
-  [97] = {.lex_state = 106},
-  [98] = {.lex_state = 106},
-  [99] = {.lex_state = 106},
-  [100] = {.lex_state = 106},
-  [101] = {.lex_state = 106},
-  [102] = {.lex_state = 106},
-  [103] = {.lex_state = 106},
-  [104] = {.lex_state = 106},
-  [105] = {.lex_state = 106},
-  [106] = {.lex_state = 106},
-  [107] = {.lex_state = 106},
-  [108] = {.lex_state = 106},
-  [109] = {.lex_state = 106},
-  [110] = {.lex_state = 106},
-  [111] = {.lex_state = 106},
-  [112] = {.lex_state = 106},
-  [113] = {.lex_state = 106},
-  [114] = {.lex_state = 109},
-  [115] = {.lex_state = 109},
-  [116] = {.lex_state = 108},
-  [117] = {.lex_state = 106},
-  [118] = {.lex_state = 106},
-  [119] = {.lex_state = 106},
-  [120] = {.lex_state = 106},
-  [121] = {.lex_state = 106},
-  [122] = {.lex_state = 106},
-  [123] = {.lex_state = 106},
-  [124] = {.lex_state = 106},
-  [125] = {.lex_state = 106},
-  [126] = {.lex_state = 106},
-  [127] = {.lex_state = 109},
-  [128] = {.lex_state = 106},
-  [129] = {.lex_state = 106},
-  [130] = {.lex_state = 106},
-  [131] = {.lex_state = 106},
-  [132] = {.lex_state = 106},
-  [133] = {.lex_state = 108},
-  [134] = {.lex_state = 106},
-  [135] = {.lex_state = 108},
-  [136] = {.lex_state = 108},
-  [137] = {.lex_state = 108},
-  [138] = {.lex_state = 106},
-  [139] = {.lex_state = 106},
-  [140] = {.lex_state = 106},
-  [141] = {.lex_state = 106},
-  [142] = {.lex_state = 108},
-  [143] = {.lex_state = 106},
-  [144] = {.lex_state = 106},
-  [145] = {.lex_state = 108},
-  [146] = {.lex_state = 106},
-  [147] = {.lex_state = 106},
-  [148] = {.lex_state = 106},
+  [92] = {.lex_state = 105},
+  [93] = {.lex_state = 105},
+  [94] = {.lex_state = 105},
+  [95] = {.lex_state = 105},
+  [96] = {.lex_state = 105},
+  [97] = {.lex_state = 105},
+  [98] = {.lex_state = 105},
+  [99] = {.lex_state = 105},
+  [100] = {.lex_state = 105},
+  [101] = {.lex_state = 105},
+  [102] = {.lex_state = 105},
+  [103] = {.lex_state = 105},
+  [104] = {.lex_state = 105},
+  [105] = {.lex_state = 105},
+  [106] = {.lex_state = 105},
+  [107] = {.lex_state = 105},
+  [108] = {.lex_state = 105},
+  [109] = {.lex_state = 105},
+  [110] = {.lex_state = 105},
+  [111] = {.lex_state = 105},
+  [112] = {.lex_state = 105},
+  [113] = {.lex_state = 105},
+  [114] = {.lex_state = 108},
+  [115] = {.lex_state = 108},
+  [116] = {.lex_state = 107},
+  [117] = {.lex_state = 105},
+  [118] = {.lex_state = 105},
+  [119] = {.lex_state = 105},
+  [120] = {.lex_state = 105},
+  [121] = {.lex_state = 105},
+  [122] = {.lex_state = 105},
+  [123] = {.lex_state = 105},
+  [124] = {.lex_state = 105},
+  [125] = {.lex_state = 105},
+  [126] = {.lex_state = 105},
+  [127] = {.lex_state = 108},
+  [128] = {.lex_state = 105},
+  [129] = {.lex_state = 105},
+  [130] = {.lex_state = 105},
+  [131] = {.lex_state = 105},
+  [132] = {.lex_state = 105},
+  [133] = {.lex_state = 107},
+  [134] = {.lex_state = 105},
+  [135] = {.lex_state = 107},
+  [136] = {.lex_state = 107},
+  [137] = {.lex_state = 107},
+  [138] = {.lex_state = 105},
+  [139] = {.lex_state = 105},
+  [140] = {.lex_state = 105},
+  [141] = {.lex_state = 105},
+  [142] = {.lex_state = 107},
+  [143] = {.lex_state = 105},
+  [144] = {.lex_state = 105},
+  [145] = {.lex_state = 107},
+  [146] = {.lex_state = 105},
+  [147] = {.lex_state = 105},
+  [148] = {.lex_state = 105},
   [149] = {.lex_state = 1},
   [150] = {.lex_state = 1},
-  [151] = {.lex_state = 106},
-  [152] = {.lex_state = 106},
-  [153] = {.lex_state = 106},
-  [154] = {.lex_state = 106},
+  [151] = {.lex_state = 105},
+  [152] = {.lex_state = 105},
+  [153] = {.lex_state = 105},
+  [154] = {.lex_state = 105},
   [155] = {.lex_state = 1},
-  [156] = {.lex_state = 106},
-  [157] = {.lex_state = 106},
-  [158] = {.lex_state = 106},
-  [159] = {.lex_state = 106},
-  [160] = {.lex_state = 108},
-  [161] = {.lex_state = 106},
-  [162] = {.lex_state = 108},
-  [163] = {.lex_state = 108},
-  [164] = {.lex_state = 108},
-  [165] = {.lex_state = 108},
-  [166] = {.lex_state = 108},
-  [167] = {.lex_state = 108},
-  [168] = {.lex_state = 108},
-  [169] = {.lex_state = 108},
+  [156] = {.lex_state = 105},
+  [157] = {.lex_state = 105},
+  [158] = {.lex_state = 105},
+  [159] = {.lex_state = 105},
+  [160] = {.lex_state = 107},
+  [161] = {.lex_state = 105},
+  [162] = {.lex_state = 107},
+  [163] = {.lex_state = 107},
+  [164] = {.lex_state = 107},
+  [165] = {.lex_state = 107},
+  [166] = {.lex_state = 107},
+  [167] = {.lex_state = 107},
+  [168] = {.lex_state = 107},
+  [169] = {.lex_state = 107},
   [170] = {.lex_state = 1},
   [171] = {.lex_state = 1},
   [172] = {.lex_state = 1},
@@ -3567,7 +3573,7 @@ static const TSLexMode ts_lex_modes[STATE_COUNT] = {
   [197] = {.lex_state = 0},
   [198] = {.lex_state = 0},
   [199] = {.lex_state = 0},
-  [200] = {.lex_state = 105},
+  [200] = {.lex_state = 104},
   [201] = {.lex_state = 0},
   [202] = {.lex_state = 0},
   [203] = {.lex_state = 0},
