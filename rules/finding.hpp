@@ -60,11 +60,16 @@ struct Finding {
     std::vector<RelatedLocation>
         path; ///< in execution order, the finding's own place last; empty: no data flow involved
     std::optional<Fix> fix;
+    std::string_view alarm = {}; ///< number of the alarm that the control raises here; empty: none known
 
     /// Takes the fix, unless it changes nothing, or the same bytes twice: then the finding has none.
     void offer(Fix offered);
-    /// The message with its arguments filled in.
+    /// The message with its arguments filled in, and after it the cure where the message has one.
     [[nodiscard]] std::string message() const;
+    /// The message without the cure.
+    [[nodiscard]] std::string statement() const;
+    /// How to mend it; empty where the message itself says so.
+    [[nodiscard]] std::string cure() const;
 };
 
 /// The order of reports: path, line, column, code.

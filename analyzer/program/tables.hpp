@@ -267,6 +267,7 @@ struct ControlModel {
     const ControlModel* lathe = nullptr; ///< of a mill: the same control on a lathe, for texts that are
                                          ///< written for one; nullptr: there is none, or nobody wants it
     bool assumed;                 ///< nobody named the control: messages say that its limits are assumed
+    std::string_view alarms;      ///< the list that numbers its alarms, as rules name it; empty: none known
     std::string_view return_word; ///< leads back to the caller: "M99"
     Limits limits;
     std::vector<VariableSpace> spaces;
@@ -275,6 +276,7 @@ struct ControlModel {
     std::vector<CallKind> calls;
     std::vector<Variable>
         formals; ///< local variables that an argument letter of a call reaches (specification I)
+    std::vector<char> formal_letters = {}; ///< the letter of each; empty: their names hold it
     std::vector<std::array<Variable, 3>> series =
         {}; ///< those that the first, second … I, J and K of a call reach (specification II)
     bool vacant_equals_zero;        ///< whether EQ and NE take vacant for 0

@@ -18,18 +18,19 @@ struct ControlRow {
     bool repeats_in_program_word; ///< M98 P51002 is 5 x O1002
     bool has_lathe;
     bool offset_is_group_12; ///< #4012 reads G54-G59
+    std::string_view alarms; ///< the list of its alarms
 };
 
 // clang-format off
 const std::array<ControlRow, 7> rows{{
-    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012
-    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false},
-    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false},
-    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false},
-    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false},
-    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false},
-    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  false, false},
-    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, true,  true},
+    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012   alarms
+    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false, "FANUC 16i/18i/21i"},
+    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false, "FANUC 16i/18i/21i"},
+    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false, "FANUC 16i/18i/21i"},
+    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, "FANUC 30i/0i-D"},
+    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, "FANUC 30i/0i-D"},
+    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  false, false, "NCT"},
+    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, true,  true,  ""},
 }};
 // clang-format on
 
@@ -57,6 +58,7 @@ ControlModel make(const ControlRow& row, Machine machine) {
         control.description += ", lathe with G code system A";
     }
     control.assumed = row.assumed;
+    control.alarms = row.alarms;
     control.return_word = "M99"; // SEED-001:642
     control.limits = row.limits;
     control.spaces = variable_spaces();
@@ -65,8 +67,11 @@ ControlModel make(const ControlRow& row, Machine machine) {
     if (row.offset_is_group_12) group_twelve = control.group_with(ModalRole::work_offset);
     control.families = {numbered_variables(control.groups, group_twelve)};
     control.calls = call_kinds();
-    for (const std::int32_t local : local_of_letter)
-        if (local != 0) control.formals.push_back({spaces::local, local});
+    for (std::size_t i = 0; i < local_of_letter.size(); ++i) {
+        if (local_of_letter[i] == 0) continue;
+        control.formals.push_back({spaces::local, local_of_letter[i]});
+        control.formal_letters.push_back(static_cast<char>('A' + i));
+    }
     for (std::int32_t first = 4; first <= 31; first += 3) // ZAPP-ARG: I1 is #4, K10 is #33
         control.series.push_back(
             {{{spaces::local, first}, {spaces::local, first + 1}, {spaces::local, first + 2}}});
