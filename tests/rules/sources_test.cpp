@@ -1,4 +1,5 @@
 //! Every key by which a rule names its source is explained.
+#include "cli/report/sources.hpp"
 #include "rules/rule.hpp"
 #include "tests/support/folder.hpp"
 
@@ -35,6 +36,14 @@ TEST(Sources, AreExplainedKeyByKey) {
     for (const Rule* rule : all_rules())
         for (const std::string_view source : rule->sources)
             EXPECT_TRUE(keys.contains(key_of(source))) << rule->code << ": " << source;
+}
+
+TEST(Sources, AreNamedInThePagesOfTheTerminalAsInTheTable) {
+    const std::string table = test::read_file(std::string(MACLINT_SOURCE_DIR) + "/docs/sources.md");
+    for (const std::string& key : explained_keys())
+        EXPECT_THAT(table, testing::HasSubstr(" | " + std::string(cli::document_of(key)) + " |\n")) << key;
+    EXPECT_EQ(cli::document_of("SEED-001:206"), cli::document_of("SEED-001"));
+    EXPECT_EQ(cli::document_of("SEED"), "");
 }
 
 } // namespace
