@@ -27,8 +27,10 @@ extern const Rule modal_state_forced{
     .off_reason = "ending in G90 is a custom that most shops rely on",
     .facts = dataflow::facts<dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"forced", "'{0}' is in force when the program returns, whatever the caller's {1} was. "
-                            "Save it at the start and put it back before M99."}},
+    .messages =
+        {{"forced",
+          "Caller's {1} not restored: '{0}' is in force when the program returns, whatever it was before.",
+          "Save it at the start and put it back before M99."}},
     .bad = {{"fanuc", R"nc(
 O9518(UP)
 G90 G0 Z10.

@@ -23,12 +23,15 @@ extern const Rule vacancy_lost_in_arithmetic{
     .needs = {Capability::vacancy},
     .facts = dataflow::facts<dataflow::Comparison>(),
     .data_flow = true,
-    .messages = {{"never-vacant",
-                  "'{0}' is never true: '{1}' is the result of arithmetic, which takes vacant for 0. "
-                  "Test the variable itself with EQ #0."},
-                 {"always-set",
-                  "'{0}' is always true: '{1}' is the result of arithmetic, which takes vacant for 0. "
-                  "Test the variable itself with NE #0."}},
+    .messages =
+        {{"never-vacant",
+          "Vacancy test of a calculated value: '{0}' is never true, because '{1}' comes from arithmetic, "
+          "which takes vacant for 0.",
+          "Write EQ 0 if zero was meant, or test the variable itself with EQ #0 before the calculation."},
+         {"always-set",
+          "Vacancy test of a calculated value: '{0}' is always true, because '{1}' comes from arithmetic, "
+          "which takes vacant for 0.",
+          "Write NE 0 if zero was meant, or test the variable itself with NE #0 before the calculation."}},
     .bad = {{"fanuc", R"nc(
 O9222(FACE, K DEPTH)
 IF[[#6*1]EQ#0]GOTO9
