@@ -11,7 +11,7 @@ namespace maclint::cli {
 namespace {
 
 constexpr std::size_t tab_width = 4;
-constexpr Offset bytes_a_column = 8; ///< that are looked at before and after the marks
+constexpr Offset most_bytes = 4; ///< of a character
 
 /// One character of the line as it is shown.
 struct Cell {
@@ -98,14 +98,15 @@ void drop_indent(std::vector<Cell>& cells) {
     cells.erase(cells.begin(), std::ranges::find_if_not(cells, blank));
 }
 
-/// The bytes of a line that may be seen: a line can be as long as a file.
-Span window_of(const Source& source, Span line, Span marked, Offset around) {
+/// The bytes of a line that may be seen in `columns`: a line can be as long as a file.
+Span window_of(const Source& source, Span line, Span marked, Offset columns) {
+    if (line.length() <= columns * most_bytes) return line;
     const auto at_character = [&](Offset at) {
         return static_cast<Offset>(character_begin(source.bytes(), at, source.encoding()));
     };
     Span window = line;
-    if (marked.begin - line.begin > around) window.begin = at_character(marked.begin - around);
-    if (line.end - marked.begin > around) window.end = at_character(marked.begin + around);
+    if (marked.begin - line.begin > columns) window.begin = at_character(marked.begin - columns);
+    if (line.end - marked.begin > columns * 2) window.end = at_character(marked.begin + columns * 2);
     return window;
 }
 
@@ -128,7 +129,7 @@ CodeLine code_line(const Source& source, Span span, std::size_t width) {
     const Span line = source.line_span(source.position(span.begin).line);
     Span marked{std::clamp(span.begin, line.begin, line.end), std::min(span.end, line.end)};
     if (marked.end <= marked.begin) marked.end = std::min(marked.begin + 1, line.end);
-    const Span window = window_of(source, line, marked, static_cast<Offset>(width) * bytes_a_column);
+    const Span window = window_of(source, line, marked, static_cast<Offset>(width));
     auto cells = cells_of(source, window, marked);
     if (window.begin > line.begin) cells.insert(cells.begin(), dots());
     drop_indent(cells);

@@ -89,14 +89,15 @@ class TextWriter {
             if (rows[i].own)
                 add_own(rows[i], texts[i], column, room);
             else
-                add_other(rows[i], texts[i].remark, column, room);
+                add_other(rows[i], texts[i], column, room);
         }
     }
 
     /// A row on the way; its code is cut so that the remark has room.
-    void add_other(const Row& row, const std::string& remark, std::size_t column, std::size_t room) {
-        const std::string code = code_line(*row.source, row.span, column - gap).text;
-        const auto lines = wrapped(remark, room - column, room - column);
+    void add_other(const Row& row, const LaidOut& text, std::size_t column, std::size_t room) {
+        const bool fits = columns_of(text.code.text) + gap <= column;
+        const std::string code = fits ? text.code.text : code_line(*row.source, row.span, column - gap).text;
+        const auto lines = wrapped(text.remark, room - column, room - column);
         add_line(std::to_string(line_of(row)), code, column, lines.front());
         for (auto line = lines.begin() + 1; line != lines.end(); ++line) add_line("", "", column, *line);
     }

@@ -85,9 +85,9 @@ TEST(Frame, CutsALongLineAtItsEndWhenThatIsMeant) {
 }
 
 TEST(Frame, LooksAtNoMoreOfALineThanItShows) {
-    // Wide enough that a look at the whole line for each of its blocks would take minutes.
+    // Wide enough that a look at the whole line for each of its blocks would take a minute.
     std::string text;
-    while (text.size() < 400'000) text += "G1 X1.;";
+    while (text.size() < 50'000) text += "G1 X1.;";
     const Source source = Source::from_bytes("a.nc", text);
     for (Offset at = 0; at + 7 < text.size(); at += 7) {
         const CodeLine line = code_line(source, {at, at + 2}, 40);
