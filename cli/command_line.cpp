@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
+#include <limits>
 #include <thread>
 
 #include <CLI/CLI.hpp>
@@ -31,6 +32,8 @@ constexpr std::array<Choice<ListFormat>, 3> list_formats{
     {{"text", ListFormat::text}, {"json", ListFormat::json}, {"markdown", ListFormat::markdown}}};
 constexpr std::array<Choice<ColourChoice>, 3> colours{
     {{"auto", ColourChoice::automatic}, {"always", ColourChoice::always}, {"never", ColourChoice::never}}};
+constexpr std::array<Choice<PathDetail>, 3> path_details{
+    {{"full", PathDetail::full}, {"short", PathDetail::shortened}, {"none", PathDetail::none}}};
 
 /// Thrown while texts are made into values, caught in read_command_line.
 struct Refused {
@@ -87,7 +90,7 @@ void require_rules(std::string_view option, const std::vector<std::string>& word
 struct CheckWords {
     std::vector<std::string> paths, outputs, select, ignore, severity;
     std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
-                        max_findings, colour = "auto";
+                        max_findings, path = "short", colour = "auto";
     bool isolated = false, show_config = false, quiet = false, no_timestamps = false;
 };
 
@@ -123,7 +126,12 @@ void declare_check(CLI::App& check, CheckWords& words) {
             "--fail-on", words.fail_on,
             "Least severity that makes the exit status 1: error, warning, note or never (default: warning)")
         ->type_name("LEVEL");
-    check.add_option("--max-findings", words.max_findings, "Report no more than N findings")->type_name("N");
+    check
+        .add_option("--max-findings", words.max_findings,
+                    "Report no more than N findings, errors first, or all (default: all, on a terminal 100)")
+        ->type_name("N");
+    check.add_option("--path", words.path, "Steps to a finding in a text report: full, short or none")
+        ->type_name("DETAIL");
     check.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
         ->type_name("WHEN");
     check.add_flag("--quiet", words.quiet, "No summary, notes or progress");
@@ -213,8 +221,11 @@ CheckRequest check_request(const CheckWords& words) {
         request.fail_on = severity_named(words.fail_on);
         if (!request.fail_on) refuse_word("--fail-on", words.fail_on, {"error", "warning", "note", "never"});
     }
-    if (!words.max_findings.empty())
+    if (words.max_findings == "all")
+        request.max_findings = std::numeric_limits<std::size_t>::max();
+    else if (!words.max_findings.empty())
         request.max_findings = number<std::size_t>("--max-findings", words.max_findings, 0, 1'000'000'000);
+    request.path = choose("--path", words.path, path_details);
     request.colour = choose("--color", words.colour, colours);
     request.quiet = words.quiet;
     request.timestamps = !words.no_timestamps;
@@ -311,13 +322,16 @@ Request read_explain(std::vector<std::string> arguments) {
     CLI::App app("A rule's page.", "explain");
     ExplainRequest request;
     app.set_help_flag("--help,-h", "This text");
-    app.add_option("RULE", request.rule, "Code or name, in any case")->type_name("");
+    std::string colour = "auto";
+    app.add_option("RULE", request.rule, "Code or name, in any case, or a part of it")->type_name("");
+    app.add_option("--color", colour, "auto, always or never; NO_COLOR is respected")->type_name("WHEN");
     try {
         parse(app, std::move(arguments));
     } catch (const Refused& refused) {
         if (refused.error.message.empty()) return PrintRequest{help_of(app)};
         throw;
     }
+    request.colour = choose("--color", colour, colours);
     if (request.rule.empty())
         refuse("explain needs a rule. Write 'maclint explain MAC303', or see 'maclint rules'.");
     return request;

@@ -31,8 +31,9 @@ struct CheckRequest {
     ShowConfig show_config = ShowConfig::no;
     std::string stdin_name;
     unsigned jobs = 1;
-    std::optional<Severity> fail_on; ///< nothing: never
-    std::optional<std::size_t> max_findings;
+    std::optional<Severity> fail_on;         ///< nothing: never
+    std::optional<std::size_t> max_findings; ///< nothing: all, but on a terminal so many as fit
+    PathDetail path = PathDetail::shortened;
     ColourChoice colour = ColourChoice::automatic;
     bool quiet = false;
     bool timestamps = true;
@@ -46,6 +47,7 @@ struct RulesRequest {
 
 struct ExplainRequest {
     std::string rule;
+    ColourChoice colour = ColourChoice::automatic;
 };
 
 /// Text to be printed instead of doing anything: help, version.

@@ -3,6 +3,7 @@
 
 #include "cli/suggest.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include <memory>
 #include <system_error>
 
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -114,8 +116,19 @@ Colour colour_for_output(ColourChoice choice) {
     case ColourChoice::never: return Colour::plain;
     case ColourChoice::automatic: break;
     }
-    const bool wanted = isatty(STDOUT_FILENO) != 0 && set("NO_COLOR").empty() && set("TERM") != "dumb";
+    const bool wanted = output_is_terminal() && set("NO_COLOR").empty() && set("TERM") != "dumb";
     return wanted ? Colour::coloured : Colour::plain;
+}
+
+bool output_is_terminal() { return isatty(STDOUT_FILENO) != 0; }
+
+std::size_t output_width() {
+    winsize size{};
+    if (!output_is_terminal() || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
+        return usual_width;
+    constexpr std::size_t least = 40;
+    constexpr std::size_t most = 120; // longer lines are hard to read
+    return std::clamp<std::size_t>(size.ws_col, least, most);
 }
 
 bool error_is_terminal() { return isatty(STDERR_FILENO) != 0; }

@@ -4,6 +4,7 @@
 #include "cli/command_line.hpp"
 #include "cli/notice.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,9 @@ void print_notice(const Notice& notice);
 
 /// Colours for standard output.
 [[nodiscard]] Colour colour_for_output(ColourChoice choice);
+[[nodiscard]] bool output_is_terminal();
+/// Columns of standard output: of the terminal, else as usual.
+[[nodiscard]] std::size_t output_width();
 [[nodiscard]] bool error_is_terminal();
 
 } // namespace maclint::cli

@@ -49,13 +49,36 @@ std::string repeated_in(const std::vector<RelatedLocation>& repeats) {
     return text + (all ? "." : " …");
 }
 
+const Message* text_of(const Finding& finding) {
+    const auto found = std::ranges::find(finding.rule->messages, finding.message_id, &Message::id);
+    assert(found != finding.rule->messages.end());
+    return found == finding.rule->messages.end() ? nullptr : &*found;
+}
+
+/// The text with the number of the alarm before the full stop of its first sentence.
+std::string with_alarm(std::string_view text, std::string_view alarm) {
+    std::string out(text);
+    if (alarm.empty()) return out;
+    const std::size_t end = std::min(text.find(". "), text.size() - (text.ends_with('.') ? 1 : 0));
+    return out.insert(end, " (alarm " + std::string(alarm) + ")");
+}
+
 } // namespace
 
+std::string Finding::statement() const {
+    const Message* message = text_of(*this);
+    return fill(with_alarm(message == nullptr ? rule->summary : message->text, alarm), arguments);
+}
+
+std::string Finding::cure() const {
+    const Message* message = text_of(*this);
+    return message == nullptr ? std::string() : fill(message->cure, arguments);
+}
+
 std::string Finding::message() const {
-    const auto found = std::ranges::find(rule->messages, message_id, &Message::id);
-    assert(found != rule->messages.end());
-    if (found == rule->messages.end()) return std::string(rule->summary);
-    return fill(found->text, arguments) + repeated_in(repeats);
+    std::string text = statement();
+    if (const std::string mending = cure(); !mending.empty()) text += " " + mending;
+    return text + repeated_in(repeats);
 }
 
 std::vector<RelatedLocation> Finding::further_places() const {

@@ -72,11 +72,17 @@ struct Finding {
     /// stands alone.
     std::string same_cause = {};
     std::vector<RelatedLocation> repeats = {}; ///< the other places of that cause, in text order
+    std::string_view alarm = {}; ///< number of the alarm that the control raises here; empty: none known
 
     /// Takes the fix, unless it changes nothing, or the same bytes twice: then the finding has none.
     void offer(Fix offered);
-    /// The message with its arguments filled in, and how many more places it is true of.
+    /// The message with its arguments filled in, after it the cure where the message has one, and how many more
+    /// places it is true of.
     [[nodiscard]] std::string message() const;
+    /// The message alone.
+    [[nodiscard]] std::string statement() const;
+    /// How to mend it; empty where the message itself says so.
+    [[nodiscard]] std::string cure() const;
     /// Related places and repeats.
     [[nodiscard]] std::vector<RelatedLocation> further_places() const;
 };

@@ -5,24 +5,25 @@
 #include "analyzer/queries/path_steps.hpp"
 #include "analyzer/source/encoding.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace maclint {
 namespace {
 
 constexpr std::size_t most_steps = 12;
 constexpr std::size_t longest_quote = 40;
+constexpr std::size_t most_looked_at = 1024; ///< bytes of a quote
 
 /// What a step along the edge means to a reader; empty for the next block.
 std::string words_for(const ProgramAnalysis& analysis, const flow::Edge& edge) {
-    const Program& program = analysis.program();
     switch (edge.kind) {
     case flow::EdgeKind::next: return {};
-    case flow::EdgeKind::branch:
-        return "the condition '" + quoted(program, program.expressions[*edge.condition].span) +
-               (edge.holds ? "' is true here" : "' is not true here");
+    case flow::EdgeKind::branch: return edge.holds ? "true" : "false";
     case flow::EdgeKind::jump:
     case flow::EdgeKind::computed:
         return "jumps to line " + line_number(analysis.file(), analysis.graph().nodes[edge.to].part.begin);
@@ -41,9 +42,16 @@ std::string words_for(const ProgramAnalysis& analysis, const flow::Edge& edge) {
 std::vector<RelatedLocation> steps_along(const ProgramAnalysis& analysis,
                                          std::span<const flow::EdgeId> path) {
     std::vector<RelatedLocation> related;
-    for (const flow::EdgeId step : queries::telling_steps(analysis, path, most_steps))
-        related.push_back({analysis.source(), queries::span_of_step(analysis, step),
-                           words_for(analysis, analysis.graph().edges[step])});
+    std::optional<flow::NodeId> decided; // where the condition of the last step leads
+    for (const flow::EdgeId step : queries::telling_steps(analysis, path, most_steps)) {
+        const flow::Edge& edge = analysis.graph().edges[step];
+        std::string words = words_for(analysis, edge);
+        if (!related.empty() && edge.kind == flow::EdgeKind::jump && edge.from == decided)
+            related.back().text += ": " + words;
+        else
+            related.push_back({analysis.source(), queries::span_of_step(analysis, step), std::move(words)});
+        decided = edge.kind == flow::EdgeKind::branch ? std::optional(edge.to) : std::nullopt;
+    }
     return related;
 }
 
@@ -66,8 +74,21 @@ Cause cause_at(const ProgramAnalysis& analysis, dataflow::OriginId origin) {
     return {analysis, queries::span_of_origin(analysis, origin)};
 }
 
+std::string with_letter(const ProgramAnalysis& analysis, Variable variable) {
+    std::string name = analysis.program().spell(variable);
+    const ControlModel& control = analysis.control();
+    const auto formal = std::ranges::find(control.formals, variable);
+    if (control.formal_letters.empty() || formal == control.formals.end() || !analysis.is_macro())
+        return name;
+    const char letter = control.formal_letters[static_cast<std::size_t>(formal - control.formals.begin())];
+    return name + " (" + letter + ")";
+}
+
 std::string quoted(const Program& program, Span span) {
-    const std::string_view bytes = program.slice(span);
+    // A block can be as long as a file: what is not shown is not looked at.
+    std::string_view bytes = program.slice(span);
+    if (bytes.size() > most_looked_at)
+        bytes = bytes.substr(0, character_begin(bytes, most_looked_at, Encoding::utf8));
     const std::string text = to_utf8(bytes, detect_encoding(bytes));
     std::string folded;
     std::size_t characters = 0;

@@ -31,6 +31,9 @@ namespace maclint {
 /// The same as the cause of a finding.
 [[nodiscard]] Cause cause_at(const ProgramAnalysis& analysis, dataflow::OriginId origin);
 
+/// The variable as it is written, with the letter of the argument that sets it in a macro: "#26 (Z)".
+[[nodiscard]] std::string with_letter(const ProgramAnalysis& analysis, Variable variable);
+
 /// Source text for a message: UTF-8, white space folded, 40 characters at most.
 [[nodiscard]] std::string quoted(const Program& program, Span span);
 

@@ -17,6 +17,13 @@ Severity severity_in(const ProgramFile& file, const Rule& rule) {
     return other == rule.severity_elsewhere.end() ? rule.severity : other->severity;
 }
 
+/// An error is what the control stops at.
+std::string_view alarm_in(const ProgramFile& file, const Rule& rule) {
+    if (file.control == nullptr || severity_in(file, rule) != Severity::error) return {};
+    const auto alarm = std::ranges::find(rule.alarms, file.control->alarms, &Alarm::control);
+    return alarm == rule.alarms.end() ? std::string_view() : alarm->number;
+}
+
 } // namespace
 
 Finding& Reporter::report(const Cause& cause, Span span, std::string_view message_id,
@@ -31,7 +38,8 @@ Finding& Reporter::report(const Cause& cause, Span span, std::string_view messag
                                           .arguments = std::move(arguments),
                                           .related = {},
                                           .path = {},
-                                          .fix = {}});
+                                          .fix = {},
+                                          .alarm = alarm_in(file, *rule_)});
 }
 
 bool Reporter::has_message(std::string_view id) const {

@@ -24,7 +24,8 @@ enum class Precision : std::uint8_t { low, medium, high, very_high };
 /// A text that findings of a rule carry; {0}, {1} … stand for the finding's arguments.
 struct Message {
     std::string_view id;
-    std::string_view text;
+    std::string_view text;      ///< what is wrong, a sentence that begins with a word
+    std::string_view cure = {}; ///< how to mend it, a sentence; reports for people give it a line of its own
 };
 
 /// An alarm of a control that the rule prevents.

@@ -297,6 +297,7 @@ struct ControlModel {
     const ControlModel* lathe = nullptr; ///< of a mill: the same control on a lathe, for texts that are
                                          ///< written for one; nullptr: there is none, or nobody wants it
     bool assumed;                 ///< nobody named the control: messages say that its limits are assumed
+    std::string_view alarms;      ///< the list that numbers its alarms, as rules name it; empty: none known
     std::string_view return_word; ///< leads back to the caller: "M99"
     Limits limits;
     std::vector<VariableSpace> spaces;

@@ -3,6 +3,7 @@
 #include "cli/commands/report_target.hpp"
 #include "cli/commands/show_config.hpp"
 #include "cli/engine/engine.hpp"
+#include "cli/report/limit.hpp"
 #include "cli/report/report.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
@@ -66,14 +67,7 @@ bool fails(const Report& report, std::optional<Severity> fail_on) {
            });
 }
 
-void cut(Report& report, std::size_t most) {
-    std::vector<FilteredFinding> all = std::exchange(report.findings, {});
-    std::size_t shown = 0;
-    for (FilteredFinding& filtered : all) {
-        const bool kept = filtered.suppressed || ++shown <= most;
-        (kept ? report.findings : report.not_shown).push_back(std::move(filtered));
-    }
-}
+bool is_for_people(Format format) { return format == Format::text || format == Format::concise; }
 
 Report report_of(const CheckRequest& request, Result result, std::vector<Notice> notices) {
     Report report;
@@ -82,7 +76,7 @@ Report report_of(const CheckRequest& request, Result result, std::vector<Notice>
     report.files = std::move(result.sources);
     if (fails(report, request.fail_on)) report.exit_status = exit_findings;
     if (std::ranges::any_of(report.notices, &Notice::is_error)) report.exit_status = exit_error;
-    if (request.max_findings) cut(report, *request.max_findings);
+    if (request.max_findings) limit(report, *request.max_findings);
     return report;
 }
 
@@ -103,8 +97,13 @@ int deliver(const CheckRequest& request, Report report) {
     std::ranges::stable_partition(sinks, [](const Sink& sink) { return sink.path != "-"; });
     for (const Sink& sink : sinks) {
         const bool printed = sink.path == "-";
-        const Colour colour = printed ? colour_for_output(request.colour) : Colour::plain;
-        if (auto failure = write_to(sink.path, write(report, sink.format, {colour, summary}))) {
+        const TextStyle style{.colour = printed ? colour_for_output(request.colour) : Colour::plain,
+                              .summary = summary,
+                              .path = request.path,
+                              .width = printed ? output_width() : usual_width};
+        if (printed && output_is_terminal() && !request.max_findings && is_for_people(sink.format))
+            fit_terminal(report);
+        if (auto failure = write_to(sink.path, write(report, sink.format, style))) {
             print_notice(*failure);
             report.exit_status = exit_error;
             report.notices.push_back(*std::move(failure));

@@ -17,22 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string text_list() {
-    std::size_t widest = 0;
-    for (const Rule* rule : all_rules()) widest = std::max(widest, rule->name.size());
-    std::string out;
-    std::string_view family;
-    for (const Rule* rule : all_rules()) {
-        if (family_of(*rule) != family) {
-            family = family_of(*rule);
-            out += (out.empty() ? "" : "\n") + std::string(family) + "\n";
-        }
-        std::string severity(name_of(rule->severity));
-        severity.resize(7, ' ');
-        out += "  " + std::string(rule->code) + " " + std::string(rule->name) +
-               std::string(widest - rule->name.size() + 1, ' ') + severity +
-               (rule->on_by_default ? "      " : "  off ") + std::string(rule->summary) + "\n";
-    }
-    return out + "\nOff: only with --select. 'maclint explain RULE' tells more.\n";
+    return plain_list(all_rules()) + "\nOff: only with --select. 'maclint explain RULE' tells more.\n";
 }
 
 std::string json_list() {

@@ -39,6 +39,19 @@ std::vector<const Rule*> rules_named(std::string_view word) {
     return rules;
 }
 
+std::vector<const Rule*> rules_meant(std::string_view word) {
+    std::vector<const Rule*> rules = rules_named(word);
+    if (!rules.empty() || word.empty()) return rules;
+    const std::string part = in_lower_case(word);
+    const bool is_number = part.find_first_not_of("0123456789") == std::string::npos;
+    std::ranges::copy_if(all_rules(), std::back_inserter(rules), [&](const Rule* rule) {
+        constexpr std::size_t letters = 3; // of a code
+        return is_number ? rule->code.substr(letters).starts_with(part)
+                         : rule->name.find(part) != std::string_view::npos;
+    });
+    return rules;
+}
+
 const std::vector<std::string>& rule_words() {
     static const std::vector<std::string> words = [] {
         std::vector<std::string> all;

@@ -13,6 +13,9 @@ namespace maclint::cli {
 /// The rules that a word names: a code, an alias or a name in any case, a prefix of codes ("MAC3"), or ALL.
 [[nodiscard]] std::vector<const Rule*> rules_named(std::string_view word);
 
+/// Those, or the rules that somebody may mean by a part of a code or name: "220", "jump".
+[[nodiscard]] std::vector<const Rule*> rules_meant(std::string_view word);
+
 /// Codes and names, for guessing what a mistyped word means.
 [[nodiscard]] const std::vector<std::string>& rule_words();
 

@@ -38,9 +38,16 @@ struct Tally {
 enum class Colour : std::uint8_t { plain, coloured };
 enum class Summary : std::uint8_t { left_out, at_the_end };
 
+/// How much of the paths of findings a text report shows.
+enum class PathDetail : std::uint8_t { none, shortened, full };
+/// Columns of a text report that does not go to a terminal.
+inline constexpr std::size_t usual_width = 80;
+
 struct TextStyle {
     Colour colour = Colour::plain;
     Summary summary = Summary::at_the_end;
+    PathDetail path = PathDetail::shortened;
+    std::size_t width = usual_width; ///< columns
 };
 
 [[nodiscard]] std::string write_text(const Report& report, const TextStyle& style);

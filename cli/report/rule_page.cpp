@@ -4,6 +4,9 @@
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/encoding.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/report/ansi_style.hpp"
+#include "cli/report/columns.hpp"
+#include "cli/report/sources.hpp"
 
 #include <algorithm>
 #include <array>
@@ -94,20 +97,12 @@ std::string markdown_examples(std::string_view heading, const std::vector<Exampl
     return out;
 }
 
-std::string plain_examples(std::string_view heading, const std::vector<Example>& examples) {
-    std::string out;
-    for (const Example& example : examples)
-        out += "\n" + std::string(heading) + " (" + std::string(example.dialect) + "):\n\n" +
-               shown_example(example, "    ");
-    return out;
-}
-
 std::string alarm_line(const Alarm& alarm) {
     return std::string(alarm.control) + ": " + std::string(alarm.number) + " " + std::string(alarm.text);
 }
 
 /// The comment that allows the rule, once for every path that the dialects of its examples write comments.
-std::string allowances(const Rule& rule, std::string_view quote) {
+std::string allowances(const Rule& rule, std::string_view quote, std::string_view between) {
     std::string all;
     for (const Dialect& dialect : dialects()) {
         const auto of_dialect = [&](const Example& example) { return example.dialect == dialect.name; };
@@ -116,7 +111,7 @@ std::string allowances(const Rule& rule, std::string_view quote) {
         const std::string comment = std::string(dialect.comment_open) + "MACLINT ALLOW " +
                                     std::string(rule.code) + " - REASON" + std::string(dialect.comment_close);
         if (all.find(comment) != std::string::npos) continue;
-        all.append(all.empty() ? "" : " or ").append(quote).append(comment).append(quote);
+        all.append(all.empty() ? "" : between).append(quote).append(comment).append(quote);
         if (!dialect.comment_open.starts_with('(')) all.append(" (").append(dialect.name).append(")");
     }
     return all;
@@ -128,6 +123,72 @@ std::string shown_source(std::string_view source) {
     if (source != experience && !source.starts_with("T:")) return std::string(source);
     return "T (experience, not confirmed)" + std::string(source.substr(experience.size()));
 }
+
+/// Writes a page line by line.
+class PlainPage {
+  public:
+    explicit PlainPage(const PageStyle& style)
+        : width_(style.width)
+        , style_(style.colour) {}
+
+    [[nodiscard]] std::string of(const Rule& rule, const MarkedLines& marked) {
+        out_ = style_.bold(std::string(rule.code) + " " + std::string(rule.name)) + " (" +
+               std::string(family_of(rule)) + ")\n\n";
+        add(summary_sentence(rule), "");
+        add(facts_of(rule), "");
+        out_ += "\n";
+        add(rule.why, "");
+        for (std::size_t i = 0; i < rule.bad.size(); ++i)
+            add_example("Bad", rule.bad[i], i < marked.size() ? marked[i] : std::vector<std::uint32_t>{});
+        for (const Example& example : rule.good) add_example("Good", example, {});
+        if (!rule.alarms.empty()) add_heading("Alarms it prevents:");
+        for (const Alarm& alarm : rule.alarms) add(alarm_line(alarm), indent);
+        add_heading("To allow it, at the end of the block or alone on the line before it:");
+        out_ += std::string(indent) + allowances(rule, "", "\n    ") + "\n"; // to be copied, so not wrapped
+        if (!rule.sources.empty()) add_heading("Sources:");
+        for (const std::string_view source : rule.sources) add_source(source);
+        return std::move(out_);
+    }
+
+  private:
+    static constexpr std::string_view indent = "    ";
+
+    void add_heading(std::string_view heading) { out_ += "\n" + style_.note(heading) + "\n\n"; }
+
+    void add(std::string_view text, std::string_view before) {
+        if (width_ == 0) {
+            out_ += std::string(before) + std::string(text) + "\n";
+            return;
+        }
+        const std::size_t room = width_ - before.size();
+        for (const std::string& line : wrapped(text, room, room)) out_ += std::string(before) + line + "\n";
+    }
+
+    void add_example(std::string_view heading, const Example& example,
+                     const std::vector<std::uint32_t>& marked) {
+        add_heading(std::string(heading) + " (" + std::string(example.dialect) + "):");
+        const std::string text = shown_example(example, "");
+        std::uint32_t number = 1;
+        for (std::string_view rest = text; !rest.empty(); ++number) {
+            const std::string_view line = rest.substr(0, rest.find('\n'));
+            rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+            if (std::ranges::find(marked, number) != marked.end())
+                out_ += "  " + style_.severity(Severity::error, "> " + std::string(line)) + "\n";
+            else
+                out_ += (line.empty() ? "" : std::string(indent) + std::string(line)) + "\n";
+        }
+    }
+
+    void add_source(std::string_view source) {
+        const std::string shown = shown_source(source);
+        add(shown, indent);
+        if (shown == source && !document_of(source).empty()) add(document_of(source), "        ");
+    }
+
+    std::size_t width_;
+    AnsiStyle style_;
+    std::string out_;
+};
 
 } // namespace
 
@@ -156,24 +217,33 @@ std::string markdown_page(const Rule& rule) {
     out += markdown_examples("Bad", rule.bad) + markdown_examples("Good", rule.good);
     if (!rule.alarms.empty()) out += "\n## Alarms it prevents\n\n";
     for (const Alarm& alarm : rule.alarms) out += "- " + alarm_line(alarm) + "\n";
-    out += "\n## To allow it\n\n" + allowances(rule, "`") +
+    out += "\n## To allow it\n\n" + allowances(rule, "`", " or ") +
            " at the end of the block, or alone on the line before it.\n";
     if (!rule.sources.empty()) out += "\n## Sources\n\n";
     for (const std::string_view source : rule.sources) out += "- " + shown_source(source) + "\n";
     return out;
 }
 
-std::string plain_page(const Rule& rule) {
-    std::string out =
-        std::string(rule.code) + " " + std::string(rule.name) + " (" + std::string(family_of(rule)) + ")\n\n";
-    out += summary_sentence(rule) + "\n" + facts_of(rule) + "\n\n" + std::string(rule.why) + "\n";
-    out += plain_examples("Bad", rule.bad) + plain_examples("Good", rule.good);
-    if (!rule.alarms.empty()) out += "\nAlarms it prevents:\n\n";
-    for (const Alarm& alarm : rule.alarms) out += "    " + alarm_line(alarm) + "\n";
-    out += "\nTo allow it, write " + allowances(rule, "") +
-           " at the end of the block, or alone on the line before it.\n";
-    if (!rule.sources.empty()) out += "\nSources:\n\n";
-    for (const std::string_view source : rule.sources) out += "    " + shown_source(source) + "\n";
+std::string plain_page(const Rule& rule, const PageStyle& style, const MarkedLines& marked) {
+    return PlainPage(style).of(rule, marked);
+}
+
+std::string plain_list(std::span<const Rule* const> rules) {
+    std::size_t widest = 0;
+    for (const Rule* rule : rules) widest = std::max(widest, rule->name.size());
+    std::string out;
+    std::string_view family;
+    for (const Rule* rule : rules) {
+        if (family_of(*rule) != family) {
+            family = family_of(*rule);
+            out += (out.empty() ? "" : "\n") + std::string(family) + "\n";
+        }
+        std::string severity(name_of(rule->severity));
+        severity.resize(7, ' ');
+        out += "  " + std::string(rule->code) + " " + std::string(rule->name) +
+               std::string(widest - rule->name.size() + 1, ' ') + severity +
+               (rule->on_by_default ? "      " : "  off ") + std::string(rule->summary) + "\n";
+    }
     return out;
 }
 

@@ -314,7 +314,9 @@ class SarifWriter {
     [[nodiscard]] static Json rule_of(const Rule& rule) {
         Json messages = Json::object();
         for (const Message& message : rule.messages)
-            messages[std::string(message.id)] = {{"text", message.text}};
+            messages[std::string(message.id)] = {
+                {"text",
+                 std::string(message.text) + (message.cure.empty() ? "" : " ") + std::string(message.cure)}};
         Json configuration = {{"level", level_of(rule.severity)}};
         if (!rule.on_by_default) configuration["enabled"] = false;
         Json out = {{"id", rule.code},
@@ -323,7 +325,7 @@ class SarifWriter {
                     {"fullDescription", text_message(summary_sentence(rule) + " " + sentence(rule.why))},
                     {"messageStrings", std::move(messages)},
                     {"defaultConfiguration", std::move(configuration)},
-                    {"help", {{"text", plain_page(rule)}, {"markdown", markdown_page(rule)}}},
+                    {"help", {{"text", plain_page(rule, {}, {})}, {"markdown", markdown_page(rule)}}},
                     {"properties",
                      {{"precision", name_of(rule.precision)},
                       {"problem.severity", problem_severity(rule.severity)},

@@ -1,39 +1,17 @@
 //! Lays a line out column by column: a character may take no column, one, two, or several when it is escaped.
 #include "cli/report/snippet.hpp"
 
+#include "cli/report/columns.hpp"
+
 #include <algorithm>
-#include <array>
 #include <utility>
+#include <vector>
 
 namespace maclint::cli {
 namespace {
 
 constexpr std::size_t tab_width = 4;
-constexpr std::size_t widest = 110;        ///< columns of a line that are shown
-constexpr std::size_t context = 30;        ///< columns shown before the marks of a line that is cut
-constexpr std::uint32_t most_lines = 4;    ///< of a span that covers several
-constexpr Offset longest_line = 64 * 1024; ///< bytes of a line that are looked at around the span
-
-struct Range {
-    char32_t first, last;
-};
-
-/// Characters two columns wide (Unicode 15, East_Asian_Width W and F, blocks rounded).
-constexpr std::array wide{Range{0x1100, 0x115F},   Range{0x2E80, 0x303E},   Range{0x3041, 0x33FF},
-                          Range{0x3400, 0x4DBF},   Range{0x4E00, 0x9FFF},   Range{0xA000, 0xA4CF},
-                          Range{0xA960, 0xA97F},   Range{0xAC00, 0xD7A3},   Range{0xF900, 0xFAFF},
-                          Range{0xFE30, 0xFE6F},   Range{0xFF00, 0xFF60},   Range{0xFFE0, 0xFFE6},
-                          Range{0x1F300, 0x1F64F}, Range{0x1F900, 0x1F9FF}, Range{0x20000, 0x3FFFD}};
-
-/// Characters that sit on the one before (Unicode 15, general category Mn, the common blocks).
-constexpr std::array combining{Range{0x0300, 0x036F}, Range{0x1AB0, 0x1AFF}, Range{0x1DC0, 0x1DFF},
-                               Range{0x20D0, 0x20FF}, Range{0xFE00, 0xFE0F}, Range{0xFE20, 0xFE2F}};
-
-template<class Ranges>
-bool in(const Ranges& ranges, char32_t character) {
-    return std::ranges::any_of(
-        ranges, [=](Range range) { return range.first <= character && character <= range.last; });
-}
+constexpr Offset most_bytes = 4; ///< of a character
 
 /// One character of the line as it is shown.
 struct Cell {
@@ -52,7 +30,7 @@ Cell cell_of(const Source& source, Span character, std::size_t column) {
     std::string text = printable(utf8);
     if (text != utf8) return {text, text.size(), false}; // an escape, ASCII only
     const char32_t first = first_character(text).value;
-    return {std::move(text), in(combining, first) ? 0U : in(wide, first) ? 2U : 1U, false};
+    return {std::move(text), columns_of(first), false};
 }
 
 Offset next_character(const Source& source, Offset at, Offset end) {
@@ -84,89 +62,85 @@ std::vector<Cell> cells_of(const Source& source, Span line, Span marked) {
     return cells;
 }
 
-/// The part of a long line around its marks, "…" where it is cut.
-void cut(std::vector<Cell>& cells) {
+/// Where a line is cut.
+Cell dots() { return {"…", 1, false}; }
+
+std::size_t width_of(const std::vector<Cell>& cells) {
     std::size_t width = 0;
-    std::size_t before = 0;
-    bool seen = false;
-    for (const Cell& cell : cells) {
-        seen = seen || cell.marked;
-        if (!seen) before += cell.width;
-        width += cell.width;
-    }
-    if (width <= widest) return;
-    const Cell dots{"…", 1, false};
-    if (seen && before > context) {
-        std::size_t dropped = 0;
-        auto keep = cells.begin();
-        while (keep != cells.end() && dropped + keep->width <= before - context) dropped += (keep++)->width;
-        cells.erase(cells.begin(), keep);
-        cells.insert(cells.begin(), dots);
-    }
-    std::size_t kept = 0;
-    const auto end =
-        std::ranges::find_if(cells, [&](const Cell& cell) { return (kept += cell.width) > widest; });
-    if (end == cells.end()) return;
-    cells.erase(end, cells.end());
-    cells.push_back(dots);
+    for (const Cell& cell : cells) width += cell.width;
+    return width;
 }
 
-FrameLine layout(const Source& source, std::uint32_t number, Span marked) {
-    Span line = source.line_span(number);
-    if (line.length() > longest_line) {
-        // Cut between characters, well before what is shown.
-        const Offset near = std::clamp(marked.begin, line.begin, line.end);
-        const Offset from = near - line.begin > longest_line / 2 ? near - longest_line / 2 : line.begin;
-        line.begin = static_cast<Offset>(character_begin(source.bytes(), from, source.encoding()));
-        line.end = static_cast<Offset>(character_begin(
-            source.bytes(), std::min(line.end, line.begin + longest_line), source.encoding()));
-    }
-    auto cells = cells_of(source, line, marked);
-    cut(cells);
-    FrameLine out{number, "", ""};
-    const bool any = std::ranges::any_of(cells, &Cell::marked);
+/// Cuts what stands well before the marks, or the line's end when that is meant.
+void cut_before(std::vector<Cell>& cells, std::size_t most) {
+    const auto marked = std::ranges::find_if(cells, &Cell::marked);
+    const std::size_t context = most / 3;
+    std::size_t before = width_of({cells.begin(), marked});
+    if (before <= context) return;
+    auto keep = cells.begin();
+    while (keep != marked && before + 1 > context) before -= (keep++)->width;
+    cells.erase(cells.begin(), keep);
+    cells.insert(cells.begin(), dots());
+}
+
+void cut_after(std::vector<Cell>& cells, std::size_t most) {
+    if (width_of(cells) <= most) return;
+    std::size_t kept = 0;
+    cells.erase(std::ranges::find_if(cells, [&](const Cell& cell) { return (kept += cell.width) >= most; }),
+                cells.end());
+    cells.push_back(dots());
+}
+
+void drop_indent(std::vector<Cell>& cells) {
+    const auto blank = [](const Cell& cell) {
+        return !cell.marked && cell.text.find_first_not_of(' ') == std::string::npos;
+    };
+    cells.erase(cells.begin(), std::ranges::find_if_not(cells, blank));
+}
+
+/// The bytes of a line that may be seen in `columns`: a line can be as long as a file.
+Span window_of(const Source& source, Span line, Span marked, Offset columns) {
+    if (line.length() <= columns * most_bytes) return line;
+    const auto at_character = [&](Offset at) {
+        return static_cast<Offset>(character_begin(source.bytes(), at, source.encoding()));
+    };
+    Span window = line;
+    if (marked.begin - line.begin > columns) window.begin = at_character(marked.begin - columns);
+    if (line.end - marked.begin > columns * 2) window.end = at_character(marked.begin + columns * 2);
+    return window;
+}
+
+/// Blanks up to the marked cells, and a caret for each column of theirs.
+std::string marks_below(const std::vector<Cell>& cells) {
+    std::string marks;
     std::string waiting; // blanks count only when a caret follows
     for (const Cell& cell : cells) {
-        out.text += cell.text;
         waiting.append(cell.width, cell.marked ? '^' : ' ');
-        if (cell.marked) out.marks += std::exchange(waiting, "");
+        if (cell.marked) marks += std::exchange(waiting, "");
     }
-    if (any && out.marks.empty()) out.marks = "^"; // the line begins with what takes no column
-    if (out.marks.empty() && marked.begin >= line.end) out.marks = waiting + "^"; // at the line's end
-    if (out.marks.empty() && marked.empty()) {
-        const Offset at = std::max(marked.begin, line.begin);
-        out.marks = layout(source, number, {at, at + 1}).marks;
-    }
-    while (out.text.ends_with(' ')) out.text.pop_back();
-    return out;
-}
-
-/// From the first character that is no blank: carets below an indent say nothing.
-Span without_indent(const Source& source, Span part) {
-    const std::string_view bytes = source.bytes();
-    while (part.begin < part.end && (bytes[part.begin] == ' ' || bytes[part.begin] == '\t')) ++part.begin;
-    return part;
+    if (!marks.empty()) return marks;
+    // The line begins with what takes no column, or its end is meant.
+    return std::ranges::any_of(cells, &Cell::marked) ? "^" : waiting + "^";
 }
 
 } // namespace
 
-std::vector<FrameLine> frame_of(const Source& source, Span span) {
-    const std::uint32_t first = source.position(span.begin).line;
-    const std::uint32_t last = span.empty() ? first : source.position(span.end - 1).line;
-    std::vector<FrameLine> lines;
-    for (std::uint32_t number = first; number <= last; ++number) {
-        const bool skip = last - first >= most_lines && number >= first + 2 && number < last;
-        if (skip) {
-            lines.push_back({0, "…", ""});
-            number = last - 1;
-            continue;
-        }
-        const Span line = source.line_span(number);
-        const Span part{std::max(span.begin, line.begin), std::min(span.end, line.end)};
-        lines.push_back(layout(
-            source, number, number == first || part.begin >= part.end ? part : without_indent(source, part)));
-    }
-    return lines;
+CodeLine code_line(const Source& source, Span span, std::size_t width) {
+    const Span line = source.line_span(source.position(span.begin).line);
+    Span marked{std::clamp(span.begin, line.begin, line.end), std::min(span.end, line.end)};
+    if (marked.end <= marked.begin) marked.end = std::min(marked.begin + 1, line.end);
+    const Span window = window_of(source, line, marked, static_cast<Offset>(width));
+    auto cells = cells_of(source, window, marked);
+    if (window.begin > line.begin) cells.insert(cells.begin(), dots());
+    drop_indent(cells);
+    const bool at_end = marked.empty(); // its caret stands after the text
+    if (at_end) width -= 1;
+    if (width_of(cells) > width) cut_before(cells, width);
+    cut_after(cells, width);
+    CodeLine out{"", marks_below(cells)};
+    for (const Cell& cell : cells) out.text += cell.text;
+    while (out.text.ends_with(' ')) out.text.pop_back();
+    return out;
 }
 
 } // namespace maclint::cli

@@ -1,22 +1,19 @@
-//! A few lines of a program with the place of a finding underlined.
+//! A line of a program with the part that matters underlined.
 #pragma once
 
 #include "analyzer/source/source.hpp"
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace maclint::cli {
 
-/// One line as a terminal shows it: printable, tabs expanded, long lines cut around the marked part.
-struct FrameLine {
-    std::uint32_t number = 0; ///< 0: lines left out
+/// One line as a terminal shows it: printable, without indent, tabs expanded, cut around the marked part.
+struct CodeLine {
     std::string text;
-    std::string marks; ///< blanks, then at least one caret below the marked part; or empty
+    std::string marks; ///< blanks, then at least one caret below the marked part
 };
 
-/// The lines that `span` touches; of many only the first and the last.
-[[nodiscard]] std::vector<FrameLine> frame_of(const Source& source, Span span);
+/// The line in which `span` begins, in at most `width` columns. Its cost does not grow with the line.
+[[nodiscard]] CodeLine code_line(const Source& source, Span span, std::size_t width);
 
 } // namespace maclint::cli

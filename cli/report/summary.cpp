@@ -38,7 +38,8 @@ std::string summary_line(const Report& report) {
     line = parts.empty() ? "no findings" : line + " in " + counted(counts.files, "file");
     line += " (" + std::to_string(report.files.size()) + " checked";
     if (counts.suppressed > 0) line += ", " + std::to_string(counts.suppressed) + " allowed by comments";
-    if (!report.not_shown.empty()) line += ", " + std::to_string(report.not_shown.size()) + " not shown";
+    if (!report.not_shown.empty())
+        line += ", " + std::to_string(report.not_shown.size()) + " not shown: see --max-findings";
     return line + ")";
 }
 

@@ -1,94 +1,180 @@
-//! Findings for people: message, place, the lines concerned, and how the control gets there.
+//! Findings for people: what is wrong, where, how the control gets there and what it does then, the cure.
 #include "cli/report/ansi_style.hpp"
+#include "cli/report/columns.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report/rows.hpp"
 #include "cli/report/snippet.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace maclint::cli {
 namespace {
 
-constexpr std::size_t longest_path = 12; ///< steps; of more the first and the last are shown
+constexpr std::size_t least_code = 24;   ///< columns for code beside a long remark
+constexpr std::size_t least_remark = 24; ///< columns for a remark
+constexpr std::size_t gap = 3;           ///< between both
+
+/// The texts of one row, laid out.
+struct LaidOut {
+    CodeLine code;
+    std::string remark;
+};
 
 class TextWriter {
   public:
-    explicit TextWriter(Colour colour)
-        : style_(colour) {}
+    explicit TextWriter(const TextStyle& style)
+        : wanted_(style)
+        , style_(style.colour) {}
 
     void add(const Finding& finding) {
-        const std::string head =
-            std::string(name_of(finding.severity)) + "[" + std::string(finding.rule->code) + "]";
-        out_ +=
-            style_.severity(finding.severity, head) + style_.bold(": " + printable(finding.message())) + "\n";
-        add_frame(*finding.source, finding.span);
-        for (const RelatedLocation& related : finding.related) add_related(related, printable(related.text));
-        add_path(finding.path);
+        const Rows rows = rows_of(finding, wanted_.path);
+        left_out_ += rows.left_out;
+        margin_ = widest_number(rows.rows) + 1;
+        add_headline(finding);
+        add_place("-->", *finding.source, finding.span);
+        add_rows(rows.rows, finding.source.get());
+        add_end(finding);
         out_ += "\n";
     }
 
+    [[nodiscard]] std::size_t left_out() const { return left_out_; }
     [[nodiscard]] std::string take() { return std::move(out_); }
 
   private:
-    void add_path(const std::vector<RelatedLocation>& path) {
-        for (std::size_t i = 0; i < path.size(); ++i) {
-            const bool skipped =
-                path.size() > longest_path && i >= longest_path / 2 && i < path.size() - longest_path / 2;
-            if (skipped) {
-                const std::size_t count = path.size() - longest_path;
-                out_ += style_.note("note") + ": " + counted(count, "step") + " left out\n";
-                i += count - 1;
-                continue;
-            }
-            const std::string step =
-                "step " + std::to_string(i + 1) + " of " + std::to_string(path.size()) + ": ";
-            add_related(path[i], step + printable(path[i].text));
+    static std::size_t widest_number(const std::vector<Row>& rows) {
+        std::uint32_t widest = 1;
+        for (const Row& row : rows) widest = std::max(widest, line_of(row));
+        return std::to_string(widest).size();
+    }
+
+    static std::uint32_t line_of(const Row& row) { return row.source->position(row.span.begin).line; }
+
+    void add_headline(const Finding& finding) {
+        const std::string head =
+            std::string(name_of(finding.severity)) + "[" + std::string(finding.rule->code) + "]";
+        const std::size_t used = head.size() + 2;
+        const auto lines =
+            wrapped(printable(finding.statement()), wanted_.width - used, wanted_.width - indent);
+        out_ += style_.severity(finding.severity, head) + style_.bold(": " + lines.front()) + "\n";
+        for (auto line = lines.begin() + 1; line != lines.end(); ++line)
+            out_ += std::string(indent, ' ') + style_.bold(*line) + "\n";
+    }
+
+    void add_place(std::string_view arrow, const Source& source, Span span) {
+        const Position at = source.position(span.begin);
+        out_ += std::string(margin_, ' ') + style_.frame(arrow) + " " + shown(source.path()) + ":" +
+                std::to_string(at.line) + ":" + std::to_string(at.column) + "\n";
+    }
+
+    void add_rows(const std::vector<Row>& rows, const Source* source) {
+        const std::size_t room = wanted_.width - margin_ - frame_width;
+        std::vector<LaidOut> texts;
+        std::size_t widest_remark = 0;
+        for (const Row& row : rows) {
+            texts.push_back({code_line(*row.source, row.span, room), printable(row.remark)});
+            if (!row.own) widest_remark = std::max(widest_remark, columns_of(texts.back().remark));
+        }
+        std::size_t column = least_code / 2; // at which remarks begin
+        const std::size_t most = room - std::min(room - least_code, std::max(widest_remark, least_remark));
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const std::size_t end = columns_of(texts[i].code.text) + gap;
+            // The finding's own row is not cut: a long one has its remark to itself.
+            if (!rows[i].own || end <= most) column = std::max(column, std::min(end, most));
+        }
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (rows[i].source != source) add_place(":::", *rows[i].source, rows[i].span);
+            source = rows[i].source;
+            if (rows[i].own)
+                add_own(rows[i], texts[i], column, room);
+            else
+                add_other(rows[i], texts[i], column, room);
         }
     }
 
-    void add_related(const RelatedLocation& related, const std::string& text) {
-        out_ += style_.note("note") + ": " + text + "\n";
-        add_frame(*related.source, related.span);
+    /// A row on the way; its code is cut so that the remark has room.
+    void add_other(const Row& row, const LaidOut& text, std::size_t column, std::size_t room) {
+        const bool fits = columns_of(text.code.text) + gap <= column;
+        const std::string code = fits ? text.code.text : code_line(*row.source, row.span, column - gap).text;
+        const auto lines = wrapped(text.remark, room - column, room - column);
+        add_line(std::to_string(line_of(row)), code, column, lines.front());
+        for (auto line = lines.begin() + 1; line != lines.end(); ++line) add_line("", "", column, *line);
     }
 
-    void add_frame(const Source& source, Span span) {
-        const auto lines = frame_of(source, span);
-        const Position at = source.position(span.begin);
-        std::uint32_t widest = 1;
-        for (const FrameLine& line : lines) widest = std::max(widest, line.number);
-        const std::string margin(std::to_string(widest).size() + 1, ' ');
-        out_ += margin + style_.frame("-->") + " " + shown(source.path()) + ":" + std::to_string(at.line) +
-                ":" + std::to_string(at.column) + "\n";
-        out_ += margin + " " + style_.frame("|") + "\n";
-        for (const FrameLine& line : lines) add_line(line, margin);
+    /// The finding's own row: all of its code, marked, and the remark where there is room for it.
+    void add_own(const Row& row, const LaidOut& text, std::size_t column, std::size_t room) {
+        const std::size_t code = columns_of(text.code.text);
+        const std::size_t begin = std::max(column, code + gap);
+        const bool beside = begin + columns_of(text.remark) <= room;
+        add_line(std::to_string(line_of(row)), text.code.text, begin, beside ? text.remark : "");
+        const std::size_t blanks = text.code.marks.find('^');
+        out_ += std::string(margin_, ' ') + " " + style_.frame("|") + " " + std::string(blanks, ' ') +
+                style_.severity(Severity::error, text.code.marks.substr(blanks));
+        const bool below = !beside && text.code.marks.size() + 1 + columns_of(text.remark) <= room;
+        out_ += (below ? " " + style_.note(text.remark) : "") + "\n";
+        // What has no room mostly repeats the headline.
+        if (beside || below || wanted_.path != PathDetail::full) return;
+        for (const std::string& line : wrapped(text.remark, room, room)) add_line("", "", 0, line);
     }
 
-    void add_line(const FrameLine& line, const std::string& margin) {
-        if (line.number == 0) {
-            out_ += margin + " " + style_.frame("|") + " " + line.text + "\n";
+    void add_line(const std::string& number, const std::string& code, std::size_t column,
+                  const std::string& remark) {
+        out_ += std::string(margin_ - number.size(), ' ') + style_.frame(number) + " " + style_.frame("|");
+        if (!code.empty()) out_ += " " + code;
+        if (!remark.empty())
+            out_ +=
+                std::string(column - columns_of(code) + (code.empty() ? 1 : 0), ' ') + style_.note(remark);
+        out_ += "\n";
+    }
+
+    /// The cure, and where to read more: beside it where there is room, on a line of its own for the first
+    /// finding of the rule.
+    void add_end(const Finding& finding) {
+        const std::string more = "more: maclint explain " + std::string(finding.rule->code);
+        const bool is_first = explained_.insert(finding.rule).second;
+        const std::string label = "cure: ";
+        const std::string before = std::string(margin_, ' ') + " " + style_.frame("=") + " ";
+        const std::size_t room = wanted_.width - margin_ - frame_width;
+        const std::string cure = printable(finding.cure());
+        if (cure.empty()) {
+            if (is_first) out_ += before + more + "\n";
             return;
         }
-        const std::string number = std::to_string(line.number);
-        out_ += margin.substr(number.size()) + style_.frame(number) + " " + style_.frame("|");
-        out_ += (line.text.empty() ? "" : " " + line.text) + "\n";
-        if (line.marks.empty()) return;
-        const std::size_t blanks = line.marks.find('^');
-        out_ += margin + " " + style_.frame("|") + " " + line.marks.substr(0, blanks) +
-                style_.severity(Severity::error, line.marks.substr(blanks)) + "\n";
+        const auto lines = wrapped(cure, room - label.size(), room - label.size());
+        out_ += before + style_.note(label) + lines.front();
+        for (auto line = lines.begin() + 1; line != lines.end(); ++line)
+            out_ += "\n" + std::string(margin_ + frame_width + label.size(), ' ') + *line;
+        const std::size_t used = label.size() + columns_of(lines.back()) + gap;
+        if (used + more.size() <= room)
+            out_ += std::string(room - used - more.size() + gap, ' ') + more;
+        else if (is_first)
+            out_ += "\n" + before + more;
+        out_ += "\n";
     }
 
+    static constexpr std::size_t indent = 4;      ///< of a headline's further lines
+    static constexpr std::size_t frame_width = 3; ///< of " | "
+
+    TextStyle wanted_;
     AnsiStyle style_;
+    std::size_t margin_ = 0;   ///< columns before the frame
+    std::size_t left_out_ = 0; ///< rows of paths
+    std::unordered_set<const Rule*> explained_;
     std::string out_;
 };
 
 } // namespace
 
 std::string write_text(const Report& report, const TextStyle& style) {
-    TextWriter writer(style.colour);
+    TextWriter writer(style);
     for (const FilteredFinding& filtered : report.findings)
         if (!filtered.suppressed) writer.add(filtered.finding);
+    const std::size_t left_out = writer.left_out();
     std::string out = writer.take();
-    if (style.summary == Summary::at_the_end) out += summary_line(report) + "\n";
+    if (style.summary == Summary::left_out) return out;
+    out += summary_line(report) + "\n";
+    if (left_out > 0) out += counted(left_out, "step") + " of paths not shown; --path full shows them\n";
     return out;
 }
 

@@ -11,8 +11,9 @@ extern const Rule call_without_program_number{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .messages = {{"plain",
-                  "'{0}' does not say which program to call, and the control stops here. Add its number"
-                  " with {1}."}},
+                  "Call without a program number: '{0}' does not say which program to call, and the control "
+                  "stops here.",
+                  "Add its number with {1}."}},
     .bad = {{"fanuc", R"nc(
 O9401(MAIN)
 G65X10.Y5.

@@ -28,10 +28,14 @@ extern const Rule g66_not_cancelled{
     .needs = {Capability::modal_calls},
     .facts = dataflow::facts<dataflow::BeforeToolChange, dataflow::ExitState>(),
     .data_flow = true,
-    .messages = {{"end", "'{0}' is still active when the program is left: every later move calls the macro. "
-                         "Cancel it with G67."},
-                 {"tool", "'{0}' is still active at the tool change in line {1}: its moves call the macro. "
-                          "Cancel it with G67 before."}},
+    .messages =
+        {{"end",
+          "Modal call left active: '{0}' is still active when the program is left, so every later move calls "
+          "the macro.",
+          "Write G67 before the program is left."},
+         {"tool",
+          "Modal call at a tool change: '{0}' is still active in line {1}, whose moves call the macro.",
+          "Write G67 before line {1}."}},
     .bad = {{"fanuc", R"nc(
 O9413(ROW)
 G66P9010Z-20.R5.

@@ -29,8 +29,10 @@ extern const Rule missing_m99{
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::ExitState>(),
     .data_flow = true,
-    .messages = {{"plain", "{0} calls {1}, and a path through {1} ends after this block without {2}, so that "
-                           "the program does not return. Add {2}."}},
+    .messages = {{"plain",
+                  "Missing {2}: {0} calls {1}, and a path through {1} ends after this block without it, so "
+                  "that the program does not return.",
+                  "Add {2} after this block."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)
 G65P9456Z-5.

@@ -23,8 +23,9 @@ extern const Rule program_not_found{
            "declares the folder complete, or where the call means a program of the same file.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"plain", "'{0}' calls a program that is not among the programs of this control. Add it, or "
-                           "correct the call."}},
+    .messages = {{"plain",
+                  "Program not found: '{0}' calls a program that is not among the programs of this control.",
+                  "Add it, or correct the call."}},
     .bad = {{"fanuc",
              R"nc(
 O9402(MAIN)

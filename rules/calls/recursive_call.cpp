@@ -25,11 +25,13 @@ extern const Rule recursive_call{
     .precision = Precision::high,
     .data_flow = true,
     .messages = {{"plain",
-                  "'{0}' calls {1} again, from which it was called: {2}. The control runs out of call "
-                  "levels; use a loop."},
+                  "Recursive call: '{0}' calls {1} again, from which it was called ({2}), until the control "
+                  "runs out of call levels.",
+                  "Use a loop."},
                  {"self",
-                  "'{0}' calls {1}, the very program it stands in. The control runs out of call levels; "
-                  "use a loop, or give this program another number when another one is meant."}},
+                  "Recursive call: '{0}' calls {1}, the very program it stands in, until the control runs "
+                  "out of call levels.",
+                  "Use a loop, or give this program another number when another one is meant."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)
 G65P9412

@@ -18,9 +18,11 @@ extern const Rule assign_vs_compare{
            "stores nothing.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"condition", "'{0}' stores a value where one is to be compared. Write '{1}'."},
+    .messages = {{"condition", "Assignment in a condition: '{0}' stores a value where one is to be compared.",
+                  "Write '{1}'."},
                  {"assignment",
-                  "'{0}' compares where a value is to be stored, and stores nothing. Write '{1}'."}},
+                  "Comparison as a block: '{0}' compares where a value is to be stored, and stores nothing.",
+                  "Write '{1}'."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 INPUT("Size",#l1)

@@ -16,8 +16,8 @@ extern const Rule block_must_be_alone{
            "leaves out the rest of the block.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"plain",
-                  "'{0}' must stand alone in its block. Move what stands beside it to a block of its own."}},
+    .messages = {{"plain", "Block shared with other words: '{0}' must stand alone.",
+                  "Move what stands beside it to a block of its own."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 INPUT("Diameter",#l1)

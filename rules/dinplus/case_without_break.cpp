@@ -22,8 +22,8 @@ extern const Rule case_without_break{
            "next branch may run, too.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"plain", "The branch of '{0}' runs into '{1}' in line {2}: no BREAK ends it. Add BREAK "
-                           "after its last block."}},
+    .messages = {{"plain", "Missing BREAK: the branch of '{0}' runs into '{1}' in line {2}.",
+                  "Add BREAK after its last block."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 INPUT("Size",#l1)

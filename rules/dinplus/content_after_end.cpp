@@ -19,8 +19,8 @@ extern const Rule content_after_end{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::sections},
-    .messages = {{"plain",
-                  "'{0}' stands after {1} in line {2} and never runs. Move it before, or remove it."}},
+    .messages = {{"plain", "Block after the end: '{0}' stands after {1} in line {2} and never runs.",
+                  "Move it before {1}, or remove it."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 G14 Q0

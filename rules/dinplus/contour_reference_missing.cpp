@@ -22,10 +22,10 @@ extern const Rule contour_reference_missing{
     .severity = Severity::error,
     .precision = Precision::high,
     .needs = {Capability::block_references},
-    .messages =
-        {{"missing", "'{0}' names N{1}, which does not exist. Correct the number."},
-         {"elsewhere",
-          "'{0}' names N{1}, which stands in {2} and is no part of a contour. Name a block of the contour."}},
+    .messages = {{"missing", "Missing contour block: '{0}' names N{1}, which does not exist.",
+                  "Correct the number."},
+                 {"elsewhere", "Reference outside the contour: '{0}' names N{1}, which stands in {2}.",
+                  "Name a block of the contour."}},
     .bad = {{"dinplus", R"nc(
 BLANK
 N1 G20 X60 Z80 K1

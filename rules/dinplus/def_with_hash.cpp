@@ -17,8 +17,8 @@ extern const Rule def_with_hash{
            "NDEF(#l1).",
     .severity = Severity::warning,
     .precision = Precision::very_high,
-    .messages = {{"cure", "'{0}' takes the name without #. Write '{1}'."},
-                 {"plain", "'{0}' takes the name without #. Remove it."}},
+    .messages = {{"cure", "Name with #: '{0}' takes the name without it.", "Write '{1}'."},
+                 {"plain", "Name with #: '{0}' takes the name without it.", "Remove the #."}},
     .bad = {{"dinplus", R"nc(
 %FACE.ncs
 MACHINING

@@ -15,10 +15,10 @@ extern const Rule g920_not_reset{
     .facts = dataflow::facts<dataflow::ModalWrite, dataflow::CallMade, dataflow::ExitState, dataflow::Store,
                              dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"every-path", "'{0}' is still active when the program ends. Cancel it with {1} first."},
-                 {"some-paths",
-                  "'{0}' is still active on some of the paths on which the program ends. Cancel "
-                  "it with {1} on those, too."}},
+    .messages = {{"every-path", "Code '{0}' is still active when the program ends.",
+                  "Write {1} before the end."},
+                 {"some-paths", "Code '{0}' is still active on some of the paths on which the program ends.",
+                  "Write {1} on those, too."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 T12

@@ -21,9 +21,11 @@ extern const Rule if_unbalanced{
            "were to run in any case.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"never-closed", "'{0}' has no ENDIF. Add it after the last block of the branch."},
-                 {"never-opened", "'{0}' belongs to no IF. Remove it, or add the IF."},
-                 {"crossed", "'{0}' ends the branch while '{1}' of line {2} is still open. End that first."}},
+    .messages = {{"never-closed", "Missing ENDIF: '{0}' is never closed.",
+                  "Add ENDIF after the last block of the branch."},
+                 {"never-opened", "ENDIF without IF: '{0}' belongs to none.", "Remove it, or add the IF."},
+                 {"crossed", "Crossed blocks: '{0}' ends the branch while '{1}' of line {2} is still open.",
+                  "End that first."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 INPUT("Diameter",#l1)

@@ -28,10 +28,12 @@ extern const Rule loop_variable_uninitialised{
     .data_flow = true,
     .messages =
         {{"plain",
-          "The loop counts in {0}, which the program has not set before. Set it in front of the loop."},
+          "Loop variable without a value: the loop counts in {0}, which the program has not set before.",
+          "Set {0} before the loop."},
          {"some-paths",
-          "The loop counts in {0}, which the program has not set on every path to the loop. Set "
-          "it in front of the loop."}},
+          "Loop variable without a value: the loop counts in {0}, which the program has not set on every "
+          "path to the loop.",
+          "Set {0} before the loop."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 WHILE #c4<10

@@ -21,9 +21,10 @@ extern const Rule m99_target{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::sequence_numbers},
-    .messages = {{"missing", "'{0}' restarts at N{1}, which does not exist. Correct the number."},
-                 {"elsewhere",
-                  "'{0}' restarts at N{1}, which stands in {2}. Name a block of the machining part."}},
+    .messages = {{"missing", "Missing restart block: '{0}' restarts at N{1}, which does not exist.",
+                  "Correct the number."},
+                 {"elsewhere", "Restart outside the machining: '{0}' restarts at N{1}, which stands in {2}.",
+                  "Name a block of the machining part."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 G14 Q0

@@ -22,8 +22,8 @@ extern const Rule missing_end{
     .severity = Severity::error,
     .precision = Precision::high,
     .needs = {Capability::sections},
-    .messages = {{"plain", "The program is not closed: {0} is missing after this block. Add it, or look for "
-                           "the rest of the file."}},
+    .messages = {{"plain", "Missing {0}: the program is not closed after this block.",
+                  "Add {0}, or look for the rest of the file."}},
     .bad = {{"dinplus", R"nc(
 %PIN.nc
 MACHINING

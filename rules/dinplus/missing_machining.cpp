@@ -20,8 +20,8 @@ extern const Rule missing_machining{
     .severity = Severity::error,
     .precision = Precision::high,
     .needs = {Capability::sections},
-    .messages = {{"plain", "The program has no section {0}, so nothing of it is run. Add the word before the "
-                           "first block of the machining."}},
+    .messages = {{"plain", "Missing section {0}: nothing of this program is run.",
+                  "Add the word before the first block of the machining."}},
     .bad = {{"dinplus", R"nc(
 BLANK
 N1 G20 X50 Z80

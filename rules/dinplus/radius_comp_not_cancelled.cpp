@@ -31,11 +31,12 @@ extern const Rule radius_comp_not_cancelled{
     .facts = dataflow::facts<dataflow::BeforeToolChange, dataflow::BeforeWatchedWord, dataflow::ModalWrite,
                              dataflow::CallMade, dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"tool", "'{0}' is still active at '{2}' in line {3}. Cancel it with {1} before."},
-                 {"every-path", "'{0}' is still active when the program ends. Cancel it with {1} first."},
-                 {"some-paths",
-                  "'{0}' is still active on some of the paths on which the program ends. Cancel "
-                  "it with {1} on those, too."}},
+    .messages = {{"tool", "Radius compensation left on: '{0}' is still active at '{2}' in line {3}.",
+                  "Write {1} before line {3}."},
+                 {"every-path", "Radius compensation left on: '{0}' is still active when the program ends.",
+                  "Write {1} before the end."},
+                 {"some-paths", "Radius compensation left on: '{0}' is active on some paths to the end.",
+                  "Write {1} on those, too."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 T2

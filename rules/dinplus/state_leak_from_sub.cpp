@@ -25,10 +25,12 @@ extern const Rule state_leak_from_sub{
     .facts = dataflow::facts<dataflow::ModalWrite, dataflow::CallMade, dataflow::ExitState, dataflow::Store,
                              dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"every-path", "'{0}' is still active when the subprogram returns, and the caller goes on "
-                                "with it. Cancel it with {1} before RETURN."},
-                 {"some-paths", "'{0}' is still active on some of the paths on which the subprogram returns. "
-                                "Cancel it with {1} on those, too."}},
+    .messages = {{"every-path",
+                  "Code '{0}' is still active when the subprogram returns, and the caller goes on with it.",
+                  "Write {1} before RETURN."},
+                 {"some-paths",
+                  "Code '{0}' is still active on some of the paths on which the subprogram returns.",
+                  "Write {1} on those, too."}},
     .bad = {{"dinplus", R"nc(
 %SEAT.ncs
 MACHINING

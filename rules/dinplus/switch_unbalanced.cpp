@@ -19,10 +19,12 @@ extern const Rule switch_unbalanced{
            "nothing else: it does not leave a loop.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"never-closed", "'{0}' has no ENDSWITCH. Add it after the last branch."},
-                 {"never-opened", "'{0}' belongs to no SWITCH. Remove it, or add the SWITCH."},
-                 {"crossed",
-                  "'{0}' ends the branches while '{1}' of line {2} is still open. End that first."}},
+    .messages = {{"never-closed", "Missing ENDSWITCH: '{0}' is never closed.",
+                  "Add ENDSWITCH after the last branch."},
+                 {"never-opened", "ENDSWITCH without SWITCH: '{0}' belongs to none.",
+                  "Remove it, or add the SWITCH."},
+                 {"crossed", "Crossed blocks: '{0}' ends the branches while '{1}' of line {2} is still open.",
+                  "End that first."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 INPUT("Size",#l1)

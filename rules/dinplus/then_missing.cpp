@@ -10,7 +10,7 @@ extern const Rule then_missing{
     .why = "Without THEN the control does not know where the branch begins.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"plain", "No THEN follows '{0}'. Add THEN in a block of its own."}},
+    .messages = {{"plain", "Missing THEN: none follows '{0}'.", "Add THEN in a block of its own."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 INPUT("Diameter",#l1)

@@ -30,9 +30,12 @@ extern const Rule transfer_value_unchecked{
     .facts = dataflow::facts<dataflow::Read, dataflow::Comparison>(),
     .data_flow = true,
     .messages = {{"unchecked",
-                  "{0} is used here, but the call in {1} leaves it out. Ask with DEF or NDEF first."},
-                 {"zero-test", "'{2}' does not tell a value left out, as by the call in {1}, from a "
-                               "0 that is passed. Ask with NDEF."}},
+                  "Transfer value left out: {0} is used here, but the call in {1} does not pass it.",
+                  "Ask with DEF or NDEF first, or pass it."},
+                 {"zero-test",
+                  "Transfer value tested for 0: '{2}' does not tell a value left out, as by the call in {1}, "
+                  "from a 0 that is passed.",
+                  "Ask with NDEF."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 L"CHAMFER" LA50

@@ -11,9 +11,9 @@ extern const Rule transfer_value_unknown{
     .severity = Severity::warning,
     .precision = Precision::very_high,
     .needs = {Capability::named_arguments},
-    .messages = {{"cure", "No word of a call passes a value to '{0}'. Write '{1}'."},
-                 {"plain", "No word of a call passes a value to '{0}'. Use one of the transfer letters, for "
-                           "instance '#__lh'."}},
+    .messages = {{"cure", "Unknown transfer value: no word of a call sets '{0}'.", "Write '{1}'."},
+                 {"plain", "Unknown transfer value: no word of a call sets '{0}'.",
+                  "Use one of the transfer letters, for instance '#__lh'."}},
     .bad = {{"dinplus", R"nc(
 %DWELL.ncs
 MACHINING

@@ -18,11 +18,14 @@ extern const Rule unit_unbalanced{
     .why = "A unit reaches up to its END_OF_UNIT: without it, what follows counts as a part of the unit.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"never-closed", "'{0}' has no END_OF_UNIT. Add it after the last block of the unit."},
-                 {"never-opened", "'{0}' ends no unit. Remove it, or add the UNIT that it belongs to."},
-                 {"nested",
-                  "'{0}' stands inside the unit of line {1}, and units do not nest. End that one first."},
-                 {"crossed", "'{0}' ends the unit while '{1}' of line {2} is still open. End that first."}},
+    .messages = {{"never-closed", "Missing END_OF_UNIT: '{0}' is never closed.",
+                  "Add END_OF_UNIT after the last block of the unit."},
+                 {"never-opened", "END_OF_UNIT without UNIT: '{0}' belongs to none.",
+                  "Remove it, or add the UNIT."},
+                 {"nested", "Units do not nest: '{0}' stands inside the unit of line {1}.",
+                  "End that one first."},
+                 {"crossed", "Crossed blocks: '{0}' ends the unit while '{1}' of line {2} is still open.",
+                  "End that first."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N1 UNIT ID"START"

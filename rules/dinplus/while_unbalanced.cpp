@@ -19,9 +19,12 @@ extern const Rule while_unbalanced{
            "with an error.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"never-closed", "'{0}' has no ENDWHILE. Add it after the last block of the loop."},
-                 {"never-opened", "'{0}' ends no loop. Remove it, or add the WHILE."},
-                 {"crossed", "'{0}' ends the loop while '{1}' of line {2} is still open. End that first."}},
+    .messages = {{"never-closed", "Missing ENDWHILE: '{0}' is never closed.",
+                  "Add ENDWHILE after the last block of the loop."},
+                 {"never-opened", "ENDWHILE without WHILE: '{0}' belongs to none.",
+                  "Remove it, or add the WHILE."},
+                 {"crossed", "Crossed blocks: '{0}' ends the loop while '{1}' of line {2} is still open.",
+                  "End that first."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 #l1=0

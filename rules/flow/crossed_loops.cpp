@@ -22,8 +22,8 @@ extern const Rule crossed_loops{
     .precision = Precision::very_high,
     .needs = {Capability::loop_numbers},
     .messages = {{"plain",
-                  "'{0}' ends its loop while the loop of '{1}' inside it is still open. Exchange the "
-                  "two ENDs."}},
+                  "Crossed loops: '{0}' ends its loop while the loop of '{1}' inside it is still open.",
+                  "Exchange the two ENDs."}},
     .bad = {{"fanuc", R"nc(
 O9316(GRID)
 #100=0

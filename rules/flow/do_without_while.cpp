@@ -20,8 +20,8 @@ extern const Rule do_without_while{
     .precision = Precision::very_high,
     .data_flow = true,
     .stands_without_path = true,
-    .messages = {{"plain", "The loop of '{0}' has no condition and no exit, so it never ends. Give it a "
-                           "WHILE, or leave it with IF and GOTO."}},
+    .messages = {{"plain", "Endless loop: '{0}' has no condition, and nothing leaves the loop.",
+                  "Give it a WHILE, or leave it with IF and GOTO."}},
     .bad = {{"fanuc", R"nc(
 O9318(WARM UP)
 DO1

@@ -18,8 +18,8 @@ extern const Rule end_without_do{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::loop_numbers},
-    .messages = {{"plain",
-                  "'{0}' closes no loop, and the control stops here. Remove it, or correct its number."}},
+    .messages = {{"plain", "END without DO: '{0}' closes no loop, and the control stops here.",
+                  "Remove it, or correct its number."}},
     .bad = {{"fanuc", R"nc(
 O9313(ROW)
 #100=5

@@ -24,8 +24,9 @@ extern const Rule jump_into_loop{
     .data_flow = true,
     .stands_without_path = true,
     .messages = {{"plain",
-                  "'{0}' enters the loop of '{1}' (line {2}) from outside, which the control forbids. "
-                  "Jump to the block of the loop's beginning instead."}},
+                  "Jump into a loop: '{0}' enters the loop of '{1}' (line {2}) from outside, which the "
+                  "control forbids.",
+                  "Jump to a block before line {2} instead."}},
     .bad = {{"fanuc", R"nc(
 O9303(ROW)
 #100=0

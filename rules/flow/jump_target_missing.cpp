@@ -1,5 +1,6 @@
 //! MAC301: a jump to nowhere.
 #include "analyzer/dataflow/facts/computed_jump.hpp"
+#include "analyzer/queries/sequence_numbers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -27,15 +28,16 @@ extern const Rule jump_target_missing{
     .data_flow = true,
     .stands_without_path = true,
     .messages =
-        {{"constant", "'{0}' jumps to N{1}, which this program does not have. Add the sequence number, or "
-                      "correct the jump."},
-         {"named",
-          "'{0}' jumps to '{1}', a label that this program does not have where the control looks for it. Add "
-          "the label, or correct the jump."},
-         {"computed", "'{0}' jumps to N{1} here, which this program does not have. Check the value before "
-                      "the jump."},
-         {"impossible",
-          "'{0}' jumps to N{1}, but sequence numbers go from 1 to 99999999. Correct the jump."}},
+        {{"constant", "Missing sequence number: '{0}' finds no N{1} in this program.",
+          "Add N{1}, or correct the jump; nearest: {2}."},
+         {"no-numbers", "Missing sequence number: '{0}' finds no N{1} in this program, which has none.",
+          "Correct the jump, or give its target a number."},
+         {"named", "Missing label: '{0}' finds no '{1}' where the control looks for it.",
+          "Add the label, or correct the jump."},
+         {"computed", "Missing sequence number: '{0}' goes to N{1} here, which this program does not have.",
+          "Check the value before the jump; nearest: {2}."},
+         {"impossible", "Impossible sequence number: '{0}' jumps to N{1}, but they go from 1 to 99999999.",
+          "Correct the jump."}},
     .bad = {{"fanuc", R"nc(
 O9301(CHECK)
 IF[#100EQ1]GOTO70
@@ -70,28 +72,57 @@ std::string_view message_for(const Label& label) {
     return can_exist(*number) ? "constant" : "impossible";
 }
 
-std::string number_word(double number) { return std::to_string(static_cast<long long>(number)); }
+/// Finds what stands near a number in one program, whose blocks are read when a first one is missing.
+class Nearby {
+  public:
+    explicit Nearby(const ProgramAnalysis& analysis)
+        : analysis_(&analysis) {}
+
+    /// "N5 (line 56) and N8 (line 70)"; empty: the program has no numbers.
+    [[nodiscard]] std::string operator()(std::int64_t number) {
+        if (!numbers_) numbers_ = queries::find_sequence_numbers(analysis_->program());
+        std::string words;
+        for (const queries::SequenceNumber& block : queries::find_neighbours(*numbers_, number))
+            words += (words.empty() ? "N" : " and N") + std::to_string(block.number) + " (line " +
+                     line_number(analysis_->file(), block.at) + ")";
+        return words;
+    }
+
+  private:
+    const ProgramAnalysis* analysis_;
+    std::optional<std::vector<queries::SequenceNumber>> numbers_;
+};
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    const auto missing = [&](flow::NodeId node, EffectId jump, std::string_view message, std::string number) {
+    Nearby nearby(analysis);
+    const auto missing = [&](flow::NodeId node, EffectId jump, std::string_view message, std::string number,
+                             std::string near) {
         const Span span = program.effects[jump].span;
-        Finding& finding =
-            reporter.report({analysis, jump}, span, message, {quoted(program, span), std::move(number)});
+        if (near.empty() && message != "named" && message != "impossible") message = "no-numbers";
+        std::vector<std::string> words{quoted(program, span), std::move(number)};
+        if (!near.empty()) words.push_back(std::move(near));
+        Finding& finding = reporter.report({analysis, jump}, span, message, std::move(words));
         trace(finding, analysis, node, "there is no such sequence number");
     };
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
         const auto& effect = std::get<Jump>(program.effects[jump.jump].what);
         if (!jump.label || jump.target || effect.missing == MissingLabel::skip) continue;
-        missing(jump.node, jump.jump, message_for(*jump.label),
-                quoted(program, program.expressions[effect.target].span));
+        const std::string_view message = message_for(*jump.label);
+        const auto* number = std::get_if<std::int64_t>(&*jump.label);
+        if (message == "constant")
+            missing(jump.node, jump.jump, message, std::to_string(*number), nearby(*number));
+        else
+            missing(jump.node, jump.jump, message, quoted(program, program.expressions[effect.target].span),
+                    "");
     }
     for (const dataflow::ComputedJump& jump : analysis.facts().all<dataflow::ComputedJump>()) {
         const auto number = jump.target.constant();
         constexpr double most = 1e15;
         if (!number || std::abs(*number) > most) continue;
-        if (!analysis.graph().has_label(std::llround(*number)))
-            missing(jump.node, jump.effect, "computed", number_word(std::round(*number)));
+        const std::int64_t rounded = std::llround(*number);
+        if (!analysis.graph().has_label(rounded))
+            missing(jump.node, jump.effect, "computed", std::to_string(rounded), nearby(rounded));
     }
 }
 

@@ -20,7 +20,8 @@ extern const Rule loop_number_out_of_range{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::loop_numbers},
-    .messages = {{"plain", "'{0}' uses a loop number that the control does not have. Use {1} to {2}."}},
+    .messages = {{"plain", "Loop number out of range: '{0}' uses one that the control does not have.",
+                  "Use {1} to {2}."}},
     .bad = {{"fanuc", R"nc(
 O9314(ROW)
 #100=0

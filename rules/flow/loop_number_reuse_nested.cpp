@@ -19,8 +19,8 @@ extern const Rule loop_number_reuse_nested{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::loop_numbers},
-    .messages = {{"plain", "'{0}' uses the number of a loop that is still open. Give the inner loop another "
-                           "number."}},
+    .messages = {{"plain", "Loop number used twice: '{0}' uses the number of a loop that is still open.",
+                  "Give the inner loop another number."}},
     .bad = {{"fanuc", R"nc(
 O9317(GRID)
 #100=0

@@ -21,8 +21,8 @@ extern const Rule loops_nested_too_deep{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::loop_numbers},
-    .messages = {{"plain", "'{0}' opens loop level {1}, and the control has {2}. Move the inner loop into a "
-                           "macro of its own."}},
+    .messages = {{"plain", "Loops nested too deep: '{0}' opens level {1}, and the control has {2}.",
+                  "Move the inner loop into a macro of its own."}},
     .bad = {{"fanuc", R"nc(
 O9315(BLOCK)
 #100=0

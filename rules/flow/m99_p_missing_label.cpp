@@ -24,12 +24,12 @@ extern const Rule m99_p_missing_label{
     .facts = dataflow::facts<dataflow::ExitState>(),
     .data_flow = true,
     .stands_without_path = true,
-    .messages = {{"plain",
-                  "'{0}' returns to N{1}, which the caller {2} does not have. Add the sequence number "
-                  "there, or return without P."},
+    .messages = {{"plain", "Missing return block: '{0}' returns to N{1}, which the caller {2} does not have.",
+                  "Add the sequence number there, or return without P."},
                  {"uncalled",
-                  "Nobody calls this program, so that '{0}' goes on at its own N{1}, which it does "
-                  "not have. Add the sequence number, or correct it."}},
+                  "Missing sequence number: nobody calls this program, so '{0}' goes on at its own N{1}, "
+                  "which it does not have.",
+                  "Add the sequence number, or correct it."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)
 M98P9333

@@ -10,7 +10,7 @@ extern const Rule while_without_do{
     .why = "The control stops with a format alarm; the END further down belongs to nothing.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"plain", "'{0}' lacks its DO, and the control stops here. Add DO1 at its end."}},
+    .messages = {{"plain", "Missing DO: '{0}' has none, and the control stops here.", "Add DO1 at its end."}},
     .bad = {{"fanuc", R"nc(
 O9311(ROW)
 #100=0

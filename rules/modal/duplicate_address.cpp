@@ -31,13 +31,15 @@ extern const Rule duplicate_address{
     .messages =
         {{"twice",
           "Address {0} stands twice in one block: the control takes '{2}' and passes '{1}' over, or stops "
-          "with alarm 5074. Remove the word that is not meant, or write two blocks."},
+          "with alarm 5074.",
+          "Remove the word that is not meant, or write two blocks."},
          {"same",
-          "Address {0} stands twice in one block, both times as '{1}': some controls stop with alarm 5074. "
+          "Address {0} stands twice in one block, both times as '{1}': some controls stop with alarm 5074.",
           "Remove one of the two."},
          {"several",
           "Addresses {0} stand twice in one block: the control takes the last word of each, or stops with "
-          "alarm 5074. Write two blocks if a line end was lost."}},
+          "alarm 5074.",
+          "Write two blocks if a line end was lost."}},
     .bad = {{"fanuc", R"nc(
 O9559(EDGE)
 G90 G1 X10. Y20. F200.

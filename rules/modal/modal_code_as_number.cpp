@@ -28,9 +28,10 @@ extern const Rule modal_code_as_number{
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::ModalRead, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"copy", "'{0}' calculates with '{1}', which holds '{2}', a G code ({3}). Use the variable "
-                          "that is meant."},
-                 {"direct", "'{0}' calculates with '{1}', a G code ({2}). Use the variable that is meant."}},
+    .messages = {{"copy", "G code used as a number: '{0}' calculates with '{1}', a copy of '{2}' ({3}).",
+                  "Use the variable that is meant."},
+                 {"direct", "G code used as a number: '{0}' calculates with '{1}' ({2}).",
+                  "Use the variable that is meant."}},
     .bad = {{"fanuc", R"nc(
 O9574(ELLIPSE POINT, A ANGLE D HEIGHT)
 #3=#4003

@@ -27,10 +27,10 @@ extern const Rule modal_group_conflict{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::exclusive_words},
-    .messages =
-        {{"plain",
-          "Codes '{0}' and '{1}' are of one modal group ({2}): the whole block runs under '{1}', or stops "
-          "with alarm 5074. Remove the one that is not meant, or write two blocks."}},
+    .messages = {{"plain",
+                  "Codes '{0}' and '{1}' are of one modal group ({2}): the whole block runs under '{1}', or "
+                  "stops with alarm 5074.",
+                  "Remove the one that is not meant, or write two blocks."}},
     .bad = {{"fanuc", R"nc(
 O9514(FACE)
 G90 G0 X10. Y20.

@@ -28,8 +28,10 @@ extern const Rule modal_state_forced{
     .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
                              dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"forced", "'{0}' is in force when the program returns, whatever the caller's {1} was. "
-                            "Save it at the start and put it back before M99."}},
+    .messages =
+        {{"forced",
+          "Caller's {1} not restored: '{0}' is in force when the program returns, whatever it was before.",
+          "Save it at the start and put it back before M99."}},
     .bad = {{"fanuc", R"nc(
 O9518(UP)
 G90 G0 Z10.

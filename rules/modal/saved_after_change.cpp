@@ -32,8 +32,10 @@ extern const Rule saved_after_change{
     .facts =
         dataflow::facts<dataflow::ModalRead, dataflow::ModalWrite, dataflow::ExitState, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"own", "'{0}' saves the {1} after '{2}' has changed it: '{3}' puts back this program's "
-                         "value, not the caller's. Save it first."}},
+    .messages = {{"own",
+                  "Saved too late: '{0}' saves the {1} after '{2}' has changed it, so '{3}' puts back this "
+                  "program's value, not the caller's.",
+                  "Save it before '{2}'."}},
     .bad = {{"fanuc", R"nc(
 O9517(UP)
 G91

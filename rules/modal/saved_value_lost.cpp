@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"
+#include "analyzer/queries/free_variable.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -28,7 +29,10 @@ extern const Rule saved_value_lost{
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::ModalWrite, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"overwritten", "'{0}' overwrites the {1} that {2} keeps for '{3}'. Use another variable."}},
+    .messages = {{"overwritten", "Saved value overwritten: '{0}' loses the {1} that {2} keeps for '{3}'.",
+                  "Use a variable that is free, such as {4}."},
+                 {"none-free", "Saved value overwritten: '{0}' loses the {1} that {2} keeps for '{3}'.",
+                  "Use another variable."}},
     .bad = {{"fanuc", R"nc(
 O9506(UP, K STEP)
 #33=#4003
@@ -101,10 +105,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (is_put_back(analysis, *variable, saved->source.expression)) continue;
         const Span span = program.effects[store->effect].span;
         const Span word = program.effects[write.effect].span;
-        Finding& finding = reporter.report({analysis, store->effect}, span, "overwritten",
-                                           {quoted(program, span),
-                                            std::string(analysis.control().groups[*saved->source.group].name),
-                                            program.spell(*variable), quoted(program, word)});
+        std::vector<std::string> words{quoted(program, span),
+                                       std::string(analysis.control().groups[*saved->source.group].name),
+                                       program.spell(*variable), quoted(program, word)};
+        const auto other = queries::find_free_local(analysis);
+        if (other) words.push_back(program.spell(*other));
+        Finding& finding = reporter.report({analysis, store->effect}, span,
+                                           other ? "overwritten" : "none-free", std::move(words));
         trace(finding, analysis, saved->node,
               {analysis.source(), program.expressions[saved->source.expression].span, "it is saved here"},
               store->node, "and overwritten here");

@@ -16,8 +16,8 @@ extern const Rule bracket_depth{
     .precision = Precision::very_high,
     .messages =
         {{"plain",
-          "'{0}' opens one bracket level more than the manual of the control allows. Compute a part of "
-          "the expression in a block before."}},
+          "Brackets nested too deep: '{0}' opens one level more than the manual of the control allows.",
+          "Compute a part of the expression in a block before."}},
     .bad = {{"fanuc", R"nc(
 O9701(DEEP)
 #100=SIN[[[[[[#101]]]]]]

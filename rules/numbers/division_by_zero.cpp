@@ -31,13 +31,11 @@ extern const Rule division_by_zero{
     .precision = Precision::very_high,
     .facts = dataflow::facts<dataflow::Application, dataflow::Condition, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"zero",
-                  "'{0}' divides by '{1}', which is always 0 here. Correct the divisor, or divide only "
-                  "where it is not 0."},
-                 {"number", "'{0}' divides by 0. Correct the divisor."},
-                 {"vacant",
-                  "'{0}' divides by '{1}', which is always vacant here and counts as 0. Correct the "
-                  "divisor, or divide only where it is set and not 0."}},
+    .messages = {{"zero", "Division by 0: '{0}' divides by '{1}', which is always 0 here.",
+                  "Correct the divisor, or divide only where it is not 0."},
+                 {"number", "Division by 0: '{0}' can have no value.", "Correct the divisor."},
+                 {"vacant", "Division by a vacant variable: '{0}' divides by '{1}', which counts as 0.",
+                  "Correct the divisor, or divide only where it is set and not 0."}},
     .bad = {{"fanuc", R"nc(
 O9702(HOLES ON A CIRCLE, A NUMBER)
 #5=0

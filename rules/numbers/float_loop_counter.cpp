@@ -23,12 +23,14 @@ extern const Rule float_loop_counter{
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::Store, dataflow::Comparison>(),
     .data_flow = true,
-    .messages = {{"step", "'{0}' adds a rounding error in every pass, and '{1}' decides on the last one: "
-                          "that pass may be missing or come once too often. Count whole passes, or add "
-                          "half a step to the bound."},
-                 {"never-met", "'{0}' adds a rounding error in every pass, so that the counter may never be "
-                               "exactly the bound of '{1}'. Ask whether the bound is passed, not whether it "
-                               "is met."}},
+    .messages = {{"step",
+                  "Rounded loop counter: '{0}' adds a rounding error in every pass, so the last pass by "
+                  "'{1}' may be missing or come once too often.",
+                  "Count whole passes, or add half a step to the bound."},
+                 {"never-met",
+                  "Rounded loop counter: '{0}' adds a rounding error in every pass, so the counter may never "
+                  "be exactly the bound of '{1}'.",
+                  "Ask whether the bound is passed, not whether it is met."}},
     .bad = {{"fanuc", R"nc(
 O9711(ROWS)
 #33=0

@@ -12,7 +12,8 @@ extern const Rule assignment_to_null_variable{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::vacancy},
-    .messages = {{"plain", "'{0}' is always vacant and cannot be assigned. Use another variable."}},
+    .messages = {{"plain", "Assignment to the null variable: '{0}' is always vacant and cannot be set.",
+                  "Use another variable."}},
     .bad = {{"fanuc", R"nc(
 O9201(CLEAR)
 #0=5

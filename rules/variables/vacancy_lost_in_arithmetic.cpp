@@ -25,11 +25,13 @@ extern const Rule vacancy_lost_in_arithmetic{
     .data_flow = true,
     .messages =
         {{"never-vacant",
-          "Vacancy test of a result: '{0}' is never true, because arithmetic in '{1}' takes vacant for "
-          "0. Compare with 0 if zero was meant, or test the variable itself before the calculation."},
+          "Vacancy test of a calculated value: '{0}' is never true, because '{1}' comes from arithmetic, "
+          "which takes vacant for 0.",
+          "Write EQ 0 if zero was meant, or test the variable itself with EQ #0 before the calculation."},
          {"always-set",
-          "Vacancy test of a result: '{0}' is always true, because arithmetic in '{1}' takes vacant for "
-          "0. Compare with 0 if zero was meant, or test the variable itself before the calculation."}},
+          "Vacancy test of a calculated value: '{0}' is always true, because '{1}' comes from arithmetic, "
+          "which takes vacant for 0.",
+          "Write NE 0 if zero was meant, or test the variable itself with NE #0 before the calculation."}},
     .bad = {{"fanuc", R"nc(
 O9222(FACE, K DEPTH)
 IF[[#6*1]EQ#0]GOTO9

@@ -30,8 +30,10 @@ extern const Rule vacant_in_relational_comparison{
     .off_reason = "arguments that may be left out, with 0 as their default, are a custom of many macros",
     .facts = dataflow::facts<dataflow::Read, dataflow::Comparison>(),
     .data_flow = true,
-    .messages = {{"passes",
-                  "'{0}' takes a missing {1} for 0, and {1} is used afterwards. Test it with EQ #0 first."}},
+    .messages =
+        {{"passes",
+          "Check passed by a missing argument: '{0}' takes a vacant {1} for 0, and {1} is used after it.",
+          "Test it with EQ #0 first."}},
     .bad = {{"fanuc", R"nc(
 O9221(PECK, K CLEARANCE)
 IF[#6LT0]GOTO9
@@ -89,7 +91,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (use == nullptr) continue;
         known.push_back(*variable);
         const Span span = program.expressions[comparison.expression].span;
-        const std::string name = program.spell(*variable);
+        const std::string name = with_letter(analysis, *variable);
         Finding& finding =
             reporter.report({analysis, comparison}, span, "passes", {quoted(program, span), name});
         trace(finding, analysis, value.vacancy_origin, name + " may be vacant from here on", comparison.node,

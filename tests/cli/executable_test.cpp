@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -252,7 +253,7 @@ TEST_F(Executable, ShowsNoMoreFindingsThanAskedButFailsForAll) {
     folder.write("O1001.nc", "%\nO1001\nIF[#500EQ1]GOTO98\nIF[#500EQ2]GOTO99\nM30\n%\n");
     const Finished finished = run({"--max-findings", "1", "--select", "MAC301"});
     EXPECT_EQ(finished.status, 1);
-    EXPECT_THAT(finished.out, HasSubstr("2 errors in 1 file (1 checked, 1 not shown)"));
+    EXPECT_THAT(finished.out, HasSubstr("2 errors in 1 file (1 checked, 1 not shown: see --max-findings)"));
     EXPECT_EQ(run({"--max-findings", "0"}).status, 1);
 }
 
@@ -330,12 +331,35 @@ TEST_F(Executable, ExplainsRulesAndGuessesMistypedOnes) {
     EXPECT_THAT(mistyped.err, HasSubstr("Did you mean 'jump-into-loop'?"));
 }
 
+TEST_F(Executable, ExplainsARuleByAPartOfItsCodeOrName) {
+    EXPECT_THAT(run({"explain", "220"}).out, HasSubstr("MAC220 zero-test-misses-vacant (variables"));
+    const Finished jumps = run({"explain", "Jump"});
+    EXPECT_EQ(jumps.status, 0);
+    EXPECT_THAT(jumps.out, AllOf(HasSubstr("MAC301 jump-target-missing"), HasSubstr("MAC303 jump-into-loop"),
+                                 HasSubstr("rules may be meant by 'Jump'.")));
+    EXPECT_THAT(run({"explain", "MAC3"}).out,
+                AllOf(HasSubstr("MAC301"), HasSubstr("MAC336"), Not(HasSubstr("MAC4"))));
+    EXPECT_EQ(run({"explain", "999"}).status, 2);
+}
+
+TEST_F(Executable, ExplainsWithTheLineMarkedTheSourcesResolvedAndLinesWrapped) {
+    const Finished page = run({"explain", "MAC301"});
+    EXPECT_THAT(page.out, HasSubstr("\n    O9301(CHECK)\n  > IF[#100EQ1]GOTO70\n    #100=1\n"));
+    EXPECT_THAT(page.out, HasSubstr("\n    NCT-188\n        NCT 99M/2000M, programmer's manual"));
+    std::istringstream lines(page.out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+    EXPECT_THAT(page.out, Not(HasSubstr("\x1B")));
+    EXPECT_THAT(run({"explain", "MAC301", "--color", "always"}).out,
+                HasSubstr("\x1B[1;31m> IF[#100EQ1]GOTO70\x1B[0m"));
+}
+
 TEST_F(Executable, ExplainsHowFarToTrustASourceAndHowEachLanguageAllowsARule) {
     EXPECT_THAT(run({"explain", "MAC506"}).out, HasSubstr("T (experience, not confirmed)"));
     EXPECT_THAT(
         run({"explain", "MAC462"}).out,
         AllOf(HasSubstr("T (experience, not confirmed): search order"),
-              HasSubstr("(MACLINT ALLOW MAC462 - REASON) or [MACLINT ALLOW MAC462 - REASON] (dinplus)")));
+              HasSubstr(
+                  "    (MACLINT ALLOW MAC462 - REASON)\n    [MACLINT ALLOW MAC462 - REASON] (dinplus)\n")));
     EXPECT_THAT(run({"explain", "DIN330"}).out, Not(HasSubstr("(MACLINT")));
 }
 
@@ -404,12 +428,40 @@ TEST_F(Executable, RefusesAControlOfAnotherLanguageThanTheDialectAskedFor) {
 
 TEST_F(Executable, CountsWhatItDoesNotShow) {
     folder.write("O1001.nc", "%\nO1001\nGOTO 97\nGOTO 98\nGOTO 99\nM30\n%\n");
-    EXPECT_EQ(run({"--max-findings", "0"}).out, "3 errors in 1 file (1 checked, 3 not shown)\n");
-    EXPECT_THAT(run({"--max-findings", "2"}).out, HasSubstr("3 errors in 1 file (1 checked, 1 not shown)\n"));
+    EXPECT_EQ(run({"--max-findings", "0"}).out,
+              "3 errors in 1 file (1 checked, 3 not shown: see --max-findings)\n");
+    EXPECT_THAT(run({"--max-findings", "2"}).out,
+                HasSubstr("3 errors in 1 file (1 checked, 1 not shown: see --max-findings)\n"));
     const auto report = nlohmann::json::parse(run({"--max-findings", "1", "--format", "json"}).out);
     EXPECT_EQ(report.at("findings").size(), 1U);
     EXPECT_EQ(report.at("summary").at("errors"), 3);
     EXPECT_EQ(report.at("summary").at("not_shown"), 2);
+}
+
+TEST_F(Executable, ShowsATerminalAHundredFindingsAndAFileAll) {
+    std::string text = "%\nO1001\n";
+    for (int i = 0; i < 130; ++i) text += "IF[#500EQ" + std::to_string(i) + "]GOTO98\n";
+    folder.write("O1001.nc", text + "M30\n%\n");
+    const auto count = [](const Finished& finished) {
+        std::size_t findings = 0;
+        for (std::size_t at = 0; (at = finished.out.find("error[MAC301]", at)) != std::string::npos; ++at)
+            ++findings;
+        return findings;
+    };
+    const auto on_terminal = [&](std::vector<std::string> arguments) {
+        return test::run_maclint_on_terminal(folder.path().string(), arguments, 60);
+    };
+    const Finished shown = on_terminal({"--color", "never"});
+    EXPECT_EQ(count(shown), 100U);
+    EXPECT_EQ(shown.status, 1);
+    EXPECT_THAT(shown.out, HasSubstr("130 errors in 1 file (1 checked, 30 not shown: see --max-findings)"));
+    std::istringstream lines(shown.out.substr(0, shown.out.find("130 errors")));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 60U) << line;
+    EXPECT_EQ(count(on_terminal({"--color", "never", "--max-findings", "all"})), 130U);
+    EXPECT_EQ(count(on_terminal({"--color", "never", "--format", "concise"})), 100U);
+    EXPECT_EQ(count(run({})), 130U);
+    EXPECT_EQ(nlohmann::json::parse(on_terminal({"--format", "json"}).out).at("findings").size(), 130U);
+    EXPECT_THAT(on_terminal({}).out, HasSubstr("\x1B[1;31m"));
 }
 
 TEST_F(Executable, SetsTheSeverityThatTheRuleItselfHas) {

@@ -1,6 +1,10 @@
 //! What people read: code frames, notes, paths, the summary.
+#include "cli/report/columns.hpp"
+#include "cli/report/limit.hpp"
 #include "cli/report/snippet.hpp"
 #include "tests/cli/reports.hpp"
+
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,21 +13,26 @@ namespace maclint::cli {
 namespace {
 
 using test::HandMade;
+using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
-using testing::SizeIs;
 
 constexpr TextStyle plain{Colour::plain, Summary::at_the_end};
 
-/// Text and marks of the only line.
+constexpr std::size_t wide = 110;
+
+/// Text and marks of a line.
 std::string line_of(const std::string& text, Span span) {
-    const auto lines = frame_of(Source::from_bytes("a.nc", text), span);
-    return lines.size() == 1 ? lines[0].text + "\n" + lines[0].marks : "not one line";
+    const CodeLine line = code_line(Source::from_bytes("a.nc", text), span, wide);
+    return line.text + "\n" + line.marks;
 }
 
-TEST(Frame, MarksAPartOfALine) { EXPECT_EQ(line_of("O1\n  GOTO 20\nM30", {5, 12}), "  GOTO 20\n  ^^^^^^^"); }
+TEST(Frame, MarksAPartOfALineWithoutItsIndent) {
+    EXPECT_EQ(line_of("O1\n  GOTO 20\nM30", {5, 12}), "GOTO 20\n^^^^^^^");
+}
 
-TEST(Frame, ExpandsTabs) { EXPECT_EQ(line_of("\tX1\tY2", {4, 6}), "    X1  Y2\n        ^^"); }
+TEST(Frame, ExpandsTabs) { EXPECT_EQ(line_of("\tX1\tY2", {4, 6}), "X1  Y2\n    ^^"); }
 
 TEST(Frame, CountsWideCharactersTwiceAndCombiningOnesNot) {
     EXPECT_EQ(line_of("(中文) X1", {9, 11}), "(中文) X1\n       ^^");
@@ -60,50 +69,131 @@ TEST(Frame, MarksAnEmptyPlaceAndTheEndOfALineWithOneCaret) {
 
 TEST(Frame, CutsALongLineAroundTheMarks) {
     const std::string text = std::string(500, 'X') + "GOTO 9" + std::string(500, 'Y');
-    const auto lines = frame_of(Source::from_bytes("a.nc", text), {500, 506});
-    ASSERT_THAT(lines, SizeIs(1));
-    EXPECT_THAT(lines[0].text, HasSubstr("XGOTO 9Y"));
-    EXPECT_LT(lines[0].text.size(), 130U);
-    EXPECT_EQ(lines[0].marks.find('^'), 31U);
+    const CodeLine line = code_line(Source::from_bytes("a.nc", text), {500, 506}, 40);
+    EXPECT_THAT(line.text, HasSubstr("XGOTO 9Y"));
+    EXPECT_EQ(columns_of(line.text), 40U);
+    EXPECT_EQ(columns_of(line.text.substr(0, line.text.find("GOTO"))), line.marks.find('^'));
+    EXPECT_EQ(line.marks.size() - line.marks.find('^'), 6U);
 }
 
-TEST(Frame, ShowsTheFirstAndTheLastOfManyLines) {
-    const std::string text = "L1\n  L2\n  L3\nL4\nL5\nL6\n";
-    const auto lines = frame_of(Source::from_bytes("a.nc", text), {0, 22});
-    ASSERT_THAT(lines, SizeIs(4));
-    EXPECT_EQ(lines[1].marks, "  ^^");
-    EXPECT_EQ(lines[2].number, 0U);
-    EXPECT_EQ(lines[3].number, 6U);
+TEST(Frame, CutsALongLineAtItsEndWhenThatIsMeant) {
+    const std::string text = std::string(500, 'X') + "GOTO";
+    const CodeLine line = code_line(Source::from_bytes("a.nc", text), {504, 504}, 40);
+    EXPECT_TRUE(line.text.starts_with("…X"));
+    EXPECT_TRUE(line.text.ends_with("XGOTO"));
+    EXPECT_EQ(line.marks, std::string(columns_of(line.text), ' ') + "^");
 }
 
-TEST(TextReport, ShowsMessagePlaceFrameAndNotes) {
-    HandMade made("O9100.nc", "O9100\nGOTO 20\nWHILE [#1 LT 5] DO1\nN20 G0\nEND1\nM30\n");
+TEST(Frame, LooksAtNoMoreOfALineThanItShows) {
+    // Wide enough that a look at the whole line for each of its blocks would take a minute.
+    std::string text;
+    while (text.size() < 50'000) text += "G1 X1.;";
+    const Source source = Source::from_bytes("a.nc", text);
+    for (Offset at = 0; at + 7 < text.size(); at += 7) {
+        const CodeLine line = code_line(source, {at, at + 2}, 40);
+        ASSERT_LE(columns_of(line.text), 40U);
+        ASSERT_EQ(line.marks.size() - line.marks.find('^'), 2U);
+    }
+}
+
+TEST(Frame, ShowsWhereASpanOfManyLinesBegins) { EXPECT_EQ(line_of("L1\n  L2\nL3\n", {1, 9}), "L1\n ^"); }
+
+TEST(Columns, TextIsWrappedBetweenWords) {
+    EXPECT_THAT(wrapped("one two three", 3, 9), ElementsAre("one", "two three"));
+    EXPECT_THAT(wrapped("one two three", 9, 5), ElementsAre("one two", "three"));
+    EXPECT_THAT(wrapped("a unbreakable b", 4, 4), ElementsAre("a", "unbreakable", "b"));
+    EXPECT_THAT(wrapped("中文 中", 4, 4), ElementsAre("中文", "中"));
+    EXPECT_THAT(wrapped("", 4, 4), ElementsAre(""));
+}
+
+TEST(TextReport, ShowsMessagePlaceAndRows) {
+    HandMade made("O9100.nc", "O9100\n  GOTO 20\nWHILE [#1 LT 5] DO1\nN20 G0\nEND1\nM30\n");
     Finding& finding = made.add("GOTO 20", Severity::error);
     finding.related.push_back({made.source(), made.place_of("N20"), "N20 is here"});
     EXPECT_EQ(write_text(made.report(), plain),
               "error[MAC002]: There is no rule 'GOTO 20'. See 'maclint rules' for the list.\n"
-              "  --> O9100.nc:2:1\n"
-              "   |\n"
+              "  --> O9100.nc:2:3\n"
               " 2 | GOTO 20\n"
               "   | ^^^^^^^\n"
-              "note: N20 is here\n"
-              "  --> O9100.nc:4:1\n"
-              "   |\n"
-              " 4 | N20 G0\n"
-              "   | ^^^\n"
+              " 4 | N20 G0      N20 is here\n"
+              "   = more: maclint explain MAC002\n"
               "\n"
               "1 error in 1 file (1 checked)\n");
 }
 
-TEST(TextReport, NumbersTheStepsOfAPathAndLeavesTheMiddleOfALongOneOut) {
+/// A finding at 'GOTO 4' with a path from line 2 over 3, and what happens in line 5 after it.
+HandMade with_path() {
+    HandMade made("O1.nc", "O1\nS200\nIF[#1EQ1]GOTO4\nGOTO 4\nN4 M99\n");
+    Finding& finding = made.add("GOTO 4", Severity::warning);
+    finding.path = {{made.source(), made.place_of("S200"), "S is set here"},
+                    {made.source(), made.place_of("#1EQ1"), "false"},
+                    {made.source(), finding.span, "it is here"}};
+    finding.related = {{made.source(), made.place_of("M99"), "the macro returns"}};
+    return made;
+}
+
+std::string rows_in(HandMade made, PathDetail detail) {
+    const std::string text = write_text(made.report(), {.path = detail});
+    const auto begin = text.find(" 4 |") == std::string::npos ? 0 : text.find('\n', text.find("-->")) + 1;
+    return text.substr(begin, text.find("   =") - begin);
+}
+
+TEST(TextReport, HasOneRowForEachLineInTheOrderOfThePath) {
+    EXPECT_EQ(rows_in(with_path(), PathDetail::full), " 2 | S200             S is set here\n"
+                                                      " 3 | IF[#1EQ1]GOTO4   false\n"
+                                                      " 4 | GOTO 4           it is here\n"
+                                                      "   | ^^^^^^\n"
+                                                      " 5 | N4 M99           the macro returns\n");
+    EXPECT_EQ(rows_in(with_path(), PathDetail::shortened), rows_in(with_path(), PathDetail::full));
+}
+
+TEST(TextReport, JoinsWhatIsSaidOfOneLine) {
+    HandMade made = with_path();
+    Finding& finding = made.report().findings.front().finding;
+    finding.path.insert(finding.path.begin() + 2, {made.source(), made.place_of("GOTO4"), "seen"});
+    EXPECT_THAT(rows_in(std::move(made), PathDetail::full), HasSubstr(" 3 | IF[#1EQ1]GOTO4   false; seen\n"));
+}
+
+TEST(TextReport, ShowsNoPathWhenNoneIsWanted) {
+    EXPECT_EQ(rows_in(with_path(), PathDetail::none), " 4 | GOTO 4      it is here\n   | ^^^^^^\n");
+}
+
+TEST(TextReport, NamesTheFileOfARowThatStandsElsewhere) {
     HandMade made("O1.nc", "O1\nM30\n");
+    const HandMade other("O2.nc", "O2\nG65 P1\n");
+    made.add("M30", Severity::warning).related = {
+        {other.source(), other.place_of("G65"), "called from here"}};
+    EXPECT_THAT(write_text(made.report(), plain),
+                HasSubstr("   | ^^^\n  ::: O2.nc:2:1\n 2 | G65 P1      called from here\n"));
+}
+
+TEST(TextReport, ShortensALongPathAndCountsWhatIsNotShown) {
+    std::string text = "O1\n";
+    for (int i = 0; i < 30; ++i) text += "G" + std::to_string(10 + i) + "\n";
+    HandMade made("O1.nc", text + "M30\n");
     Finding& finding = made.add("M30", Severity::warning);
-    for (int i = 0; i < 30; ++i) finding.path.push_back({made.source(), {0, 2}, "here"});
-    const std::string text = write_text(made.report(), plain);
-    EXPECT_THAT(text, HasSubstr("note: step 6 of 30: here"));
-    EXPECT_THAT(text, HasSubstr("note: 18 steps left out"));
-    EXPECT_THAT(text, Not(HasSubstr("step 7 of")));
-    EXPECT_THAT(text, HasSubstr("note: step 25 of 30: here"));
+    for (int i = 0; i < 30; ++i) {
+        const std::string block = "G" + std::to_string(10 + i);
+        finding.path.push_back({made.source(), made.place_of(block), "step " + std::to_string(i)});
+    }
+    finding.path.push_back({made.source(), finding.span, "end"});
+    const std::string shortened = write_text(made.report(), plain);
+    EXPECT_THAT(shortened, HasSubstr("step 0\n"));
+    EXPECT_THAT(shortened, HasSubstr("step 29\n"));
+    EXPECT_THAT(shortened, Not(HasSubstr("step 1\n")));
+    EXPECT_THAT(shortened, EndsWith("\n27 steps of paths not shown; --path full shows them\n"));
+    const std::string full = write_text(made.report(), {.path = PathDetail::full});
+    EXPECT_THAT(full, HasSubstr("step 15\n"));
+    EXPECT_THAT(full, Not(HasSubstr("not shown")));
+}
+
+TEST(TextReport, IsNoWiderThanItsWidth) {
+    HandMade made = with_path();
+    Finding& finding = made.report().findings.front().finding;
+    finding.arguments = {std::string(60, 'a') + " " + std::string(30, 'b')};
+    finding.path.front().text = "a remark with many words that has no room beside the code of its line";
+    std::istringstream lines(write_text(made.report(), plain));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), usual_width) << line;
 }
 
 TEST(TextReport, SumsUp) {
@@ -117,6 +207,40 @@ TEST(TextReport, SumsUp) {
     EXPECT_EQ(summary_line(made.report()),
               "1 error, 2 warnings in 1 file (1 checked, 1 allowed by comments)");
     EXPECT_THAT(write_text(made.report(), {Colour::plain, Summary::left_out}), Not(HasSubstr("checked")));
+}
+
+/// Codes of the findings' severities, in the order of the report.
+std::string severities(const Report& report) {
+    std::string codes;
+    for (const FilteredFinding& filtered : report.findings)
+        codes += filtered.suppressed ? 's' : name_of(filtered.finding.severity).front();
+    return codes;
+}
+
+TEST(Limit, LeavesTheMostSevereInTheirOrder) {
+    HandMade made("O1.nc", "O1\nM30\n");
+    for (const Severity severity : {Severity::note, Severity::warning, Severity::error, Severity::warning,
+                                    Severity::error, Severity::note})
+        made.add("M30", severity);
+    made.report().findings.front().suppressed = Suppression{{0, 2}, "WANTED"};
+    limit(made.report(), 3);
+    EXPECT_EQ(severities(made.report()), "swee");
+    EXPECT_EQ(made.report().not_shown.size(), 2U);
+    limit(made.report(), 0);
+    EXPECT_EQ(severities(made.report()), "s");
+}
+
+TEST(Limit, ATerminalOfTooManyFindingsGetsTheErrorsFirst) {
+    HandMade made("O1.nc", "O1\nM30\n");
+    made.add("M30", Severity::warning);
+    made.add("M30", Severity::error);
+    fit_terminal(made.report());
+    EXPECT_EQ(severities(made.report()), "we");
+    for (std::size_t i = 0; i < most_on_terminal; ++i) made.add("M30", Severity::warning);
+    fit_terminal(made.report());
+    EXPECT_EQ(severities(made.report()), "e" + std::string(most_on_terminal - 1, 'w'));
+    EXPECT_THAT(summary_line(made.report()), HasSubstr("1 error, 101 warnings"));
+    EXPECT_THAT(summary_line(made.report()), HasSubstr("2 not shown: see --max-findings"));
 }
 
 TEST(TextReport, IsColouredOnlyWhenAsked) {

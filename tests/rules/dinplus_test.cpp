@@ -296,7 +296,7 @@ TEST(MissingReturn, IsDemandedOfEverySubprogramThatEndDoesNotClose) {
     const std::string main = "MACHINING\nN1 L\"SUB\"\nN2 M30\n";
     EXPECT_THAT(
         messages("DIN506", main + "SUBPROGRAM \"SUB\"\nN3 IF #c1>0\nN4 THEN\nN5 G0 X1\nN6 ENDIF\nEND\n"),
-        ElementsAre(HasSubstr("without RETURN")));
+        ElementsAre(HasSubstr("Missing RETURN")));
 }
 
 TEST(DivisionByZero, ByWhatIsUndefinedIsNotCertain) {

@@ -52,10 +52,11 @@ std::set<std::size_t> placeholders(std::string_view text) {
 void expect_filled(const Finding& finding) {
     const auto message = std::ranges::find(finding.rule->messages, finding.message_id, &Message::id);
     ASSERT_NE(message, finding.rule->messages.end()) << "message id " << finding.message_id;
-    for (const std::size_t number : placeholders(message->text)) {
-        ASSERT_LT(number, finding.arguments.size()) << message->text;
-        EXPECT_THAT(finding.arguments[number], Not(IsEmpty())) << message->text;
-    }
+    for (const std::string_view text : {message->text, message->cure})
+        for (const std::size_t number : placeholders(text)) {
+            ASSERT_LT(number, finding.arguments.size()) << text;
+            EXPECT_THAT(finding.arguments[number], Not(IsEmpty())) << text;
+        }
 }
 
 TEST_P(RuleExamples, BadRaisesExactlyThisRuleWhenItAloneIsSelected) {

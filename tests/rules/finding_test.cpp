@@ -55,6 +55,32 @@ TEST(Fix, EditsOfTheSameBytesAreRefused) {
 
 TEST(Fix, OneThatChangesNothingIsNone) { EXPECT_THAT(kept({}), IsEmpty()); }
 
+TEST(Message, AnErrorNamesTheAlarmOfItsControlAndTheCureComesLast) {
+    const auto message = [](const char* control) {
+        const ControlModel* model = find_control(control);
+        ProgramFile file;
+        file.control = model;
+        Reporter reporter(*find_rule("MAC312"));
+        Finding& finding = reporter.report({file, {}}, {}, "plain", {"DO1"});
+        EXPECT_EQ(finding.cure(), "Add the END after the loop's last block.");
+        EXPECT_EQ(finding.message(), finding.statement() + " " + finding.cure());
+        return finding.statement();
+    };
+    EXPECT_EQ(message("fanuc"),
+              "Missing END: 'DO1' is never closed, and the control stops here (alarm 124).");
+    EXPECT_EQ(message("haas"), "Missing END: 'DO1' is never closed, and the control stops here.");
+}
+
+TEST(Path, AJumpThatAConditionDecidesIsOneStep) {
+    const auto workspace =
+        test::analyse_files({{"O1.nc", "O1\n#3=#4003\nIF[#1EQ1]GOTO5\n#5=1\nN5 #2=#3*2\nM99\n"}}, {false, 1});
+    const auto findings = run_rules(*workspace, {{find_rule("MAC574")}}, 1);
+    ASSERT_EQ(findings.size(), 1U);
+    std::vector<std::string> steps;
+    for (const RelatedLocation& step : findings[0].path) steps.push_back(step.text);
+    EXPECT_THAT(steps, ElementsAre(testing::_, "true: jumps to line 5", testing::_));
+}
+
 TEST(Needs, ARuleIsNotAskedWhereTheLanguageLacksWhatItSpeaksOf) {
     const auto asked = [](std::string_view code, const char* control) {
         return applies_to(*find_rule(code), *find_control(control));

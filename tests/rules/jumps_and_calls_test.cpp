@@ -19,6 +19,10 @@ using ::testing::Not;
 
 TEST(JumpTarget, ThatIsMissingIsReportedWhereNothingLeadsToTheJumpYet) {
     EXPECT_THAT(lines_raised("MAC301", "O1\nM30\nGOTO70\n"), ElementsAre(3));
+    EXPECT_THAT(
+        messages_raised("MAC301", "O1\nN8 G0\nN5 G0\nN5 G1\nGOTO 6\nM30\n"),
+        ElementsAre("Missing sequence number: 'GOTO 6' finds no N6 in this program (alarm 128). Add N6, "
+                    "or correct the jump; nearest: N5 (line 3) and N8 (line 2)."));
 }
 
 TEST(JumpTarget, N0IsNotOneToAdd) {

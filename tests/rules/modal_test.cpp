@@ -216,7 +216,14 @@ TEST(ModalCode, IsNoAmount) {
                 ElementsAre(4, 5, 6));
     EXPECT_THAT(lines_raised("MAC574", "O9001\nX[#4003*2]\nM99\n"), ElementsAre(2));
     EXPECT_THAT(path_raised("MAC574", "O9001\n#3=#4003\nIF[#1EQ1]GOTO5\n#5=1\nN5 #2=#3*2\nM99\n"),
-                ElementsAre(2, 3, 3, 5));
+                ElementsAre(2, 3, 5));
+}
+
+TEST(SavedValueLost, NamesALocalThatIsFree) {
+    const std::string begin = "O9506(UP, K STEP)\n#33=#4003\nG91 G0 Z#6\n#33=#5003+#6\nG#33\n";
+    EXPECT_THAT(messages_raised("MAC506", begin + "M99\n"), ElementsAre(HasSubstr("such as #32.")));
+    EXPECT_THAT(messages_raised("MAC506", begin + "#32=1\nX#31\nM99\n"),
+                ElementsAre(HasSubstr("such as #30.")));
 }
 
 TEST(ModalCode, MayBeAddedComparedAndPutBack) {

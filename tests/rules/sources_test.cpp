@@ -1,4 +1,5 @@
 //! Every key by which a rule names its source is explained.
+#include "cli/report/sources.hpp"
 #include "rules/rule.hpp"
 #include "tests/support/folder.hpp"
 
@@ -17,7 +18,7 @@ std::set<std::string> explained_keys() {
     std::set<std::string> keys;
     std::istringstream lines(test::read_file(std::string(MACLINT_SOURCE_DIR) + "/docs/sources.md"));
     for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("| ")) continue;
+        if (!line.starts_with("| ") || line.starts_with("| key ")) continue;
         std::istringstream column(line.substr(2, line.find(" |") - 2));
         for (std::string key; std::getline(column >> std::ws, key, ',');) keys.insert(key);
     }
@@ -35,6 +36,14 @@ TEST(Sources, AreExplainedKeyByKey) {
     for (const Rule* rule : all_rules())
         for (const std::string_view source : rule->sources)
             EXPECT_TRUE(keys.contains(key_of(source))) << rule->code << ": " << source;
+}
+
+TEST(Sources, AreNamedInThePagesOfTheTerminalAsInTheTable) {
+    const std::string table = test::read_file(std::string(MACLINT_SOURCE_DIR) + "/docs/sources.md");
+    for (const std::string& key : explained_keys())
+        EXPECT_THAT(table, testing::HasSubstr(" | " + std::string(cli::document_of(key)) + " |\n")) << key;
+    EXPECT_EQ(cli::document_of("SEED-001:206"), cli::document_of("SEED-001"));
+    EXPECT_EQ(cli::document_of("SEED"), "");
 }
 
 } // namespace

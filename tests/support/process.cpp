@@ -3,11 +3,13 @@
 
 #include "tests/support/folder.hpp"
 
+#include <array>
 #include <cstdlib>
 #include <stdexcept>
 
 #include <fcntl.h>
 #include <grp.h>
+#include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -60,6 +62,33 @@ Finished run(const std::string& folder, const std::vector<std::string>& argument
 }
 
 } // namespace
+
+Finished run_maclint_on_terminal(const std::string& folder, const std::vector<std::string>& arguments,
+                                 unsigned short columns) {
+    std::string executable = MACLINT_EXECUTABLE;
+    std::vector<std::string> words = arguments;
+    std::vector<char*> pointers = {executable.data()};
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+    int terminal = -1;
+    const pid_t child = ::forkpty(&terminal, nullptr, nullptr, &size);
+    if (child < 0) throw std::runtime_error("no terminal");
+    if (child == 0) {
+        if (::chdir(folder.c_str()) != 0) ::_exit(125);
+        ::execv(executable.c_str(), pointers.data());
+        ::_exit(no_start);
+    }
+    std::string out;
+    std::array<char, 4096> part{};
+    for (ssize_t got = 0; (got = ::read(terminal, part.data(), part.size())) > 0;)
+        out.append(part.data(), static_cast<std::size_t>(got));
+    ::close(terminal);
+    std::erase(out, '\r');
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), out, ""};
+}
 
 Finished run_maclint(const std::string& folder, const std::vector<std::string>& arguments,
                      const std::string& input) {

@@ -17,6 +17,11 @@ struct Finished {
 [[nodiscard]] Finished run_maclint(const std::string& folder, const std::vector<std::string>& arguments,
                                    const std::string& input);
 
+/// The same on a terminal of so many columns; `out` is all that it shows.
+[[nodiscard]] Finished run_maclint_on_terminal(const std::string& folder,
+                                               const std::vector<std::string>& arguments,
+                                               unsigned short columns);
+
 /// The same as a user who may not read everything, whoever runs the tests; nothing when that cannot be had.
 [[nodiscard]] std::optional<Finished>
 run_maclint_without_privileges(const std::string& folder, const std::vector<std::string>& arguments);

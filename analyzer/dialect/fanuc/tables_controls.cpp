@@ -19,18 +19,19 @@ struct ControlRow {
     bool has_lathe;
     bool offset_is_group_12; ///< #4012 reads G54-G59
     bool decimals;           ///< variables like #30003.036 read settings and parameters
+    std::string_view alarms; ///< the list of its alarms
 };
 
 // clang-format off
 const std::array<ControlRow, 7> rows{{
-    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012  decimals
-    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false, false},
-    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false, false},
-    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false, false},
-    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false},
-    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false},
-    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  false, false, false},
-    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, true,  true,  true},
+    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012  decimals  alarms
+    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false, false, "FANUC 16i/18i/21i"},
+    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false, false, "FANUC 16i/18i/21i"},
+    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false, false, "FANUC 16i/18i/21i"},
+    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false, "FANUC 30i/0i-D"},
+    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false, "FANUC 30i/0i-D"},
+    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  false, false, false, "NCT"},
+    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, true,  true,  true, ""},
 }};
 // clang-format on
 
@@ -58,6 +59,7 @@ ControlModel make(const ControlRow& row, Machine machine) {
         control.description += ", lathe with G code system A";
     }
     control.assumed = row.assumed;
+    control.alarms = row.alarms;
     control.return_word = "M99"; // SEED-001:642
     control.limits = row.limits;
     control.spaces = variable_spaces();

@@ -1,0 +1,23 @@
+//! The sequence numbers of a program, by their size.
+#pragma once
+
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace maclint::queries {
+
+struct SequenceNumber {
+    std::int64_t number;
+    Offset at; ///< byte at which it stands; of several the first
+};
+
+/// Each number once, rising.
+[[nodiscard]] std::vector<SequenceNumber> find_sequence_numbers(const Program& program);
+
+/// The greatest number below `wanted` and the least above it, as far as there are such.
+[[nodiscard]] std::vector<SequenceNumber> find_neighbours(const std::vector<SequenceNumber>& numbers,
+                                                          std::int64_t wanted);
+
+} // namespace maclint::queries

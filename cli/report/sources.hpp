@@ -1,0 +1,12 @@
+//! The documents that rules name by keys.
+#pragma once
+
+#include <string_view>
+
+namespace maclint::cli {
+
+/// The document of a source such as "SEED-001:206", as docs/sources.md has it; empty for a key that stands
+/// for none.
+[[nodiscard]] std::string_view document_of(std::string_view source);
+
+} // namespace maclint::cli
