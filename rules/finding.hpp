@@ -76,8 +76,8 @@ struct Finding {
 
     /// Takes the fix, unless it changes nothing, or the same bytes twice: then the finding has none.
     void offer(Fix offered);
-    /// The message with its arguments filled in, after it the cure where the message has one, and how many more
-    /// places it is true of.
+    /// The message with its arguments filled in, after it the cure where the message has one, and how many
+    /// more places it is true of.
     [[nodiscard]] std::string message() const;
     /// The message alone.
     [[nodiscard]] std::string statement() const;

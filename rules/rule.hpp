@@ -72,7 +72,7 @@ struct Rule {
     /// where one of them is on and speaks. What an owner leaves to a third rule does not come back to this
     /// one.
     std::string_view yields_to = {};
-    std::string_view also = {};   ///< codes that the bad examples raise, too, under the default selection
+    std::string_view also = {}; ///< codes that the bad examples raise, too, under the default selection
     /// That the check asks for, itself or through what it calls; what a search for paths asks for is known.
     dataflow::FactSet facts = {};
     bool data_flow = false; ///< findings carry a path (SARIF codeFlows); a test demands it of the bad example

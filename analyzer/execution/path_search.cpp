@@ -120,9 +120,9 @@ std::vector<flow::EdgeId> PathSearch::ways_from(flow::NodeId node, std::uint32_t
         if (distance[edge.to] != no_way && may_take(edge, id, legs_[leg]) && !is_on_path(edge.to, leg))
             ways.push_back(id);
     }
-    std::ranges::stable_sort(ways, [&](flow::EdgeId a, flow::EdgeId b) {
-        return distance[graph_.edges[a].to] > distance[graph_.edges[b].to];
-    });
+    const auto distance_after = [&](flow::EdgeId id) { return distance[graph_.edges[id].to]; };
+    std::ranges::stable_sort(ways, {}, distance_after);
+    std::ranges::reverse(ways);
     return ways;
 }
 

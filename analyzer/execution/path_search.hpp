@@ -22,7 +22,7 @@ struct Leg {
 
 struct PathFound {
     std::optional<std::vector<flow::EdgeId>> path; ///< from the program's start
-    std::vector<std::size_t> ends; ///< of each leg: how many edges of the path lead there
+    std::vector<std::size_t> ends;                 ///< of each leg: how many edges of the path lead there
     bool gave_up = false; ///< none was found among as many as were tried; there may be one
 };
 

@@ -21,9 +21,7 @@ std::vector<flow::NodeId> assigning_nodes(const dataflow::Facts& facts, Variable
 void add_clobbering_nodes(const dataflow::Facts& facts, Variable variable, flow::NodeId except,
                           std::vector<flow::NodeId>& nodes) {
     for (const dataflow::Clobber& clobber : facts.all<dataflow::Clobber>())
-        if (clobber.node != except &&
-            (clobber.variable ? *clobber.variable == variable : clobber.space == variable.space))
-            nodes.push_back(clobber.node);
+        if (clobber.node != except && clobber.may_change(variable)) nodes.push_back(clobber.node);
     std::ranges::sort(nodes);
 }
 
@@ -72,11 +70,14 @@ std::vector<const dataflow::Store*> last_stores_before(const ProgramAnalysis& an
 }
 
 execution::PathFound path_without_assignment(execution::PathSearch& search, const ProgramAnalysis& analysis,
-                                             Variable variable, flow::NodeId node) {
+                                             Variable variable, flow::NodeId node,
+                                             std::optional<flow::NodeId> then) {
     std::vector<flow::NodeId> assigning = assigning_nodes(analysis.facts(), variable, node);
     add_clobbering_nodes(analysis.facts(), variable, node, assigning);
     if (node != 0 && std::ranges::binary_search(assigning, flow::NodeId{0})) return {};
-    return search.find(std::array{execution::Leg{node, assigning}});
+    std::vector<execution::Leg> legs{{node, assigning}};
+    if (then) legs.push_back({*then, {}});
+    return search.find(legs);
 }
 
 bool can_follow(const ProgramAnalysis& analysis, flow::NodeId first, flow::NodeId then,

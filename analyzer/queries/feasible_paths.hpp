@@ -7,6 +7,7 @@
 #include "analyzer/execution/path_search.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,18 +22,20 @@ namespace maclint::queries {
 last_stores_before(const ProgramAnalysis& analysis, Variable variable, const dataflow::Loop& loop);
 
 /// A path from the program's start to the node that the control can take and on which nothing can have
-/// changed the variable. `search` is one of the same program.
+/// changed the variable, and from there on to the node `then` when that is asked for. `search` is one of the
+/// same program.
 [[nodiscard]] execution::PathFound path_without_assignment(execution::PathSearch& search,
                                                            const ProgramAnalysis& analysis, Variable variable,
-                                                           flow::NodeId node);
+                                                           flow::NodeId node,
+                                                           std::optional<flow::NodeId> then = std::nullopt);
 
 /// Whether the control can come over `first` to `then` by a path that meets none of the nodes `barred`
 /// (sorted) between the two. False, too, when the search gives up.
 [[nodiscard]] bool can_follow(const ProgramAnalysis& analysis, flow::NodeId first, flow::NodeId then,
                               std::span<const flow::NodeId> barred = {});
 
-/// A path from one node to the other that the control can take, when it has come from the program's start to the
-/// first. `ends` of it means nothing.
+/// A path from one node to the other that the control can take, when it has come from the program's start to
+/// the first. `ends` of it means nothing.
 [[nodiscard]] execution::PathFound path_on_from(const ProgramAnalysis& analysis, flow::NodeId from,
                                                 flow::NodeId to);
 

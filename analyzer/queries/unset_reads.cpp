@@ -44,15 +44,20 @@ std::vector<Variable> series_taken(const ProgramAnalysis& analysis) {
     return taken;
 }
 
-/// How the program can get here without setting the variable. A comparison may be the very test that takes
-/// care of vacancy.
-execution::PathFound path_to(execution::PathSearch& search, const ProgramAnalysis& analysis,
-                             const dataflow::Read& read) {
-    const bool may_be_a_test = may_hold_vacant(analysis.program(), read.variable);
-    if (may_be_a_test && read.value.vacancy == dataflow::Vacancy::maybe &&
-        read.use == dataflow::Use::comparison)
-        return {};
-    return path_without_assignment(search, analysis, read.variable, read.node);
+/// Whether the program stores in the variable somewhere, be it where no path leads.
+bool is_set_somewhere(const Program& program, Variable variable) {
+    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+        return target != nullptr && *target == variable;
+    });
+}
+
+/// A comparison may be the very test that takes care of vacancy: of a flag that only some paths set.
+bool may_be_a_test(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    return read.use == dataflow::Use::comparison && may_hold_vacant(analysis.program(), read.variable) &&
+           (read.value.vacancy == dataflow::Vacancy::maybe ||
+            is_set_somewhere(analysis.program(), read.variable));
 }
 
 /// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
@@ -63,32 +68,41 @@ bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
         [&](const dataflow::Store& store) { return store.variable == read.variable && store.step; });
 }
 
+/// A letter of the call that the program has found vacant: only then does it come here.
+bool is_known_to_be_left_out(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    return read.value.vacancy == dataflow::Vacancy::vacant && read.use != dataflow::Use::comparison &&
+           !analysis.data().is_vacant_at_entry(read.variable);
+}
+
 /// Whether the read uses what is not there: a test takes care of it. It is unknown whether a control still
 /// looks at what decides nothing any more, as after NDEF(…) OR.
 bool uses_unset(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     return read.use != dataflow::Use::vacancy_test && is_as_at_entry(analysis, read) &&
-           analysis.data().is_vacant_at_entry(read.variable) &&
+           (analysis.data().is_vacant_at_entry(read.variable) || is_known_to_be_left_out(analysis, read)) &&
            !asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node, read.variable) &&
-           is_used(analysis, read);
+           !may_be_a_test(analysis, read) && is_used(analysis, read);
+}
+
+Unset kind_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (read.value.vacancy != dataflow::Vacancy::vacant) return Unset::in_some_cases;
+    if (is_known_to_be_left_out(analysis, read)) return Unset::as_tested;
+    const auto& formals = analysis.control().formals;
+    const bool formal = std::ranges::find(formals, read.variable) != formals.end();
+    return formal ? Unset::as_argument : Unset::always;
 }
 
 /// Puts the read to those that go back to the same mistake.
 void add_to(std::vector<UnsetReads>& groups, const ProgramAnalysis& analysis, UnsetRead found) {
-    const bool never = found.read->value.vacancy == dataflow::Vacancy::vacant;
+    const Unset kind = kind_of(analysis, *found.read);
     MissingCase missing;
-    if (!never && found.path)
-        missing = missing_case_on(analysis, *found.path, found.read->variable, found.read->node);
-    const auto& formals = analysis.control().formals;
-    const auto is_formal = [&](const dataflow::Read& read) {
-        return std::ranges::find(formals, read.variable) != formals.end();
-    };
+    if (kind == Unset::in_some_cases)
+        missing = missing_case_on(analysis, found.path, found.read->variable, found.read->node);
     const auto group = std::ranges::find_if(groups, [&](const UnsetReads& reads) {
-        if (!never) return is_same_case(analysis.program(), reads.missing, missing);
-        const dataflow::Read& first = *reads.first.read;
-        return first.value.vacancy == dataflow::Vacancy::vacant && is_formal(first) == is_formal(*found.read);
+        return reads.kind == kind && kind != Unset::as_tested &&
+               (kind != Unset::in_some_cases || is_same_case(analysis.program(), reads.missing, missing));
     });
     if (group == groups.end()) {
-        groups.push_back({std::move(found), {}, std::move(missing)});
+        groups.push_back({kind, std::move(found), {}, std::move(missing)});
         return;
     }
     group->others.push_back(found.read);
@@ -145,11 +159,10 @@ std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
         if (tried->second >= most_attempts || counts(analysis, read)) continue;
         ++tried->second;
         if (!search) search.emplace(analysis);
-        auto path = path_to(*search, analysis, read).path;
-        if (!path && read.value.vacancy != dataflow::Vacancy::vacant) continue;
-        if (!goes_on_after(*search, analysis, read)) continue;
+        auto path = path_to_use(*search, analysis, read).path;
+        if (!path) continue;
         tried->second = most_attempts; // once a variable
-        add_to(groups, analysis, {&read, std::move(path)});
+        add_to(groups, analysis, {&read, *std::move(path)});
     }
     return groups;
 }

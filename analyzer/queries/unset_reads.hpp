@@ -6,6 +6,7 @@
 #include "analyzer/queries/missing_cases.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -27,15 +28,22 @@ namespace maclint::queries {
 /// A read of a variable that is as it was when the program began, and that nothing can have set then.
 struct UnsetRead {
     const dataflow::Read* read;
-    /// To the read, around every assignment; nothing where none was found, and yet no path sets the variable.
-    std::optional<std::vector<flow::EdgeId>> path;
+    std::vector<flow::EdgeId> path; ///< to the read, around every assignment
+};
+
+enum class Unset : std::uint8_t {
+    always,        ///< by no path, and no argument stands for it
+    as_argument,   ///< by no path, and no call passes it
+    as_tested,     ///< by no call that comes here: the program has found that it is vacant
+    in_some_cases, ///< by some paths only
 };
 
 /// Reads that go back to one mistake.
 struct UnsetReads {
+    Unset kind;
     UnsetRead first;                           ///< in the text
     std::vector<const dataflow::Read*> others; ///< of other variables
-    MissingCase missing; ///< in which the variables are not set; no subjects: they never are
+    MissingCase missing;                       ///< for Unset::in_some_cases
 };
 
 /// The first such read of each variable. Left out are reads that ask for the vacancy or stand beside a

@@ -2,9 +2,9 @@
 #include "analyzer/queries/vacant_uses.hpp"
 
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 namespace maclint::queries {
@@ -34,15 +34,19 @@ bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     return is_used(analysis, read, seen);
 }
 
-bool goes_on_after(execution::PathSearch& search, const ProgramAnalysis& analysis,
-                   const dataflow::Read& read) {
-    if (read.use != dataflow::Use::word) return true;
-    return std::ranges::any_of(analysis.graph().exits, [&](const flow::Exit& exit) {
-        if (exit.kind == flow::ExitKind::alarm || !analysis.data().reached(exit.node)) return false;
-        const std::array legs{execution::Leg{read.node, {}}, execution::Leg{exit.node, {}}};
-        const execution::PathFound found = search.find(legs);
-        return found.path || found.gave_up;
-    });
+execution::PathFound path_to_use(execution::PathSearch& search, const ProgramAnalysis& analysis,
+                                 const dataflow::Read& read) {
+    if (read.use != dataflow::Use::word)
+        return path_without_assignment(search, analysis, read.variable, read.node);
+    execution::PathFound found;
+    for (const flow::Exit& exit : analysis.graph().exits) {
+        if (exit.kind == flow::ExitKind::alarm || !analysis.data().reached(exit.node)) continue;
+        found = path_without_assignment(search, analysis, read.variable, read.node, exit.node);
+        if (!found.path) continue;
+        found.path->resize(found.ends.front());
+        break;
+    }
+    return found;
 }
 
 } // namespace maclint::queries

@@ -19,41 +19,39 @@ extern const Rule uninitialised_local{
     .name = "uninitialised-local",
     .aliases = "DIN301",
     .summary = "A local variable is read before anything has set it, and no argument can have done so",
-    .why =
-        "Such a variable is vacant: a word that uses it is ignored (the axis stays where it is, the feed "
-        "does "
-        "not change), and arithmetic takes it for 0. The control raises no alarm. Where the language knows "
-        "no vacant value, it is undefined and may read as 0.",
+    .why = "Such a variable is vacant: a word that uses it is ignored (the axis stays where it is, the feed "
+           "does "
+           "not change), and arithmetic takes it for 0, without an alarm. Where the language knows no vacant "
+           "value, it is undefined and may read as 0.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::unset_locals},
     .facts = dataflow::facts<dataflow::Read, dataflow::Comparison, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
-    .messages =
-        {{"main",
-          "Nothing has set {0} before this block: a program that nobody calls gets no arguments. Set it "
-          "first, or correct the number."},
-         {"called",
-          "Nothing has set {0} before this block, and no letter of a call stands for it, unless I, J "
-          "and K are repeated. Set it first, or correct the number."},
-         {"not-passed",
-          "Nothing has set {0} before this block, and no caller passes it. Set it first, or pass "
-          "the argument."},
-         {"cases", "Variable {0} may be vacant here: set only for {1}. Set it in the other cases, too, or "
-                   "refuse them with an alarm."},
-         {"depends",
-          "Variable {0} may be vacant here: whether it is set depends on {1}. Set it on every path, "
-          "or test it with EQ #0 first."},
-         {"some-paths",
-          "Variable {0} may be vacant here: not every path sets it. Set it on every path, or test "
-          "it with EQ #0 first."},
-         {"undefined", "Nothing has set {0} before this block: it has no value. Set it first, or correct the "
-                       "name."},
-         {"undefined-not-passed",
-          "Variable {0} has no value here: no caller passes it. Pass it in the call."},
-         {"undefined-some-paths",
-          "Variable {0} may have no value here: not every path sets it. Set it on every "
-          "path."}},
+    .messages = {{"main",
+                  "Nothing has set {0} before this block: a program that nobody calls gets no arguments.",
+                  "Set it first, or correct the number."},
+                 {"called",
+                  "Nothing has set {0} before this block, and no letter of a call stands for it, unless I, J "
+                  "and K are repeated.",
+                  "Set it first, or correct the number."},
+                 {"not-passed", "Nothing has set {0} before this block, and no caller passes it.",
+                  "Set it first, or pass the argument."},
+                 {"as-tested",
+                  "Variable {0} is always vacant here: the program only comes to this block when it is.",
+                  "Correct the test (EQ #0 or NE #0), or its jump."},
+                 {"cases", "Variable {0} may be vacant here: set only for {1}.",
+                  "Set it in the other cases, too, or refuse them with an alarm."},
+                 {"depends", "Variable {0} may be vacant here: whether it is set depends on {1}.",
+                  "Set it on every path, or test it with EQ #0 first."},
+                 {"some-paths", "Variable {0} may be vacant here: not every path sets it.",
+                  "Set it on every path, or test it with EQ #0 first."},
+                 {"undefined", "Nothing has set {0} before this block: it has no value.",
+                  "Set it first, or correct the name."},
+                 {"undefined-not-passed", "Variable {0} has no value here: no caller passes it.",
+                  "Pass it in the call."},
+                 {"undefined-some-paths", "Variable {0} may have no value here: not every path sets it.",
+                  "Set it on every path."}},
     .bad = {{"fanuc", R"nc(
 O0209(FACE)
 #100=10.
@@ -94,19 +92,18 @@ END
 namespace {
 
 std::string_view message_for(const ProgramAnalysis& analysis, const queries::UnsetReads& reads) {
-    const dataflow::Read& read = *reads.first.read;
-    const bool vacant = queries::may_hold_vacant(analysis.program(), read.variable);
-    if (read.value.vacancy == dataflow::Vacancy::maybe) {
-        if (!vacant) return "undefined-some-paths";
-        return reads.missing.subjects.empty()  ? "some-paths"
-               : reads.missing.numbers.empty() ? "depends"
-                                               : "cases";
+    const bool vacant = queries::may_hold_vacant(analysis.program(), reads.first.read->variable);
+    switch (reads.kind) {
+    case queries::Unset::as_tested: return "as-tested";
+    case queries::Unset::always: return !vacant ? "undefined" : analysis.is_main() ? "main" : "called";
+    case queries::Unset::as_argument:
+        return !vacant ? "undefined-not-passed" : analysis.is_main() ? "main" : "not-passed";
+    case queries::Unset::in_some_cases: break;
     }
-    const auto& formals = analysis.control().formals;
-    const bool formal = std::ranges::find(formals, read.variable) != formals.end();
-    if (!vacant) return formal ? "undefined-not-passed" : "undefined";
-    if (analysis.is_main()) return "main";
-    return formal ? "not-passed" : "called";
+    if (!vacant) return "undefined-some-paths";
+    return reads.missing.subjects.empty()  ? "some-paths"
+           : reads.missing.numbers.empty() ? "depends"
+                                           : "cases";
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
@@ -123,8 +120,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                                        "the same is true of " + as_written(analysis, other->expression)});
         finding.path.push_back(
             related_at(analysis, read.value.vacancy_origin, name + " has no value when the program begins"));
-        for (RelatedLocation& step : reads.first.path ? steps_along(analysis, *reads.first.path)
-                                                      : path_between(analysis, 0, read.node))
+        for (RelatedLocation& step : steps_along(analysis, reads.first.path))
             finding.path.push_back(std::move(step));
         finding.path.push_back({analysis.source(), span, name + " is read"});
     }

@@ -1,10 +1,10 @@
 //! MAC220: a test for 0 does not catch a missing argument.
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/queries/after_zero_test.hpp"
 #include "analyzer/queries/argument_names.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/unset_reads.hpp"
-#include "analyzer/queries/after_zero_test.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -474,12 +474,13 @@ Value Transfer::opaque_variable(Variable variable, std::uint32_t what_for) {
     return value;
 }
 
-/// Whether the part is the code of a modal call, or may be.
+/// Whether the part is the code of a modal call. Of a program that is not known nobody assumes that it leaves
+/// one in force: every move after it could do anything.
 bool Transfer::is_modal_call(const ModalPart& part) const {
     const auto code = states_.table().number_of(part.symbol);
-    return !code || std::ranges::any_of(program_.control->calls, [&](const CallKind& kind) {
-        return kind.trigger != CallTrigger::once && kind.modal_code == *code;
-    });
+    return code && std::ranges::any_of(program_.control->calls, [&](const CallKind& kind) {
+               return kind.trigger != CallTrigger::once && kind.modal_code == *code;
+           });
 }
 
 void Transfer::move(State& state) {
