@@ -9,7 +9,7 @@ namespace maclint::dataflow {
 
 /// Whether the program that is called may stop in some round of the loop, though not in the first: what
 /// decides that is read from the machine, unknown, or changed by the loop or by what it calls.
-[[nodiscard]] bool may_stop_later(const Program& program, const Analysis& analysis, const CallMade& call,
+[[nodiscard]] bool may_stop_later(const Program& program, const Analysis& analysis, const CallMade& made,
                                   const LoopChanges& changes);
 
 } // namespace maclint::dataflow

@@ -111,8 +111,9 @@ PathRun::Point PathRun::after_changes(const Changes& changes, flow::NodeId head,
     for (const Variable variable : changes.variables) states_.write(point.state, variable, unknown(variable));
     if (!changes.machine) return point;
     point.time = {head, head};
-    for (GroupId group = 0; group < program_.control->groups.size(); ++group)
+    for (std::size_t i = 0; i < program_.control->groups.size(); ++i)
         dataflow::for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
+            const auto group = static_cast<GroupId>(i);
             dataflow::ModalValue value = states_.read(point.state, dataflow::ChannelGroup{channel, group});
             value.unknown = true;
             states_.write(point.state, dataflow::ChannelGroup{channel, group}, std::move(value));
@@ -122,49 +123,47 @@ PathRun::Point PathRun::after_changes(const Changes& changes, flow::NodeId head,
 
 // ---- what makes a difference
 
-void PathRun::collect_leaves(SymbolId id, std::vector<SymbolId>& leaves) const {
+/// Whether a decision can come upon the value again, which sees what the `seen` (sorted) are and the machine.
+bool PathRun::can_be_seen(SymbolId id, std::span<const SymbolId> seen) const {
     const Symbol& symbol = states_.table().symbols[id];
-    const bool is_known = symbol.kind == Symbol::Kind::constant || symbol.kind == Symbol::Kind::vacant;
-    if (id == 0 || is_known) return; // 0: a result of one operand has no other
-    if (symbol.kind != Symbol::Kind::result) {
-        leaves.push_back(id);
-        return;
+    switch (symbol.kind) {
+    case Symbol::Kind::constant:
+    case Symbol::Kind::vacant:
+    case Symbol::Kind::machine: return true;
+    case Symbol::Kind::result:
+        if (can_be_seen(symbol.b, seen) && can_be_seen(symbol.c, seen)) return true;
+        break;
+    default: break;
     }
-    collect_leaves(symbol.b, leaves);
-    if (symbol.c != symbol.b) collect_leaves(symbol.c, leaves);
+    return id == 0 || std::ranges::binary_search(seen, id); // 0: a result of one operand has no other
 }
 
-/// Something can be compared later that the assumption is about.
-bool PathRun::can_matter(const Assumptions::Assumption& assumption, std::span<const SymbolId> leaves) const {
-    std::vector<SymbolId> own;
-    collect_leaves(assumption.subject, own);
-    collect_leaves(assumption.other, own);
-    return std::ranges::all_of(own, [&](SymbolId leaf) {
-        return states_.table().symbols[leaf].kind == Symbol::Kind::machine ||
-               std::ranges::binary_search(leaves, leaf);
-    });
-}
-
+/// Of a value counts what a decision can ask of it: how large it is and whether it is vacant. Which value it
+/// is counts only where something is assumed of it.
 std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable> deciding) {
-    std::uint64_t print = dataflow::side_by_side(point.time.acted, point.time.stored);
-    std::vector<SymbolId> leaves;
+    std::uint64_t print = 0;
+    seen_.clear();
     for (const Variable variable : deciding) {
         const Value value = states_.read(point.state, variable);
-        print = dataflow::mix(print, states_.table().values(value));
-        collect_leaves(value.symbol, leaves);
+        print = dataflow::mix(print, static_cast<std::uint64_t>(value.vacancy));
+        print = dataflow::mix(print, std::bit_cast<std::uint64_t>(value.low));
+        print = dataflow::mix(print, std::bit_cast<std::uint64_t>(value.high));
+        seen_.push_back(value.symbol);
     }
-    std::ranges::sort(leaves);
+    std::ranges::sort(seen_);
     for (Assumptions::Id id = point.assumed; id != Assumptions::none; id = assumptions_[id].earlier) {
         const Assumptions::Assumption& assumption = assumptions_[id];
-        if (!can_matter(assumption, leaves)) continue;
+        if (!can_be_seen(assumption.subject, seen_) || !can_be_seen(assumption.other, seen_)) continue;
         print = dataflow::mix(print, dataflow::side_by_side(assumption.subject, assumption.other));
         print = dataflow::mix(print, std::bit_cast<std::uint64_t>(assumption.number));
         print = dataflow::mix(print, static_cast<std::uint64_t>(assumption.operation));
     }
     if (!reads_modal_state_) return print;
-    for (GroupId group = 0; group < program_.control->groups.size(); ++group) {
-        const dataflow::ModalValue value = states_.read(point.state, graph_.all_channels, group);
-        print = dataflow::mix(print, hash_mixed(value));
+    for (std::size_t i = 0; i < program_.control->groups.size(); ++i) {
+        const dataflow::ModalValue value =
+            states_.read(point.state, graph_.all_channels, static_cast<GroupId>(i));
+        for (const dataflow::ModalPart& part : value.parts) print = dataflow::mix(print, part.symbol);
+        print = dataflow::mix(print, value.unknown ? 1 : 0);
     }
     return print;
 }

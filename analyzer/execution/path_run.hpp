@@ -35,7 +35,7 @@ class PathRun {
     /// From before the node to after it.
     [[nodiscard]] Point run(flow::NodeId node, Point point);
     /// From after an edge's node to the end of the edge; nothing when who came this way cannot take it.
-    [[nodiscard]] std::optional<Point> along(flow::EdgeId edge, const Point& after);
+    [[nodiscard]] std::optional<Point> along(flow::EdgeId id, const Point& after);
     /// Whatever the changes have made of the point. `head`: the node at which that is.
     [[nodiscard]] Point after_changes(const Changes& changes, flow::NodeId head, Point point);
     /// Nothing that was assumed on the way is sure any more.
@@ -46,7 +46,7 @@ class PathRun {
     [[nodiscard]] std::uint64_t fingerprint(const Point& point, std::span<const Variable> deciding);
 
     /// Whether the node does anything but calculate, decide and jump.
-    [[nodiscard]] bool acts(flow::NodeId node) const;
+    [[nodiscard]] bool acts(flow::NodeId id) const;
 
   private:
     [[nodiscard]] bool stores_in_machine(const flow::Node& node) const;
@@ -54,9 +54,7 @@ class PathRun {
                               bool holds);
     [[nodiscard]] bool assume_one(Point& point, const dataflow::State& before, const Apply& apply,
                                   bool holds);
-    void collect_leaves(dataflow::SymbolId symbol, std::vector<dataflow::SymbolId>& leaves) const;
-    [[nodiscard]] bool can_matter(const Assumptions::Assumption& assumption,
-                                  std::span<const dataflow::SymbolId> leaves) const;
+    [[nodiscard]] bool can_be_seen(dataflow::SymbolId id, std::span<const dataflow::SymbolId> seen) const;
 
     const ProgramAnalysis& analysis_;
     const Program& program_;
@@ -64,7 +62,8 @@ class PathRun {
     dataflow::States states_; ///< of its own: rules ask on several threads
     dataflow::Transfer transfer_;
     Assumptions assumptions_;
-    bool reads_modal_state_; ///< somewhere in the program
+    bool reads_modal_state_;               ///< somewhere in the program
+    std::vector<dataflow::SymbolId> seen_; ///< kept for its memory
 };
 
 } // namespace maclint::execution

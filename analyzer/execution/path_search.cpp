@@ -11,7 +11,9 @@
 namespace maclint::execution {
 namespace {
 
-constexpr std::size_t most_visits = 4000; ///< of nodes, in one search
+constexpr std::size_t most_visits = 2000; ///< of nodes, in one search
+constexpr std::size_t most_visits_in_all =
+    8000; ///< in all searches of one program that share what they learn
 constexpr std::size_t most_legs = 8;
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
 
@@ -38,7 +40,8 @@ PathFound PathSearch::find(std::span<const Leg> legs) {
     if (distance_.front()[0] == no_way) return found;
     bool arrived = arrive(0, 0, run_.at_start());
     while (!arrived && !places_.empty()) {
-        if (visits_ > most_visits) {
+        if (visits_ > most_visits || visits_in_all_ + visits_ > most_visits_in_all) {
+            visits_in_all_ += visits_;
             found.gave_up = true;
             return found;
         }
@@ -55,6 +58,7 @@ PathFound PathSearch::find(std::span<const Leg> legs) {
         place.taken = way;
         arrived = arrive(graph_.edges[way].to, place.leg, *next);
     }
+    visits_in_all_ += visits_;
     return arrived ? path_gone() : found;
 }
 

@@ -81,7 +81,7 @@ class PathSearch {
     std::optional<dataflow::Liveness> decisions_;                      ///< once a way has failed
     std::unordered_map<flow::NodeId, std::vector<Variable>> deciding_; ///< before a node
     std::unordered_set<std::uint64_t> failed_; ///< fingerprints from which no way leads on
-    std::size_t visits_ = 0;
+    std::size_t visits_ = 0, visits_in_all_ = 0;
 };
 
 } // namespace maclint::execution

@@ -32,8 +32,9 @@ class VacantPath {
     /// The first use, in the order of the paths' lengths, to which the program can come.
     const Read* first_use() {
         take_edges(test_.node);
-        for (std::size_t next = 0; next < pending_.size(); ++next) {
-            const flow::NodeId node = pending_[next];
+        std::size_t next = 0;
+        while (next < pending_.size()) { // it grows on the way
+            const flow::NodeId node = pending_[next++];
             if (const Read* use = use_in(node); use != nullptr && is_feasible(*use)) return use;
             if (!sets_variable(node)) take_edges(node);
         }

@@ -121,16 +121,18 @@ class Search {
         return idle;
     }
 
-    /// Whether the program set the group itself before the call; the motion mode to other codes than are
-    /// left.
+    /// Whether the program set the group itself before the call, and to something else than is left: a value
+    /// unless it is known to be the same, the motion mode where it is known to be another.
     [[nodiscard]] bool has_own(const ProgramAnalysis& program, flow::NodeId call) const {
         if (!is_value() && !is_motion()) return false;
         const auto settings = last_settings_before(program, call, group_);
-        if (settings.empty() || !is_motion()) return !settings.empty();
-        return std::ranges::all_of(settings, [&](const std::optional<double>& setting) {
-            return setting && std::ranges::none_of(left_.parts, [&](const dataflow::ModalPart& part) {
-                       return code_of(callee_, part).value_or(*setting) == *setting;
-                   });
+        const auto is_left = [&](double setting) {
+            return std::ranges::any_of(left_.parts, [&](const dataflow::ModalPart& part) {
+                return code_of(callee_, part).value_or(is_motion() ? setting : setting + 1) == setting;
+            });
+        };
+        return !settings.empty() && std::ranges::all_of(settings, [&](const std::optional<double>& setting) {
+            return setting ? !is_left(*setting) : is_value();
         });
     }
 

@@ -88,7 +88,7 @@ Unset kind_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     if (is_known_to_be_left_out(analysis, read)) return Unset::as_tested;
     const auto& formals = analysis.control().formals;
     const bool formal = std::ranges::find(formals, read.variable) != formals.end();
-    return formal ? Unset::as_argument : Unset::always;
+    return formal && !analysis.is_main() ? Unset::as_argument : Unset::always;
 }
 
 /// Puts the read to those that go back to the same mistake.

@@ -7,7 +7,6 @@
 #include "rules/trace.hpp"
 
 #include <cmath>
-#include <string>
 
 namespace maclint::rules {
 
@@ -103,6 +102,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         std::vector<std::string> words{quoted(program, span), std::move(number)};
         if (!near.empty()) words.push_back(std::move(near));
         Finding& finding = reporter.report({analysis, jump}, span, message, std::move(words));
+        if (message != "impossible") finding.same_cause = "program " + std::to_string(analysis.index());
         trace(finding, analysis, node, "there is no such sequence number");
     };
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {

@@ -72,7 +72,7 @@ std::string words_to_cancel(const ControlModel& control, GroupId id) {
 /// Compensation ends in a move, the last one; anything else in a block of its own.
 std::string cure(const ProgramAnalysis& analysis, const queries::ModalLeak& leak) {
     const std::string words = words_to_cancel(analysis.control(), leak.group);
-    const std::string before = "Write " + words + " before " + exit_text(analysis, leak);
+    std::string before = "Write " + words + " before " + exit_text(analysis, leak);
     if (analysis.control().groups[leak.group].role != ModalRole::cutter_compensation) return before;
     const Span set = queries::span_of_origin(analysis, leak.part.origin);
     const auto retreat = queries::last_move_before(analysis, leak.exit->exit);

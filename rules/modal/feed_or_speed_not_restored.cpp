@@ -34,10 +34,10 @@ extern const Rule feed_or_speed_not_restored{
     .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Read,
                              dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"caller", "{0} is left to the caller, whose own is lost: {2} moves with it. {1}."},
-                 {"not-saved", "{0} is left to the caller: the program saves {2}, but not this. {1}."},
-                 {"not-put-back", "{0} is left to the caller. {1}."},
-                 {"left", "{0} left to the caller. Who calls this macro has to state the value again."}},
+    .messages = {{"caller", "{0} is left to the caller, whose own is lost: {2} moves with it.", "{1}."},
+                 {"not-saved", "{0} is left to the caller: the program saves {2}, but not this.", "{1}."},
+                 {"not-put-back", "{0} is left to the caller.", "{1}."},
+                 {"left", "Left to the caller: {0}.", "Write it again after the call."}},
     .bad = {{"fanuc", R"nc(
 O9503(PLUNGE, Z DEPTH F FEED)
 #1=#4003
@@ -110,8 +110,8 @@ void report_rest(const ProgramAnalysis& analysis, const std::vector<queries::Mod
     std::vector<std::string> words;
     for (const queries::ModalLeak& leak : leaks)
         words.push_back("'" + word_of(analysis, leak.group, leak.part) + "'");
-    const std::string what = listed(words) + (words.size() == 1 ? " is" : " are");
-    report_leak(analysis, reporter, leaks.front(), block_cause(analysis, leaks.front().part), "left", {what})
+    report_leak(analysis, reporter, leaks.front(), block_cause(analysis, leaks.front().part), "left",
+                {listed(words)})
         .severity = Severity::note;
 }
 

@@ -96,8 +96,7 @@ std::string_view message_for(const ProgramAnalysis& analysis, const queries::Uns
     switch (reads.kind) {
     case queries::Unset::as_tested: return "as-tested";
     case queries::Unset::always: return !vacant ? "undefined" : analysis.is_main() ? "main" : "called";
-    case queries::Unset::as_argument:
-        return !vacant ? "undefined-not-passed" : analysis.is_main() ? "main" : "not-passed";
+    case queries::Unset::as_argument: return vacant ? "not-passed" : "undefined-not-passed";
     case queries::Unset::in_some_cases: break;
     }
     if (!vacant) return "undefined-some-paths";

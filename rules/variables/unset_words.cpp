@@ -29,7 +29,7 @@ std::string as_written(const ProgramAnalysis& analysis, ExpressionId expression)
 }
 
 std::string names_of(const ProgramAnalysis& analysis, const queries::UnsetReads& reads) {
-    const std::string first = as_written(analysis, reads.first.read->expression);
+    std::string first = as_written(analysis, reads.first.read->expression);
     if (reads.others.empty()) return first;
     if (reads.others.size() == 1)
         return first + " and " + as_written(analysis, reads.others.front()->expression);

@@ -448,7 +448,7 @@ TEST_F(Executable, ShowsATerminalAHundredFindingsAndAFileAll) {
             ++findings;
         return findings;
     };
-    const auto on_terminal = [&](std::vector<std::string> arguments) {
+    const auto on_terminal = [&](const std::vector<std::string>& arguments) {
         return test::run_maclint_on_terminal(folder.path().string(), arguments, 60);
     };
     const Finished shown = on_terminal({"--color", "never"});

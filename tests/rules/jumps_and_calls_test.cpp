@@ -25,6 +25,11 @@ TEST(JumpTarget, ThatIsMissingIsReportedWhereNothingLeadsToTheJumpYet) {
                     "or correct the jump; nearest: N5 (line 3) and N8 (line 2)."));
 }
 
+TEST(JumpTarget, NeedsNoPathThatTheControlCanTake) {
+    // The shop will set #108 otherwise.
+    EXPECT_THAT(lines_raised("MAC301", "O1\n#108=3.\nIF[#108EQ3]GOTO3\nGOTO5003\nN3 M30\n"), ElementsAre(4));
+}
+
 TEST(JumpTarget, N0IsNotOneToAdd) {
     EXPECT_THAT(messages_raised("MAC301", "O1\nGOTO0\nM30\n"),
                 ElementsAre(AllOf(HasSubstr("from 1 to 99999999"), Not(HasSubstr("Add")))));

@@ -251,6 +251,12 @@ TEST(FeedLeak, IsAWarningWhereACallerLosesItsOwn) {
     EXPECT_THAT(judged("MAC503", "O1\nG1 X1. F800.\nG65 P9001 Z-1. F50.\nX9.\nM30\n" + macro),
                 ElementsAre("warning 7"));
     EXPECT_THAT(judged("MAC503", "O1\nG65 P9001 Z-1. F50.\nX9.\nM30\n" + macro), ElementsAre("note 6"));
+    // What is left is what the caller had.
+    const std::string fast = "O9001\nG1 Z#26 F200.\nG1 Z0 F9600\nM99\n";
+    EXPECT_THAT(judged("MAC503", "O1\nG1 X1. F9600\nG65 P9001 Z-1.\nX9.\nM30\n" + fast),
+                ElementsAre("note 8"));
+    EXPECT_THAT(judged("MAC503", "O1\nG1 X1. F900\nG65 P9001 Z-1.\nX9.\nM30\n" + fast),
+                ElementsAre("warning 8"));
     EXPECT_THAT(judged("MAC503", macro), ElementsAre("note 2"));
 }
 
@@ -292,7 +298,7 @@ TEST(FeedLeak, IsNotPutBackByAGWord) {
 
 TEST(FeedLeak, ThatNobodyReliesOnIsOneNoteForFeedAndSpeed) {
     EXPECT_THAT(messages_raised("MAC503", "O9001\nS[#1*2] M3\nG1 Z#26 F#9\nM99\n"),
-                ElementsAre(HasSubstr("'F#9' and 'S[#1*2]' are left")));
+                ElementsAre(HasSubstr("Left to the caller: 'F#9' and 'S[#1*2]'.")));
 }
 
 TEST(FeedLeak, NamesTheCure) {

@@ -160,6 +160,30 @@ TEST(UninitialisedLocal, AWordThatIsIgnoredOnTheWayToAnAlarmDoesNoHarm) {
     EXPECT_THAT(lines_raised("MAC209", begin + "N9 G0 Z#31\nIF[#1NE#0]GOTO8\n#3000=91\nN8 M99\n"), IsEmpty());
 }
 
+TEST(UninitialisedLocal, AComputedJumpGoesWhereItsNumberLeads) {
+    const std::string text =
+        "O9001\n#32=50\nN50 IF[#24LE#7]GOTO56\n#32=56\nGOTO63\nN56 IF[#1EQ#0]GOTO58\n#29=#17\nGOTO64\n"
+        "N58 GOTO#32\nN63 GOTO#32\nN64 G0 X#29\nM99\n";
+    EXPECT_THAT(lines_raised("MAC209", text), IsEmpty());
+}
+
+TEST(UninitialisedLocal, AnAlarmOfACalledProgramIsNotForgottenByMovesAfterAnUnknownOne) {
+    const std::string text =
+        "O9001\nG65 P9723\nIF[#26NE#0]GOTO1\n#149=260\nG0 X5.\nG65 P9700\nGOTO2\nN1 #31=#26\n"
+        "N2 G0 Z#31\nM99\nO9700\nGOTO#149\nN260 #3000=91(Z MISSING)\nN500 M99\n";
+    EXPECT_THAT(lines_raised("MAC209", text), IsEmpty());
+}
+
+TEST(UninitialisedLocal, ALetterThatIsUsedOnlyWhereItIsLeftOutIsTold) {
+    EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#24NE#0]GOTO9\nG0 X#24 Y#25\nM99\nN9 #3000=1\n"),
+                ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#24EQ#0]GOTO9\nG0 X#24 Y#25\nM99\nN9 #3000=1\n"),
+                IsEmpty());
+    // Counted from there, passed on, or compared: a custom.
+    EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#24NE#0]GOTO9\n#24=#24+1\nN9 G0 X#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#24NE#0]GOTO9\nG65 P9003 X#24\nN9 M99\n"), IsEmpty());
+}
+
 TEST(UninitialisedLocal, ManyTestsOfOneValueAreNotTooMany) {
     const std::string text =
         "O9001\nIF[#4012EQ54]GOTO2\nIF[#4012EQ55]GOTO2\nIF[#4012EQ56]GOTO2\nIF[#4012EQ57]GOTO2\nGOTO9\n"

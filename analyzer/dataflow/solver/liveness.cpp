@@ -103,10 +103,7 @@ class LiveVariables {
                        [&](const RegionMark& what) { add_reads(what.condition, live); },
                        [&](const Guarded& what) { add_reads(what.condition, live); },
                        [&](const Jump& what) { add_reads(what.target, live); },
-                       [&](const Call& what) {
-                           const Summary& summary = (*callees_)(id).summary;
-                           if (summary.known && summary.may_stop) call(what, live);
-                       },
+                       [&](const Call& what) { call_that_decides(id, what, live); },
                        [](const auto&) {},
                    },
                    program_.effects[id].what);
@@ -225,6 +222,13 @@ class LiveVariables {
         if (may_be_another || graph_.channels_at(node).running != graph_.all_channels) return;
         const std::size_t place = places_.at(program_.meant_by(variable));
         live[place / word_bits] &= ~bit(place);
+    }
+
+    /// Whether it comes back depends on these, and on arguments, which seldom differ from path to path.
+    void call_that_decides(EffectId id, const Call& call, LiveSet& live) const {
+        for (const Variable variable : (*callees_)(id).summary.decides_end)
+            if (kind_of(call).frame == Frame::shared || space(variable.space).scope != Scope::frame)
+                add(variable, live);
     }
 
     void call(const Call& call, LiveSet& live) const {
