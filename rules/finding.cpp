@@ -67,7 +67,8 @@ std::string with_alarm(std::string_view text, std::string_view alarm) {
 
 std::string Finding::statement() const {
     const Message* message = text_of(*this);
-    return fill(with_alarm(message == nullptr ? rule->summary : message->text, alarm), arguments);
+    return fill(with_alarm(message == nullptr ? rule->summary : message->text, alarm), arguments) +
+           repeated_in(repeats);
 }
 
 std::string Finding::cure() const {
@@ -78,7 +79,7 @@ std::string Finding::cure() const {
 std::string Finding::message() const {
     std::string text = statement();
     if (const std::string mending = cure(); !mending.empty()) text += " " + mending;
-    return text + repeated_in(repeats);
+    return text;
 }
 
 std::vector<RelatedLocation> Finding::further_places() const {

@@ -76,10 +76,9 @@ struct Finding {
 
     /// Takes the fix, unless it changes nothing, or the same bytes twice: then the finding has none.
     void offer(Fix offered);
-    /// The message with its arguments filled in, after it the cure where the message has one, and how many
-    /// more places it is true of.
+    /// The statement, and the cure after it where the message has one.
     [[nodiscard]] std::string message() const;
-    /// The message alone.
+    /// The message with its arguments filled in, and how many more places it is true of.
     [[nodiscard]] std::string statement() const;
     /// How to mend it; empty where the message itself says so.
     [[nodiscard]] std::string cure() const;

@@ -250,7 +250,7 @@ TEST_F(Executable, WritesReportsOverEarlierReports) {
 }
 
 TEST_F(Executable, ShowsNoMoreFindingsThanAskedButFailsForAll) {
-    folder.write("O1001.nc", "%\nO1001\nIF[#500EQ1]GOTO98\nIF[#500EQ2]GOTO99\nM30\n%\n");
+    folder.write("O1001.nc", "%\nO1001\nGOTO98\nM30\nO1002\nGOTO99\nM30\n%\n");
     const Finished finished = run({"--max-findings", "1", "--select", "MAC301"});
     EXPECT_EQ(finished.status, 1);
     EXPECT_THAT(finished.out, HasSubstr("2 errors in 1 file (1 checked, 1 not shown: see --max-findings)"));
@@ -427,7 +427,7 @@ TEST_F(Executable, RefusesAControlOfAnotherLanguageThanTheDialectAskedFor) {
 }
 
 TEST_F(Executable, CountsWhatItDoesNotShow) {
-    folder.write("O1001.nc", "%\nO1001\nGOTO 97\nGOTO 98\nGOTO 99\nM30\n%\n");
+    folder.write("O1001.nc", "%\nO1001\nGOTO 97\nM30\nO1002\nGOTO 98\nM30\nO1003\nGOTO 99\nM30\n%\n");
     EXPECT_EQ(run({"--max-findings", "0"}).out,
               "3 errors in 1 file (1 checked, 3 not shown: see --max-findings)\n");
     EXPECT_THAT(run({"--max-findings", "2"}).out,
@@ -439,9 +439,9 @@ TEST_F(Executable, CountsWhatItDoesNotShow) {
 }
 
 TEST_F(Executable, ShowsATerminalAHundredFindingsAndAFileAll) {
-    std::string text = "%\nO1001\n";
-    for (int i = 0; i < 130; ++i) text += "IF[#500EQ" + std::to_string(i) + "]GOTO98\n";
-    folder.write("O1001.nc", text + "M30\n%\n");
+    std::string text = "%\n";
+    for (int i = 0; i < 130; ++i) text += "O" + std::to_string(1001 + i) + "\nGOTO98\nM30\n";
+    folder.write("O1001.nc", text + "%\n");
     const auto count = [](const Finished& finished) {
         std::size_t findings = 0;
         for (std::size_t at = 0; (at = finished.out.find("error[MAC301]", at)) != std::string::npos; ++at)

@@ -57,6 +57,12 @@ TEST(OneSyntaxError, TheSameUnknownWordIsToldOnceWithItsOtherLines) {
     EXPECT_THAT(first_message(text), EndsWith(" The same in 2 more places: lines 4 and 5."));
 }
 
+TEST(OneMissingNumber, IsToldOnceAProgramWithTheOthers) {
+    const std::string text = "O1\nIF[#100EQ1]GOTO7\nIF[#100EQ2]GOTO8\nM30\nO2\nGOTO9\nM30\n";
+    EXPECT_THAT(told(text), ElementsAre("2: error MAC301 +3", "6: error MAC301"));
+    EXPECT_THAT(first_message(text), HasSubstr(" The same in 1 more place: line 3. "));
+}
+
 TEST(OneSyntaxError, AnotherWordAndAnotherProgramAreOtherCauses) {
     EXPECT_THAT(told("O1\nIF[#100LTE1]GOTO9\nIF[#101GTE1]GOTO9\nN9M30\n"),
                 ElementsAre("2: error MAC118", "3: error MAC118"));
