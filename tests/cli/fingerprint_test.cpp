@@ -53,7 +53,7 @@ TEST(Fingerprint, StaysWhenTheLineMovesOrIsSpacedOtherwise) {
 }
 
 TEST(Fingerprint, NumbersFindingsThatAreAlike) {
-    const auto prints = fingerprints("O1\nIF[#500EQ1]GOTO99\nIF[#500EQ1]GOTO99\nM30\n");
+    const auto prints = fingerprints("O1\nG1 X1. F9. F8.\nG1 X1. F9. F8.\nM30\n");
     ASSERT_EQ(prints.size(), 2U);
     EXPECT_NE(prints[0], prints[1]);
     EXPECT_TRUE(prints[0].ends_with(":1"));
