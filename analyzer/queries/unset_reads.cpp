@@ -99,7 +99,8 @@ void add_to(std::vector<UnsetReads>& groups, const ProgramAnalysis& analysis, Un
         missing = missing_case_on(analysis, found.path, found.read->variable, found.read->node);
     const auto group = std::ranges::find_if(groups, [&](const UnsetReads& reads) {
         return reads.kind == kind && kind != Unset::as_tested &&
-               (kind != Unset::in_some_cases || is_same_case(analysis.program(), reads.missing, missing));
+               (kind != Unset::in_some_cases || reads.first.read->node == found.read->node ||
+                is_same_case(analysis.program(), reads.missing, missing));
     });
     if (group == groups.end()) {
         groups.push_back({kind, std::move(found), {}, std::move(missing)});

@@ -13,7 +13,9 @@ namespace {
 /// Follows the value through the assignments that copy it; `seen` are effects that were looked at before.
 bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read, std::set<EffectId>& seen) {
     using dataflow::Use;
-    if (read.use == Use::argument) return false;
+    // In a program that nobody calls no letter can be meant.
+    if (read.use == Use::argument)
+        return analysis.is_main() && read.value.vacancy == dataflow::Vacancy::vacant;
     if (read.use != Use::copy && read.use != Use::arithmetic) return true;
     const auto stores = analysis.facts().at<dataflow::Store>(read.effect);
     if (stores.size() != 1) return true; // what it is made of is not known one by one
