@@ -152,6 +152,11 @@ TEST(UninitialisedLocal, PassedOnIsNotUsed) {
     EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 Y#25\n#148=#16*2\nM99\n"), ElementsAre(3));
 }
 
+TEST(UninitialisedLocal, PassedOnByAProgramThatNobodyCallsIsTold) {
+    EXPECT_THAT(lines_raised("MAC209", "O1\n#26=-.2\nG65 P9811 Z#18\nM30\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC209", "O1\n#18=-.2\nG65 P9811 Z#18\nM30\n"), IsEmpty());
+}
+
 TEST(UninitialisedLocal, AWordThatIsIgnoredOnTheWayToAnAlarmDoesNoHarm) {
     const std::string begin = "O9001\nIF[#1EQ#0]GOTO9\n#31=#5003\nG0 Z#1\nG0 Z#31\nM99\n";
     EXPECT_THAT(lines_raised("MAC209", begin + "N9 G0 Z#31\n#3000=91(INPUT)\n"), IsEmpty());
