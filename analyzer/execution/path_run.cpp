@@ -17,8 +17,7 @@ using dataflow::Value;
 } // namespace
 
 PathRun::PathRun(const ProgramAnalysis& analysis)
-    : analysis_(analysis)
-    , program_(analysis.program())
+    : program_(analysis.program())
     , graph_(analysis.graph())
     , states_(program_, analysis.data().knowledge())
     , transfer_(program_, graph_, states_, analysis.data().callees())

@@ -56,7 +56,6 @@ class PathRun {
                                   bool holds);
     [[nodiscard]] bool can_be_seen(dataflow::SymbolId id, std::span<const dataflow::SymbolId> seen) const;
 
-    const ProgramAnalysis& analysis_;
     const Program& program_;
     const flow::Graph& graph_;
     dataflow::States states_; ///< of its own: rules ask on several threads
