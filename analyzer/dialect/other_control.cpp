@@ -73,6 +73,7 @@ std::optional<OtherControl> control_by_marks(const ProgramFile& file,
 } // namespace
 
 std::optional<OtherControl> find_other_control(const ProgramFile& file) {
+    if (file.syntax_errors.size() < enough_marks) return std::nullopt; // as of most files, however long
     std::vector<const SyntaxError*> code;
     std::vector<const SyntaxError*> senseless;
     // Of a program at the head that is whole only its own text tells: what follows it may be line noise.
