@@ -17,11 +17,13 @@ Severity severity_in(const ProgramFile& file, const Rule& rule) {
     return other == rule.severity_elsewhere.end() ? rule.severity : other->severity;
 }
 
-/// An error is what the control stops at.
+/// An error is what the control stops at. Where it may raise one of several alarms, nobody is told which.
 std::string_view alarm_in(const ProgramFile& file, const Rule& rule) {
     if (file.control == nullptr || severity_in(file, rule) != Severity::error) return {};
-    const auto alarm = std::ranges::find(rule.alarms, file.control->alarms, &Alarm::control);
-    return alarm == rule.alarms.end() ? std::string_view() : alarm->number;
+    const auto raised = [&](const Alarm& alarm) { return alarm.control == file.control->alarms; };
+    if (std::ranges::count_if(rule.alarms, raised) != 1) return {};
+    const auto alarm = std::ranges::find_if(rule.alarms, raised);
+    return alarm->always ? alarm->number : std::string_view();
 }
 
 } // namespace

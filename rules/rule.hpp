@@ -33,6 +33,7 @@ struct Alarm {
     std::string_view control; ///< "FANUC 16i/18i/21i"
     std::string_view number;  ///< "124"
     std::string_view text;    ///< "MISSING END STATEMENT"
+    bool always = true;       ///< wherever the rule finds an error, and not only in some of its cases
 };
 
 /// A program that shows the rule.

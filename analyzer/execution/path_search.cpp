@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/flow/walk.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -76,18 +77,16 @@ PathFound PathSearch::path_gone() const {
 /// Finds out how far each node is from the end of each leg.
 void PathSearch::measure(std::span<const Leg> legs) {
     distance_.assign(legs.size(), std::vector<std::uint32_t>(graph_.nodes.size(), no_way));
-    std::vector<flow::NodeId> waiting;
     for (std::size_t leg = 0; leg < legs.size(); ++leg) {
         std::vector<std::uint32_t>& distance = distance_[leg];
         distance[legs[leg].to] = 0;
-        waiting.assign(1, legs[leg].to);
-        for (std::size_t next = 0; next < waiting.size(); ++next)
-            for (const flow::EdgeId id : graph_.in[waiting[next]]) {
+        flow::walk<flow::Direction::backward>(
+            graph_, {legs[leg].to}, [&](flow::EdgeId id, flow::NodeId from) {
                 const flow::Edge& edge = graph_.edges[id];
-                if (distance[edge.from] != no_way || !may_take(edge, id, legs[leg])) continue;
-                distance[edge.from] = distance[waiting[next]] + 1;
-                waiting.push_back(edge.from);
-            }
+                if (distance[from] != no_way || !may_take(edge, id, legs[leg])) return flow::Step::refuse;
+                distance[from] = distance[edge.to] + 1;
+                return flow::Step::go_on;
+            });
     }
 }
 
@@ -165,23 +164,11 @@ const PathSearch::Rounds& PathSearch::rounds_of(flow::NodeId head) {
     const auto [found, fresh] = rounds_.try_emplace(head);
     Rounds& rounds = found->second;
     if (!fresh) return rounds;
-    std::vector<bool> seen(graph_.nodes.size() - head, false);
-    std::vector<flow::NodeId> waiting;
-    const auto add_sources = [&](flow::NodeId node) {
-        for (const flow::EdgeId id : graph_.in[node]) {
-            const flow::NodeId from = graph_.edges[id].from;
-            if (from < head || seen[from - head] || !analysis_.data().passable(id)) continue;
-            seen[from - head] = true;
-            waiting.push_back(from);
-        }
-    };
-    add_sources(head);
-    while (!waiting.empty()) {
-        const flow::NodeId node = waiting.back();
-        waiting.pop_back();
-        rounds.nodes.push_back(node);
-        if (node != head) add_sources(node);
-    }
+    flow::walk<flow::Direction::backward>(graph_, {head}, [&](flow::EdgeId edge, flow::NodeId from) {
+        if (from < head || !analysis_.data().passable(edge)) return flow::Step::refuse;
+        rounds.nodes.push_back(from);
+        return from == head ? flow::Step::end : flow::Step::go_on;
+    });
     std::ranges::sort(rounds.nodes);
     collect_changes(rounds);
     return rounds;

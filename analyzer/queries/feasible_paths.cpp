@@ -2,6 +2,7 @@
 #include "analyzer/queries/feasible_paths.hpp"
 
 #include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/flow/walk.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,27 +46,15 @@ bool assigned_on_every_path(const ProgramAnalysis& analysis, Variable variable, 
 std::vector<const dataflow::Store*> last_stores_before(const ProgramAnalysis& analysis, Variable variable,
                                                        const dataflow::Loop& loop) {
     const flow::Graph& graph = analysis.graph();
-    const auto& all = analysis.facts().all<dataflow::Store>();
     std::vector<const dataflow::Store*> found;
-    std::vector<bool> seen(graph.nodes.size(), false);
-    std::vector<flow::NodeId> pending{loop.head};
-    while (!pending.empty()) {
-        const flow::NodeId node = pending.back();
-        pending.pop_back();
-        for (const flow::EdgeId edge : graph.in[node]) {
-            const flow::NodeId from = graph.edges[edge].from;
-            if (seen[from] || loop.holds(from) || !analysis.data().passable(edge)) continue;
-            seen[from] = true;
-            const dataflow::Store* last = nullptr;
-            for (auto store = std::ranges::lower_bound(all, from, {}, &dataflow::Store::node);
-                 store != all.end() && store->node == from; ++store)
-                if (store->variable == variable) last = &*store;
-            if (last != nullptr)
-                found.push_back(last);
-            else
-                pending.push_back(from);
-        }
-    }
+    flow::walk<flow::Direction::backward>(graph, {loop.head}, [&](flow::EdgeId edge, flow::NodeId from) {
+        if (loop.holds(from) || !analysis.data().passable(edge)) return flow::Step::refuse;
+        const dataflow::Store* last = nullptr;
+        for (const dataflow::Store& store : analysis.facts().in<dataflow::Store>(from))
+            if (store.variable == variable) last = &store;
+        if (last != nullptr) found.push_back(last);
+        return last == nullptr ? flow::Step::go_on : flow::Step::end;
+    });
     return found;
 }
 

@@ -1,6 +1,7 @@
 //! Compares what a program reads with what its callers pass.
 #include "analyzer/queries/missing_arguments.hpp"
 
+#include "analyzer/flow/walk.hpp"
 #include "analyzer/queries/callers.hpp"
 
 #include <algorithm>
@@ -44,26 +45,19 @@ bool is_asked_for(const ProgramAnalysis& analysis, const dataflow::Read& wanted)
 /// Whether no path to an exit, alarms left out, leads around the node: another argument may choose between
 /// the paths.
 bool is_on_every_path(const ProgramAnalysis& analysis, flow::NodeId node) {
-    const flow::Graph& graph = analysis.graph();
-    std::vector<bool> seen(graph.nodes.size());
-    std::vector<flow::NodeId> open{0};
-    seen[node] = seen[0] = true;
-    if (node == 0) return true;
-    while (!open.empty()) {
-        const flow::NodeId at = open.back();
-        open.pop_back();
-        const bool leaves = std::ranges::any_of(graph.exits, [&](const flow::Exit& exit) {
+    const auto leaves = [&](flow::NodeId at) {
+        return std::ranges::any_of(analysis.graph().exits, [&](const flow::Exit& exit) {
             return exit.node == at && exit.kind != flow::ExitKind::alarm;
         });
-        if (leaves) return false;
-        for (const flow::EdgeId id : graph.out[at]) {
-            const flow::NodeId to = graph.edges[id].to;
-            if (seen[to] || !analysis.data().passable(id)) continue;
-            seen[to] = true;
-            open.push_back(to);
-        }
-    }
-    return true;
+    };
+    if (node == 0) return true;
+    bool left = leaves(0);
+    flow::walk<flow::Direction::forward>(analysis.graph(), {0}, [&](flow::EdgeId edge, flow::NodeId to) {
+        if (left || to == node || !analysis.data().passable(edge)) return flow::Step::refuse;
+        left = leaves(to);
+        return flow::Step::go_on;
+    });
+    return !left;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "analyzer/queries/missing_cases.hpp"
 
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/flow/walk.hpp"
 #include "analyzer/queries/conditions.hpp"
 
 #include <algorithm>
@@ -40,18 +41,12 @@ class Search {
     /// For every node whether the read is reached from there, perhaps over no assignment.
     [[nodiscard]] std::vector<bool> nodes_before(flow::NodeId read, bool around) const {
         std::vector<bool> before(graph_.nodes.size(), false);
-        std::vector<flow::NodeId> waiting{read};
         before[read] = true;
-        while (!waiting.empty()) {
-            const flow::NodeId node = waiting.back();
-            waiting.pop_back();
-            for (const flow::EdgeId id : graph_.in[node]) {
-                const flow::NodeId from = graph_.edges[id].from;
-                if (before[from] || (around && assigns_[from]) || !analysis_.data().passable(id)) continue;
-                before[from] = true;
-                waiting.push_back(from);
-            }
-        }
+        flow::walk<flow::Direction::backward>(graph_, {read}, [&](flow::EdgeId edge, flow::NodeId from) {
+            if ((around && assigns_[from]) || !analysis_.data().passable(edge)) return flow::Step::refuse;
+            before[from] = true;
+            return flow::Step::go_on;
+        });
         return before;
     }
 

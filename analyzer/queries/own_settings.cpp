@@ -1,6 +1,7 @@
 //! Goes back from a node over the blocks that set a group.
 #include "analyzer/queries/own_settings.hpp"
 
+#include "analyzer/flow/walk.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/origins.hpp"
@@ -54,44 +55,27 @@ bool calls_change(const ProgramAnalysis& analysis, flow::NodeId node, GroupId gr
 std::vector<std::optional<double>> last_settings_before(const ProgramAnalysis& analysis, flow::NodeId node,
                                                         GroupId group) {
     std::vector<std::optional<double>> found;
-    const flow::Graph& graph = analysis.graph();
-    std::vector<bool> seen(graph.nodes.size());
-    std::vector<flow::NodeId> open{node};
-    while (!open.empty()) {
-        const flow::NodeId at = open.back();
-        open.pop_back();
-        for (const flow::EdgeId id : graph.in[at]) {
-            const flow::NodeId from = graph.edges[id].from;
-            if (seen[from] || !analysis.data().passable(id)) continue;
-            seen[from] = true;
-            if (const auto setting = setting_in(analysis, from, group))
-                found.push_back(*setting);
-            else
-                open.push_back(from);
-        }
-    }
+    flow::walk<flow::Direction::backward>(analysis.graph(), {node},
+                                          [&](flow::EdgeId edge, flow::NodeId from) {
+                                              if (!analysis.data().passable(edge)) return flow::Step::refuse;
+                                              const auto setting = setting_in(analysis, from, group);
+                                              if (setting) found.push_back(*setting);
+                                              return setting ? flow::Step::end : flow::Step::go_on;
+                                          });
     return found;
 }
 
 bool stays_at(const ProgramAnalysis& analysis, flow::NodeId node, GroupCode code) {
     std::vector<std::optional<double>> now = last_settings_before(analysis, node, code.group);
     if (const auto setting = setting_in(analysis, node, code.group)) now = {*setting};
-    const flow::Graph& graph = analysis.graph();
-    std::vector<bool> seen(graph.nodes.size());
-    std::vector<flow::NodeId> open{node};
-    while (!open.empty()) {
-        const flow::NodeId at = open.back();
-        open.pop_back();
-        for (const flow::EdgeId id : graph.out[at]) {
-            const flow::NodeId to = graph.edges[id].to;
-            if (seen[to] || !analysis.data().passable(id)) continue;
-            seen[to] = true;
-            open.push_back(to);
-            if (const auto setting = setting_in(analysis, to, code.group)) now.push_back(*setting);
-            if (calls_change(analysis, to, code.group)) return false;
-        }
-    }
-    return !now.empty() && std::ranges::all_of(now, [&](const std::optional<double>& setting) {
+    bool by_a_call = false;
+    flow::walk<flow::Direction::forward>(analysis.graph(), {node}, [&](flow::EdgeId edge, flow::NodeId to) {
+        if (!analysis.data().passable(edge)) return flow::Step::refuse;
+        if (const auto setting = setting_in(analysis, to, code.group)) now.push_back(*setting);
+        by_a_call = by_a_call || calls_change(analysis, to, code.group);
+        return by_a_call ? flow::Step::end : flow::Step::go_on;
+    });
+    return !by_a_call && !now.empty() && std::ranges::all_of(now, [&](const std::optional<double>& setting) {
         return setting == code.code;
     });
 }

@@ -43,7 +43,7 @@ G1 Z#26 F#9
 F#33
 M99
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "115", "ILLEGAL VARIABLE NUMBER"}},
+    .alarms = {{"FANUC 16i/18i/21i", "115", "ILLEGAL VARIABLE NUMBER", false}},
     .sources = {"SEED-001:633,770,1360"},
     .check = &check,
 };

@@ -2,8 +2,10 @@
 #include "analyzer/dataflow/solver/stop_reasons.hpp"
 
 #include "analyzer/dataflow/domain/read_set.hpp"
+#include "analyzer/flow/walk.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
@@ -46,16 +48,12 @@ class StopReasonSearch {
     }
 
     void go_back() {
-        while (!pending_.empty()) {
-            const flow::NodeId node = pending_.back();
-            pending_.pop_back();
-            for (const flow::EdgeId id : graph_.in[node]) {
-                const flow::NodeId from = graph_.edges[id].from;
-                if (leads_[from] || !reached_[from]) continue;
-                leads_[from] = true;
-                pending_.push_back(from);
-            }
-        }
+        flow::walk<flow::Direction::backward>(graph_, std::move(pending_),
+                                              [&](flow::EdgeId, flow::NodeId from) {
+                                                  if (!reached_[from]) return flow::Step::refuse;
+                                                  leads_[from] = true;
+                                                  return flow::Step::go_on;
+                                              });
     }
 
     void add_decisions(flow::NodeId node) {
