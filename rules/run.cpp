@@ -77,8 +77,13 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
 
     std::vector<std::vector<Finding>> parts(files.size() + programs.size());
     for_each_parallel(parts.size(), jobs, [&](std::size_t i) {
-        parts[i] =
-            i < files.size() ? check(selection, *files[i]) : check(selection, *programs[i - files.size()]);
+        if (i < files.size()) {
+            parts[i] = check(selection, *files[i]);
+        } else {
+            const ProgramAnalysis& program = *programs[i - files.size()];
+            parts[i] = check(selection, program);
+            program.companion().forget();
+        }
     });
 
     std::vector<Finding> findings;

@@ -27,7 +27,39 @@ PathRun::PathRun(const ProgramAnalysis& analysis)
     transfer_.follow_one_path();
 }
 
+std::uint64_t hash_mixed(const PathRun::Step& step) {
+    std::uint64_t hash =
+        dataflow::mix(static_cast<std::uint64_t>(step.kind), dataflow::side_by_side(step.id, step.root));
+    hash = dataflow::mix(hash, dataflow::side_by_side(step.havoc, step.assumed));
+    return dataflow::mix(hash, dataflow::side_by_side(step.time.acted, step.time.stored));
+}
+
+template<class Take>
+std::optional<PathRun::Point> PathRun::remembered(Step::Kind kind, std::uint32_t id, const Point& before,
+                                                  const Take& take) {
+    const std::uint32_t step =
+        steps_({kind, id, before.state.root, before.state.havoc, before.assumed, before.time});
+    if (step == after_.size()) after_.push_back(take());
+    return after_[step];
+}
+
 PathRun::Point PathRun::run(flow::NodeId node, Point point) {
+    return *remembered(Step::Kind::node, node, point, [&] { return run_now(node, point); });
+}
+
+std::optional<PathRun::Point> PathRun::along(flow::EdgeId id, const Point& after) {
+    if (!after.state.reached) return std::nullopt;
+    const flow::Edge& edge = graph_.edges[id];
+    if (!edge.condition && !edge.label && graph_.channels_at(edge.from).running == graph_.all_channels)
+        return after;
+    return remembered(Step::Kind::edge, id, after, [&] { return along_now(id, after); });
+}
+
+PathRun::Point PathRun::after_changes(const Changes& changes, flow::NodeId head, Point point) {
+    return *remembered(Step::Kind::rounds, head, point, [&] { return change(changes, head, point); });
+}
+
+PathRun::Point PathRun::run_now(flow::NodeId node, Point point) {
     transfer_.set_machine_time(point.time);
     point.state = transfer_.run(node, point.state);
     const flow::Node& n = graph_.nodes[node];
@@ -59,7 +91,7 @@ bool PathRun::stores_in_machine(const flow::Node& node) const {
 
 // ---- decisions
 
-std::optional<PathRun::Point> PathRun::along(flow::EdgeId id, const Point& after) {
+std::optional<PathRun::Point> PathRun::along_now(flow::EdgeId id, const Point& after) {
     const flow::Edge& edge = graph_.edges[id];
     Point next = after;
     transfer_.turn_back();
@@ -99,7 +131,7 @@ bool PathRun::assume_one(Point& point, const dataflow::State& before, const Appl
 
 // ---- loops
 
-PathRun::Point PathRun::after_changes(const Changes& changes, flow::NodeId head, Point point) {
+PathRun::Point PathRun::change(const Changes& changes, flow::NodeId head, Point point) {
     const auto unknown = [&](Variable variable) {
         Value value;
         value.symbol = states_.table().symbols({Symbol::Kind::joined, dataflow::key_of(variable), head, 1});

@@ -2,6 +2,7 @@
 //! are equal values, and what the decisions on the path have assumed of them.
 #pragma once
 
+#include "analyzer/dataflow/domain/interner.hpp"
 #include "analyzer/dataflow/solver/transfer.hpp"
 #include "analyzer/execution/assumptions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -28,7 +29,7 @@ class PathRun {
         dataflow::Transfer::MachineTime time;
     };
 
-    /// The analysis must outlive the run.
+    /// The analysis must outlive the run. What a step makes of a point is remembered: many paths begin alike.
     explicit PathRun(const ProgramAnalysis& analysis);
 
     [[nodiscard]] Point at_start() const { return {states_.at_entry(), Assumptions::none, {}}; }
@@ -49,6 +50,25 @@ class PathRun {
     [[nodiscard]] bool acts(flow::NodeId id) const;
 
   private:
+    /// A step that was taken: the node, edge or head, and the point before it.
+    struct Step {
+        enum class Kind : std::uint8_t { node, edge, rounds } kind;
+        std::uint32_t id;
+        dataflow::Root root;
+        dataflow::HavocId havoc;
+        Assumptions::Id assumed;
+        dataflow::Transfer::MachineTime time;
+        friend bool operator==(const Step&, const Step&) = default;
+    };
+    friend std::uint64_t hash_local(const Step& step) { return hash_mixed(step); }
+    friend std::uint64_t hash_mixed(const Step& step);
+    /// What `take` makes of the point, asked once for the same.
+    template<class Take>
+    [[nodiscard]] std::optional<Point> remembered(Step::Kind kind, std::uint32_t id, const Point& before,
+                                                  const Take& take);
+    [[nodiscard]] Point run_now(flow::NodeId node, Point point);
+    [[nodiscard]] std::optional<Point> along_now(flow::EdgeId id, const Point& after);
+    [[nodiscard]] Point change(const Changes& changes, flow::NodeId head, Point point);
     [[nodiscard]] bool stores_in_machine(const flow::Node& node) const;
     [[nodiscard]] bool assume(Point& point, const dataflow::State& before, ExpressionId condition,
                               bool holds);
@@ -61,8 +81,10 @@ class PathRun {
     dataflow::States states_; ///< of its own: rules ask on several threads
     dataflow::Transfer transfer_;
     Assumptions assumptions_;
-    bool reads_modal_state_;               ///< somewhere in the program
-    std::vector<dataflow::SymbolId> seen_; ///< kept for its memory
+    dataflow::Interner<Step> steps_;
+    std::vector<std::optional<Point>> after_; ///< of each step
+    bool reads_modal_state_;                  ///< somewhere in the program
+    std::vector<dataflow::SymbolId> seen_;    ///< kept for its memory
 };
 
 } // namespace maclint::execution

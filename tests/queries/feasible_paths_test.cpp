@@ -87,6 +87,55 @@ TEST(FeasiblePaths, AMoveAfterACountedLoopFollows) {
     EXPECT_TRUE(queries::can_follow(program, 1, last));
 }
 
+/// Fourteen variables that are set or not, each in a case of its own: 16,384 different ways.
+std::string many_cases() {
+    std::string text;
+    for (int i = 0; i < 14; ++i) {
+        const std::string n = std::to_string(i);
+        text += "IF[#" + std::to_string(600 + i) + "EQ1]GOTO3" + n + "\n#" + std::to_string(10 + i) +
+                "=1\nN3" + n + "\n";
+    }
+    return text;
+}
+
+execution::PathFound search_for_last_read(const ProgramAnalysis& program, std::int32_t variable) {
+    const dataflow::Read* last = nullptr;
+    for (const dataflow::Read& read : program.facts().all<dataflow::Read>())
+        if (read.variable.number == variable) last = &read;
+    execution::PathSearch search(program);
+    return queries::path_without_assignment(search, program, last->variable, last->node);
+}
+
+TEST(FeasiblePaths, WhatOnlyLaterDecisionsAskForMakesNoDifference) {
+    std::string later;
+    for (int i = 10; i < 24; ++i) later += "IF[#" + std::to_string(i) + "EQ1]GOTO99\n";
+    // One of the two tests of #501 sets #5 on every path, which only the search of all of them shows.
+    const std::string text =
+        "O1\nIF[#501EQ1]GOTO20\n#5=1\nN20\n" + many_cases() + "IF[#501NE1]GOTO21\n#5=2\nN21 G0Z#5\n";
+    const auto workspace = test::analyse_fanuc(text + later + "N99 M30\n");
+    const execution::PathFound found = search_for_last_read(workspace->programs().front(), 5);
+    EXPECT_FALSE(found.path.has_value());
+    EXPECT_FALSE(found.gave_up);
+    // Asked before the read they do.
+    const auto asked = test::analyse_fanuc("O1\nIF[#501EQ1]GOTO20\n#5=1\nN20\n" + many_cases() + later +
+                                           "IF[#501NE1]GOTO21\n#5=2\nN21 G0Z#5\nN99 M30\n");
+    EXPECT_TRUE(search_for_last_read(asked->programs().front(), 5).gave_up);
+}
+
+TEST(FeasiblePaths, ASearchFindsTheSameAfterOthers) {
+    const auto workspace = test::analyse_fanuc(
+        "O1\nIF[#501EQ1]GOTO20\n#5=1\nN20\nIF[#502EQ1]GOTO22\n#6=1\nN22\nIF[#501NE1]GOTO21\n#5=2\n"
+        "N21 G0Z#5\nG0X#6\nM30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    const auto first = search_for_last_read(program, 6).path;
+    ASSERT_TRUE(first.has_value());
+    EXPECT_FALSE(search_for_last_read(program, 5).path.has_value());
+    EXPECT_EQ(search_for_last_read(program, 6).path, first);
+    program.companion().forget();
+    EXPECT_EQ(search_for_last_read(program, 6).path, first);
+    EXPECT_FALSE(search_for_last_read(program, 5).path.has_value());
+}
+
 /// 1-based lines of the stores in #1 that can be the last one before the only loop.
 std::vector<std::uint32_t> lines_of_stores_before_loop(const std::string& text) {
     const auto workspace = test::analyse_fanuc("O1\n" + text + "WHILE[#1LT9]DO1\n#1=#1+1\nEND1\nM30\n");

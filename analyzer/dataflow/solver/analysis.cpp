@@ -105,7 +105,8 @@ Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowle
     , graph_(&graph)
     , knowledge_(std::move(knowledge))
     , callees_(std::move(callees))
-    , states_(std::make_unique<States>(program, knowledge_)) {
+    , states_(std::make_unique<States>(program, knowledge_))
+    , known_starts_(std::make_unique<KnownStarts>()) {
     thread_local WorkingLists lists;
     AnalysisBuilder(program, graph, callees_, wanted, lists, *this).run();
     lists.release();

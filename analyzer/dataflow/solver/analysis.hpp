@@ -13,6 +13,7 @@
 namespace maclint::dataflow {
 
 struct KnownStart;
+class KnownStarts;
 
 class Analysis {
   public:
@@ -37,7 +38,8 @@ class Analysis {
     [[nodiscard]] const EntryKnowledge& knowledge() const { return knowledge_; }
     [[nodiscard]] const Callees& callees() const { return callees_; }
 
-    /// Whether some path leads back to the caller when the program is begun with this.
+    /// Whether some path leads back to the caller when the program is begun with this. May be asked on
+    /// several threads.
     [[nodiscard]] bool comes_back(const KnownStart& start) const;
 
     [[nodiscard]] const ValueTable& table() const;
@@ -56,6 +58,8 @@ class Analysis {
 
   private:
     friend class AnalysisBuilder;
+    [[nodiscard]] bool finds_way_back(const KnownStart& start) const;
+
     const Program* program_;
     const flow::Graph* graph_;
     EntryKnowledge knowledge_;
@@ -65,6 +69,7 @@ class Analysis {
     std::vector<bool> passable_;
     Facts facts_;
     Summary summary_;
+    std::unique_ptr<KnownStarts> known_starts_; ///< that were asked about
 };
 
 } // namespace maclint::dataflow

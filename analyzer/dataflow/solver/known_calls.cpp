@@ -3,8 +3,11 @@
 #include "analyzer/dataflow/solver/state_domain.hpp"
 #include "analyzer/dataflow/solver/transfer.hpp"
 #include "analyzer/flow/solve.hpp"
+#include "analyzer/flow/walk.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <utility>
 
 namespace maclint::dataflow {
@@ -14,6 +17,49 @@ namespace {
 constexpr std::size_t most_known_calls = 64;
 /// Longer programs are not run again for a call: those that only report an error are short.
 constexpr std::size_t most_nodes = 2000;
+
+constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
+
+/// How many edges each node is away from the nearest exit that leads back to the caller.
+std::vector<std::uint32_t> distances_to_return(const Program& program, const flow::Graph& graph) {
+    std::vector<std::uint32_t> distance(graph.nodes.size(), no_way);
+    std::vector<flow::NodeId> exits;
+    for (const flow::Exit& exit : graph.exits)
+        if (flow::returns_after_call(program, exit) && distance[exit.node] != 0) {
+            distance[exit.node] = 0;
+            exits.push_back(exit.node);
+        }
+    flow::walk<flow::Direction::backward>(graph, exits, [&](flow::EdgeId id, flow::NodeId from) {
+        if (distance[from] != no_way) return flow::Step::refuse;
+        distance[from] = distance[graph.edges[id].to] + 1;
+        return flow::Step::go_on;
+    });
+    return distance;
+}
+
+/// Whether one path comes back, of which every node is tried with one state alone, the nearest way first.
+bool comes_back_at_first(const Program& program, const flow::Graph& graph, States& states,
+                         Transfer& transfer) {
+    const std::vector<std::uint32_t> distance = distances_to_return(program, graph);
+    std::vector<bool> tried(graph.nodes.size(), false);
+    std::vector<std::pair<flow::NodeId, State>> ways{{0, states.at_entry()}};
+    while (!ways.empty()) {
+        const auto [node, before] = ways.back();
+        ways.pop_back();
+        if (tried[node] || distance[node] == no_way) continue;
+        tried[node] = true;
+        const State after = transfer.run(node, before);
+        if (!after.reached) continue;
+        if (distance[node] == 0) return true;
+        const auto first = static_cast<std::ptrdiff_t>(ways.size());
+        for (const flow::EdgeId id : graph.out[node])
+            if (const State next = transfer.along(graph.edges[id], after); next.reached)
+                ways.emplace_back(graph.edges[id].to, next);
+        std::ranges::stable_sort(ways.begin() + first, ways.end(), std::greater{},
+                                 [&](const auto& way) { return distance[way.first]; });
+    }
+    return false;
+}
 
 } // namespace
 
@@ -66,6 +112,11 @@ bool Transfer::comes_back(const State& state, const Callee& callee, const Call& 
 
 bool Analysis::comes_back(const KnownStart& start) const {
     if (graph_->nodes.size() > most_nodes) return true;
+    return known_starts_->comes_back(start, [&] { return finds_way_back(start); });
+}
+
+/// Most calls come back, and the first way that is tried shows it; only where none does all are looked at.
+bool Analysis::finds_way_back(const KnownStart& start) const {
     EntryKnowledge knowledge = knowledge_;
     knowledge.known = start.known;
     if (start.arguments) {
@@ -75,6 +126,7 @@ bool Analysis::comes_back(const KnownStart& start) const {
     States states(*program_, std::move(knowledge));
     Transfer transfer(*program_, *graph_, states, callees_);
     transfer.follow_no_calls();
+    if (comes_back_at_first(*program_, *graph_, states, transfer)) return true;
     StateDomain domain(*program_, states, transfer);
     flow::Solution<State> solution;
     flow::solve<flow::Direction::forward>(*graph_, domain, solution);

@@ -33,22 +33,24 @@ class LiveVariables {
         collect_reads_by_moves();
         for (const flow::Exit& exit : graph.exits) add_read_after(exit, locals);
     }
-    /// Of decisions.
-    LiveVariables(const Program& program, const flow::Graph& graph, const Callees& callees)
+    /// Of decisions on the way to the goal.
+    LiveVariables(const Program& program, const flow::Graph& graph, const Callees& callees, flow::NodeId goal)
         : program_(program)
         , graph_(graph)
         , callees_(&callees) {
         number_variables();
         read_by_moves_ = none();
-        for (const flow::Exit& exit : graph.exits) at_exit_.try_emplace(exit.node, none());
+        at_exit_.try_emplace(goal, none());
     }
 
     // ---- as a domain
 
-    /// Every node may be the last one: who never leaves a loop reads what it asks for all the same.
+    /// Every node may be the last one: who never leaves a loop reads what it asks for all the same. On the
+    /// way to a goal that is the last one.
     [[nodiscard]] State at_begin(flow::NodeId node) const {
         const auto exit = at_exit_.find(node);
-        return exit == at_exit_.end() ? none() : exit->second;
+        if (exit != at_exit_.end()) return exit->second;
+        return of_decisions() ? LiveSet{} : none();
     }
     [[nodiscard]] static bool is_reached(const State& state) { return !state.empty(); }
     [[nodiscard]] static bool equal(const State& a, const State& b) { return a == b; }
@@ -281,8 +283,9 @@ class LiveVariables {
 Liveness::Liveness(const Program& program, const flow::Graph& graph, Locals locals)
     : Liveness(graph, std::make_unique<const LiveVariables>(program, graph, locals)) {}
 
-Liveness Liveness::of_decisions(const Program& program, const flow::Graph& graph, const Callees& callees) {
-    return {graph, std::make_unique<const LiveVariables>(program, graph, callees)};
+Liveness Liveness::of_decisions(const Program& program, const flow::Graph& graph, const Callees& callees,
+                                flow::NodeId goal) {
+    return {graph, std::make_unique<const LiveVariables>(program, graph, callees, goal)};
 }
 
 Liveness::Liveness(const flow::Graph& graph, std::unique_ptr<const LiveVariables> variables)

@@ -25,10 +25,10 @@ class Liveness {
 
     /// Solves at once. The references must outlive the liveness.
     Liveness(const Program& program, const flow::Graph& graph, Locals locals);
-    /// Of this program's decisions alone: only what a condition, the target of a jump or a call that may not
-    /// come back depends on is read.
+    /// Of this program's decisions alone, on paths to the goal: only what a condition, the target of a jump
+    /// or a call that may not come back depends on is read. From elsewhere nothing is.
     [[nodiscard]] static Liveness of_decisions(const Program& program, const flow::Graph& graph,
-                                               const Callees& callees);
+                                               const Callees& callees, flow::NodeId goal);
     Liveness(Liveness&&) noexcept;
     Liveness& operator=(Liveness&&) noexcept;
     ~Liveness();

@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/fact_lists.hpp"
 #include "analyzer/dataflow/solver/index_reach.hpp"
+#include "analyzer/dataflow/solver/known_start.hpp"
 #include "analyzer/dataflow/solver/summary.hpp"
 
 #include <optional>
@@ -13,14 +14,6 @@
 #include <vector>
 
 namespace maclint::dataflow {
-
-/// With what one call begins the program that it means.
-struct KnownStart {
-    std::vector<KnownVariable> known;
-    /// What it passes; absent: the program has no local variables of its own, or it is unknown.
-    std::optional<std::vector<std::pair<Variable, Vacancy>>> arguments;
-    friend bool operator==(const KnownStart&, const KnownStart&) = default;
-};
 
 class Transfer {
   public:
@@ -138,13 +131,8 @@ class Transfer {
     std::optional<Compared> compared_;
     bool follows_one_path_ = false;
     MachineTime machine_time_;
-    /// A call that was followed into the program that it means.
-    struct FollowedCall {
-        KnownStart start;
-        bool comes_back;
-    };
     bool follows_calls_ = true;
-    std::unordered_map<const Analysis*, std::vector<FollowedCall>> followed_;
+    std::unordered_map<const Analysis*, std::vector<FollowedCall>> followed_; ///< into what they call
 };
 
 } // namespace maclint::dataflow

@@ -1,0 +1,95 @@
+//! Goes through a program forward from its start, one decision after the other, and back to the last one that
+//! can turn out otherwise where it cannot go on.
+#pragma once
+
+#include "analyzer/dataflow/solver/liveness.hpp"
+#include "analyzer/execution/path_run.hpp"
+
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace maclint::execution {
+
+/// A part of a path: to a node, over none of the nodes in between that are `barred` (sorted).
+struct Leg {
+    flow::NodeId to;
+    std::span<const flow::NodeId> barred;
+};
+
+struct PathFound {
+    std::optional<std::vector<flow::EdgeId>> path; ///< from the program's start
+    std::vector<std::size_t> ends;                 ///< of each leg: how many edges of the path lead there
+    std::size_t visits = 0;                        ///< of nodes, that it took
+    bool gave_up = false; ///< none was found among as many as were tried; there may be one
+};
+
+/// What it learns of the program serves the next search, which finds the same as a new explorer would.
+class PathExplorer {
+  public:
+    /// The analysis must outlive the explorer, and hold the facts Store and Clobber.
+    explicit PathExplorer(const ProgramAnalysis& analysis);
+
+    /// See PathSearch; gives up after `most_visits`.
+    [[nodiscard]] PathFound find(std::span<const Leg> legs, std::size_t most_visits);
+
+  private:
+    using Point = PathRun::Point;
+    /// A node on the path, and the ways on from there that were not tried yet.
+    struct Place {
+        flow::NodeId node;
+        std::uint32_t leg;
+        Point after;
+        std::vector<flow::EdgeId> ways; ///< the next one last
+        std::optional<flow::EdgeId> taken;
+        std::uint64_t fingerprint; ///< of the point before the node; 0: not asked for
+    };
+
+    void measure(std::span<const Leg> legs);
+    [[nodiscard]] bool may_take(const flow::Edge& edge, flow::EdgeId id, const Leg& leg) const;
+    /// Whether all legs have been gone.
+    [[nodiscard]] bool arrive(flow::NodeId node, std::uint32_t leg, Point point);
+    void go_back();
+    [[nodiscard]] PathFound path_gone() const;
+    struct Deciding;
+    [[nodiscard]] Deciding& deciding_on_the_way_to(flow::NodeId goal);
+    [[nodiscard]] bool failed_before(flow::NodeId node, std::uint32_t leg, const Point& point,
+                                     std::uint64_t& fingerprint);
+    [[nodiscard]] std::vector<flow::EdgeId> ways_from(flow::NodeId node, std::uint32_t leg) const;
+    [[nodiscard]] const Changes* changes_of_rounds(flow::NodeId head, std::span<const flow::NodeId> barred);
+    [[nodiscard]] bool is_on_path(flow::NodeId node, std::uint32_t leg) const {
+        return (on_path_[node] >> leg & 1U) != 0;
+    }
+
+    /// The nodes of a loop, and what they change.
+    struct Rounds {
+        std::vector<flow::NodeId> nodes; ///< sorted; empty: no edge leads back
+        Changes changes;
+    };
+    [[nodiscard]] const Rounds& rounds_of(flow::NodeId head);
+    void collect_changes(Rounds& rounds) const;
+
+    const ProgramAnalysis& analysis_;
+    const flow::Graph& graph_;
+    PathRun run_;
+    std::span<const Leg> legs_;
+    std::vector<std::vector<std::uint32_t>> distance_; ///< edges to the end of each leg, of every node
+    std::vector<std::uint8_t> on_path_;                ///< of every node, a bit for each leg
+    std::vector<bool> ways_meet_;                      ///< of every node: see ways_meet
+    std::vector<Place> places_;
+    std::unordered_map<flow::NodeId, Rounds> rounds_;
+    /// What the decisions on the way to a goal depend on.
+    struct Deciding {
+        dataflow::Liveness decisions;
+        std::unordered_map<flow::NodeId, std::vector<Variable>> before; ///< nodes asked about so far
+    };
+    std::unordered_map<flow::NodeId, Deciding> deciding_; ///< of goals that some way failed to reach
+    Deciding* ahead_ = nullptr;                           ///< in this search; nullptr: no way has failed
+    std::unordered_set<std::uint64_t> failed_;            ///< fingerprints from which no way leads on
+    std::size_t visits_ = 0;
+};
+
+} // namespace maclint::execution
