@@ -91,7 +91,7 @@ struct CheckWords {
     std::vector<std::string> paths, outputs, select, ignore, severity;
     std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
                         max_findings, path = "short", colour = "auto";
-    bool isolated = false, show_config = false, quiet = false, no_timestamps = false;
+    bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false;
 };
 
 void declare_check(CLI::App& check, CheckWords& words) {
@@ -137,6 +137,7 @@ void declare_check(CLI::App& check, CheckWords& words) {
     check.add_flag("--quiet", words.quiet, "No summary, notes or progress");
     check.add_flag("--no-timestamps", words.no_timestamps,
                    "No times in reports, so that equal runs give equal files");
+    check.add_flag("--timing", words.timing, "Say on standard error where the time of the run went");
 }
 
 Sink sink_of(const std::string& output) {
@@ -229,6 +230,7 @@ CheckRequest check_request(const CheckWords& words) {
     request.colour = choose("--color", words.colour, colours);
     request.quiet = words.quiet;
     request.timestamps = !words.no_timestamps;
+    request.timing = words.timing;
     return request;
 }
 

@@ -37,6 +37,7 @@ struct CheckRequest {
     ColourChoice colour = ColourChoice::automatic;
     bool quiet = false;
     bool timestamps = true;
+    bool timing = false; ///< say where the time went
 };
 
 enum class ListFormat : std::uint8_t { text, json, markdown };

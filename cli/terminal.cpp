@@ -86,6 +86,8 @@ std::string without_path(const Notice& notice) {
 
 } // namespace
 
+void print_aside(std::string_view lines) { std::fputs(std::string(lines).c_str(), stderr); }
+
 void print_error(std::string_view message) { print_line("error", shown(message)); }
 
 void print_notice(const Notice& notice) {

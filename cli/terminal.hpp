@@ -20,6 +20,9 @@ void print_error(std::string_view message);
 /// The notice as an error or a note on standard error.
 void print_notice(const Notice& notice);
 
+/// A part of the report on the run itself, lines that each end in a line feed, on standard error.
+void print_aside(std::string_view lines);
+
 /// Writes to standard output; the exit status says whether that worked.
 [[nodiscard]] int print_text(std::string_view text);
 

@@ -82,7 +82,7 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
         } else {
             const ProgramAnalysis& program = *programs[i - files.size()];
             parts[i] = check(selection, program);
-            program.companion().forget();
+            program.search_memory().forget();
         }
     });
 

@@ -31,9 +31,12 @@ std::size_t whole(const flow::Graph& graph) { return graph.nodes.size() + 1; }
 
 } // namespace
 
-bool assigned_on_every_path(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node) {
+bool assigned_on_every_path(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node,
+                            std::span<const flow::NodeId> unreachable) {
     const flow::Graph& graph = analysis.graph();
-    const std::vector<flow::NodeId> assigning = assigning_nodes(analysis.facts(), variable, node);
+    std::vector<flow::NodeId> assigning = assigning_nodes(analysis.facts(), variable, node);
+    assigning.insert(assigning.end(), unreachable.begin(), unreachable.end());
+    std::ranges::sort(assigning);
     const auto assigns = [&](flow::NodeId n) { return std::ranges::binary_search(assigning, n); };
     if (assigning.empty() || node == 0) return false;
     if (assigns(0)) return true;

@@ -13,9 +13,10 @@
 
 namespace maclint::queries {
 
-/// Whether every path from the program's start to the node passes an assignment to the variable.
+/// Whether every path from the program's start to the node passes an assignment to the variable, or comes to
+/// one of the nodes `unreachable`, which no path without an assignment leads to.
 [[nodiscard]] bool assigned_on_every_path(const ProgramAnalysis& analysis, Variable variable,
-                                          flow::NodeId node);
+                                          flow::NodeId node, std::span<const flow::NodeId> unreachable = {});
 
 /// The assignments to the variable that can be the last one before the loop begins.
 [[nodiscard]] std::vector<const dataflow::Store*>

@@ -17,6 +17,13 @@ namespace {
 
 constexpr int most_attempts = 64; // reads of one variable to which a path is looked for
 
+/// The searches for reads of one variable.
+struct Attempts {
+    Variable variable;
+    int searches = 0;
+    std::vector<flow::NodeId> unreachable = {}; ///< that no path leads to without an assignment
+};
+
 /// Why the value may be vacant is that the variable is as it was when the program began.
 bool is_as_at_entry(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     if (read.value.vacancy != dataflow::Vacancy::vacant && read.value.vacancy != dataflow::Vacancy::maybe)
@@ -151,19 +158,25 @@ std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
     // Without arguments a called program may be one that shares its caller's locals.
     if (!analysis.is_main() && !analysis.is_macro()) return groups;
     const std::vector<Variable> series = series_taken(analysis);
-    std::vector<std::pair<Variable, int>> attempts;
+    std::vector<Attempts> attempts;
     std::optional<execution::PathSearch> search; // most programs have no such read
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         if (!uses_unset(analysis, read) || std::ranges::find(series, read.variable) != series.end()) continue;
-        auto tried = std::ranges::find(attempts, read.variable, &std::pair<Variable, int>::first);
-        if (tried == attempts.end()) tried = attempts.insert(tried, {read.variable, 0});
-        if (tried->second >= most_attempts || counts(analysis, read)) continue;
-        ++tried->second;
+        auto tried = std::ranges::find(attempts, read.variable, &Attempts::variable);
+        if (tried == attempts.end()) tried = attempts.insert(tried, {read.variable});
+        if (tried->searches >= most_attempts || counts(analysis, read)) continue;
+        if (!tried->unreachable.empty() &&
+            assigned_on_every_path(analysis, read.variable, read.node, tried->unreachable))
+            continue;
+        ++tried->searches;
         if (!search) search.emplace(analysis);
-        auto path = path_to_use(*search, analysis, read).path;
-        if (!path) continue;
-        tried->second = most_attempts; // once a variable
-        add_to(groups, analysis, {&read, *std::move(path)});
+        execution::PathFound found = path_to_use(*search, analysis, read);
+        // A path to a word has to lead on to an exit.
+        if (!found.path && !found.gave_up && read.use != dataflow::Use::word)
+            tried->unreachable.push_back(read.node);
+        if (!found.path) continue;
+        tried->searches = most_attempts; // once a variable
+        add_to(groups, analysis, {&read, *std::move(found.path)});
     }
     return groups;
 }

@@ -8,8 +8,8 @@
 #include "analyzer/flow/regions.hpp"
 #include "analyzer/flow/shortest_paths.hpp"
 #include "analyzer/program/model.hpp"
-#include "analyzer/workspace/companion.hpp"
 #include "analyzer/workspace/resolve.hpp"
+#include "analyzer/workspace/search_memory.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
 #include <memory>
@@ -76,7 +76,7 @@ class ProgramAnalysis {
     /// Which stored values may still be read. May be asked on several threads.
     [[nodiscard]] const dataflow::Liveness& liveness() const;
     /// What is learnt about the program while paths through it are looked for.
-    [[nodiscard]] Companion& companion() const { return companion_; }
+    [[nodiscard]] SearchMemory& search_memory() const { return search_memory_; }
     [[nodiscard]] const std::vector<dataflow::Loop>& loops() const { return loops_; }
     /// Cycles that nothing ends.
     [[nodiscard]] const std::vector<dataflow::Loop>& inescapable_cycles() const {
@@ -128,7 +128,7 @@ class ProgramAnalysis {
     mutable std::optional<flow::ShortestPaths> paths_;
     mutable std::once_flag liveness_once_;
     mutable std::optional<dataflow::Liveness> liveness_;
-    mutable Companion companion_;
+    mutable SearchMemory search_memory_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;
     std::vector<std::shared_ptr<const UndecidedCalls>> undecided_; ///< that may mean it

@@ -5,11 +5,13 @@
 #include "cli/engine/engine.hpp"
 #include "cli/report/limit.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report/timing.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <ctime>
 #include <iterator>
 #include <utility>
@@ -116,6 +118,7 @@ int deliver(const CheckRequest& request, Report report) {
 
 int run_check(const CheckRequest& request) {
     const std::string begin = utc_now();
+    const auto begun = std::chrono::steady_clock::now();
     Settings settings(request.overrides);
     if (const auto refused = refuse_settings(request.overrides, settings)) {
         print_notice(*refused);
@@ -133,6 +136,7 @@ int run_check(const CheckRequest& request) {
         return exit_error;
     }
     std::ranges::move(settings.take_notices(), std::back_inserter(notices));
+    RunTiming timing{.finding = std::chrono::steady_clock::now() - begun};
     ShownConfig config;
     Result result;
     if (request.show_config == ShowConfig::yes)
@@ -145,10 +149,17 @@ int run_check(const CheckRequest& request) {
     progress.reset();
     for (const Notice& notice : notices)
         if (notice.is_error() || !request.quiet) print_notice(notice);
+    const Timing engine_timing = result.timing;
     Report report = report_of(request, std::move(result), std::move(notices));
     if (request.show_config == ShowConfig::yes) return std::max(print_text(config.text), report.exit_status);
     if (request.timestamps) report.times = RunTimes{begin, utc_now()};
-    return deliver(request, std::move(report));
+    const auto analysed = std::chrono::steady_clock::now();
+    const int status = deliver(request, std::move(report));
+    const auto end = std::chrono::steady_clock::now();
+    timing.reports = end - analysed;
+    timing.whole = end - begun;
+    if (request.timing) print_aside(write_timing(engine_timing, timing));
+    return status;
 }
 
 } // namespace maclint::cli

@@ -4,6 +4,7 @@
 #include "analyzer/program/model.hpp"
 #include "analyzer/workspace/groups.hpp"
 #include "analyzer/workspace/parallel.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
 #include "cli/engine/computed_calls.hpp"
 #include "cli/engine/other_control.hpp"
@@ -53,6 +54,7 @@ class Run {
         check_groups(groups_asked_for());
         if (stop_.stop_requested()) return Result{.cancelled = true};
         std::ranges::stable_sort(result_.findings, comes_before, &FilteredFinding::finding);
+        result_.timing = watches_.times();
         return std::move(result_);
     }
 
@@ -66,6 +68,7 @@ class Run {
 
     /// Finds out what the file is, and which programs it names and calls.
     void look_at(std::size_t place) {
+        const Stopwatches::Running running(watches_.reading);
         const SnapshotFile& file = snapshot_.files[place];
         SeenFile& seen = seen_[place];
         auto opened = open_file(file);
@@ -74,6 +77,8 @@ class Run {
             return;
         }
         auto source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
+        ++watches_.files;
+        watches_.bytes += source->size();
         const bool at_once =
             source->size() >= long_text || (file.input.asked && (at_once_ += source->size()) <= short_texts);
         seen.read =
@@ -146,14 +151,32 @@ class Run {
                                    computed_calls_.may_mean(file, programs->control->language)});
         }
         const Selection selection = selection_of(rules);
-        const auto workspace =
-            Workspace::analyse(std::move(members), {.jobs = jobs, .facts = facts_for(selection)});
-        std::ranges::move(run_rules(*workspace, selection, jobs), std::back_inserter(findings));
+        const auto workspace = analyse(std::move(members), {.jobs = jobs, .facts = facts_for(selection)});
+        std::ranges::move(find(*workspace, selection, jobs), std::back_inserter(findings));
         return withhold_misread(apply_suppressions(std::move(findings), rules));
+    }
+
+    std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> members, WorkspaceOptions options) {
+        const Stopwatches::Running running(watches_.analysis);
+        auto workspace = Workspace::analyse(std::move(members), options);
+        watches_.programs += workspace->programs().size();
+        return workspace;
+    }
+
+    std::vector<Finding> find(const Workspace& workspace, const Selection& selection, unsigned jobs) {
+        const Stopwatches::Running running(watches_.rules);
+        auto findings = run_rules(workspace, selection, jobs);
+        for (const ProgramAnalysis& program : workspace.programs()) {
+            const SearchCounts counts = program.search_memory().counts();
+            watches_.searches += counts.searches;
+            watches_.searches_given_up += counts.gave_up;
+        }
+        return findings;
     }
 
     /// The file's programs, whole; nullptr when it is not linted, or has gone in the meantime.
     std::shared_ptr<const ProgramFile> programs_of(std::size_t place) {
+        const Stopwatches::Running running(watches_.reading);
         ReadFile& read = seen_[place].read;
         if (read.dialect == nullptr || read.file != nullptr) return std::exchange(read.file, nullptr);
         const SnapshotFile& file = snapshot_.files[place];
@@ -203,6 +226,7 @@ class Run {
     std::vector<SeenFile> seen_;           ///< by place in the snapshot
     std::atomic<std::size_t> at_once_ = 0; ///< bytes of texts that were asked for
     ComputedCalls computed_calls_;
+    Stopwatches watches_;
     Result result_;
 };
 

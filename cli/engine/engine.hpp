@@ -3,6 +3,7 @@
 
 #include "cli/engine/program_store.hpp"
 #include "cli/engine/snapshot.hpp"
+#include "cli/engine/timing.hpp"
 #include "cli/filter/apply_suppressions.hpp"
 #include "cli/progress.hpp"
 
@@ -17,7 +18,8 @@ struct Result {
     std::vector<FilteredFinding> findings = {}; ///< in the order of reports
     std::vector<Notice> notices = {}; ///< on files that were asked for, in the order of the snapshot
     std::vector<std::shared_ptr<const Source>> sources =
-        {};                 ///< of files that were asked for and linted, as above
+        {}; ///< of files that were asked for and linted, as above
+    Timing timing = {};
     bool cancelled = false; ///< somebody asked to stop: the rest is empty
 };
 

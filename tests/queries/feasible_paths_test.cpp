@@ -131,7 +131,7 @@ TEST(FeasiblePaths, ASearchFindsTheSameAfterOthers) {
     ASSERT_TRUE(first.has_value());
     EXPECT_FALSE(search_for_last_read(program, 5).path.has_value());
     EXPECT_EQ(search_for_last_read(program, 6).path, first);
-    program.companion().forget();
+    program.search_memory().forget();
     EXPECT_EQ(search_for_last_read(program, 6).path, first);
     EXPECT_FALSE(search_for_last_read(program, 5).path.has_value());
 }
