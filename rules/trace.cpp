@@ -16,7 +16,7 @@ void add_path(Finding& finding, std::vector<RelatedLocation>& to_list, const Pro
               flow::NodeId from, flow::NodeId to) {
     const execution::PathFound found = queries::path_on_from(analysis, from, to);
     if (!found.path) finding.proof = found.gave_up ? std::max(finding.proof, Proof::gave_up) : Proof::no_path;
-    if (from == to) return;
+    if (from == to || (found.gave_up && found.visits == 0)) return; // no more searches, nor steps
     for (RelatedLocation& step :
          found.path ? steps_along(analysis, *found.path) : path_between(analysis, from, to))
         to_list.push_back(std::move(step));

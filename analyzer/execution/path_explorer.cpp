@@ -13,6 +13,10 @@ namespace maclint::execution {
 namespace {
 
 constexpr std::size_t most_legs = 8;
+/// So much work is done for one program: thousands of findings in thousands of blocks are not each worth a
+/// look at all of them.
+constexpr std::size_t most_work = 40'000'000;
+constexpr std::size_t work_of_a_visit = 100; ///< as long as measuring so many nodes
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
 
 bool is_barred(std::span<const flow::NodeId> barred, flow::NodeId node) {
@@ -40,8 +44,10 @@ PathExplorer::PathExplorer(const ProgramAnalysis& analysis)
 
 PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits) {
     assert(!legs.empty() && legs.size() <= most_legs);
+    if (work_ > most_work) return {.path = {}, .ends = {}, .visits = 0, .gave_up = true};
     legs_ = legs;
     measure(legs);
+    work_ += legs.size() * graph_.nodes.size();
     on_path_.assign(graph_.nodes.size(), 0);
     places_.clear();
     failed_.clear();
@@ -68,6 +74,7 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
         place.taken = way;
         arrived = arrive(graph_.edges[way].to, place.leg, *next);
     }
+    work_ += visits_ * work_of_a_visit;
     if (arrived) found = path_gone();
     found.visits = visits_;
     return found;

@@ -90,6 +90,7 @@ class PathExplorer {
     Deciding* ahead_ = nullptr;                           ///< in this search; nullptr: no way has failed
     std::unordered_set<std::uint64_t> failed_;            ///< fingerprints from which no way leads on
     std::size_t visits_ = 0;
+    std::size_t work_ = 0; ///< of all searches: nodes that were measured or visited
 };
 
 } // namespace maclint::execution

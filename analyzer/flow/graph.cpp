@@ -424,11 +424,15 @@ class Building {
         for (NodeId node = 0; node < graph_.nodes.size(); ++node) resolve_unreadable(node);
     }
 
-    NodeId make_shared_target(NodeId like) {
-        const auto id = static_cast<NodeId>(graph_.nodes.size());
+    NodeId add_node_without_effects(NodeId like) {
         Node node = graph_.nodes[like];
         node.effects.count = 0;
         graph_.nodes.push_back(node);
+        return static_cast<NodeId>(graph_.nodes.size() - 1);
+    }
+
+    NodeId make_shared_target(NodeId like) {
+        const NodeId id = add_node_without_effects(like);
         for (const LabelledBlock& labelled : graph_.labels)
             add_edge({id, labelled.node, EdgeKind::computed, {}, true, {}, {}});
         return id;
@@ -448,21 +452,54 @@ class Building {
     void resolve_returns() {
         std::vector<bool> goes_elsewhere(graph_.nodes.size(), false);
         for (const NodeId node : goes_elsewhere_) goes_elsewhere[node] = true;
+        std::size_t edges = 0;
+        for (const auto& [node, call] : calls_) edges += return_targets_.at(call).labels.size();
+        std::vector<SharedReturn> shared;
         for (const auto& [node, call] : calls_) {
             const ReturnTargets& paths = return_targets_.at(call);
             bool all_there = true; // otherwise the control stops: what follows is not judged by that
-            for (const Label& label : paths.labels) {
-                const LabelledBlock* found = graph_.find_label(label, 0, LabelSearch::forward_then_top);
-                all_there &= found != nullptr;
-                if (found != nullptr) add_edge({node, found->node, EdgeKind::resume, {}, true, call, {}});
+            if (edges > most_computed_edges && !paths.labels.empty()) {
+                const SharedReturn& targets = shared_return(shared, paths.labels, node);
+                all_there = targets.all_there;
+                add_edge({node, targets.node, EdgeKind::resume, {}, true, call, {}});
+            } else {
+                all_there = add_returns(node, call, paths.labels);
             }
             goes_elsewhere[node] = !paths.to_next_block && all_there;
         }
+        goes_elsewhere.resize(graph_.nodes.size(), false);
         std::erase_if(graph_.edges, [&](const Edge& edge) {
             return goes_elsewhere[edge.from] && edge.kind != EdgeKind::resume &&
                    edge.kind != EdgeKind::jump && edge.kind != EdgeKind::pass;
         });
         std::erase_if(graph_.exits, [&](const Exit& exit) { return goes_elsewhere[exit.node]; });
+    }
+
+    /// Whether all labels are there.
+    bool add_returns(NodeId node, std::optional<EffectId> call, std::span<const Label> labels) {
+        bool all_there = true;
+        for (const Label& label : labels) {
+            const LabelledBlock* found = graph_.find_label(label, 0, LabelSearch::forward_then_top);
+            all_there &= found != nullptr;
+            if (found != nullptr) add_edge({node, found->node, EdgeKind::resume, {}, true, call, {}});
+        }
+        return all_there;
+    }
+
+    /// A node from which calls that come back at the same labels go on, where edges of their own would be too
+    /// many.
+    struct SharedReturn {
+        const std::vector<Label>* labels;
+        NodeId node;
+        bool all_there;
+    };
+    const SharedReturn& shared_return(std::vector<SharedReturn>& shared, const std::vector<Label>& labels,
+                                      NodeId like) {
+        const auto known =
+            std::ranges::find_if(shared, [&](const SharedReturn& other) { return *other.labels == labels; });
+        if (known != shared.end()) return *known;
+        const NodeId node = add_node_without_effects(like);
+        return shared.emplace_back(SharedReturn{&labels, node, add_returns(node, {}, labels)});
     }
 
     void index_labels() {

@@ -26,24 +26,36 @@ void add_clobbering_nodes(const dataflow::Facts& facts, Variable variable, flow:
     std::ranges::sort(nodes);
 }
 
-/// A search of everything: what it does not find is not there.
-std::size_t whole(const flow::Graph& graph) { return graph.nodes.size() + 1; }
-
 } // namespace
 
-bool assigned_on_every_path(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node,
-                            std::span<const flow::NodeId> unreachable) {
-    const flow::Graph& graph = analysis.graph();
-    std::vector<flow::NodeId> assigning = assigning_nodes(analysis.facts(), variable, node);
-    assigning.insert(assigning.end(), unreachable.begin(), unreachable.end());
-    std::ranges::sort(assigning);
-    const auto assigns = [&](flow::NodeId n) { return std::ranges::binary_search(assigning, n); };
-    if (assigning.empty() || node == 0) return false;
-    if (assigns(0)) return true;
-    const auto usable = [&](flow::EdgeId edge) {
-        return analysis.data().passable(edge) && !assigns(graph.edges[edge].to);
-    };
-    return !graph.path(0, node, usable, whole(graph));
+std::vector<bool> WithoutAssignment::reach_of(Variable variable, const Reach& reach) const {
+    const flow::Graph& graph = analysis_.graph();
+    std::vector<bool> ends(graph.nodes.size(), false);
+    for (const dataflow::Store& store : analysis_.facts().all<dataflow::Store>())
+        if (store.variable == variable) ends[store.node] = true;
+    std::vector<bool> reached(graph.nodes.size(), false);
+    reached[0] = true;
+    if (ends[0]) return reached;
+    for (const flow::NodeId node : reach.excluded) ends[node] = true;
+    flow::walk<flow::Direction::forward>(graph, {0}, [&](flow::EdgeId edge, flow::NodeId to) {
+        if (!analysis_.data().passable(edge)) return flow::Step::refuse;
+        reached[to] = true;
+        return ends[to] ? flow::Step::end : flow::Step::go_on;
+    });
+    for (const flow::NodeId node : reach.excluded) reached[node] = false;
+    return reached;
+}
+
+bool WithoutAssignment::leads_to(Variable variable, flow::NodeId node) {
+    Reach& reach = reach_[variable];
+    if (reach.nodes.empty()) reach.nodes = reach_of(variable, reach);
+    return reach.nodes[node];
+}
+
+void WithoutAssignment::exclude(Variable variable, flow::NodeId node) {
+    Reach& reach = reach_[variable];
+    reach.excluded.push_back(node);
+    reach.nodes.clear();
 }
 
 std::vector<const dataflow::Store*> last_stores_before(const ProgramAnalysis& analysis, Variable variable,

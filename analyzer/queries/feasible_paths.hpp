@@ -9,14 +9,33 @@
 
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace maclint::queries {
 
-/// Whether every path from the program's start to the node passes an assignment to the variable, or comes to
-/// one of the nodes `unreachable`, which no path without an assignment leads to.
-[[nodiscard]] bool assigned_on_every_path(const ProgramAnalysis& analysis, Variable variable,
-                                          flow::NodeId node, std::span<const flow::NodeId> unreachable = {});
+/// Which nodes a path leads to on which no assignment to a variable stands; whether the control can take the
+/// path is not asked. Many questions about one variable cost one walk.
+class WithoutAssignment {
+  public:
+    explicit WithoutAssignment(const ProgramAnalysis& analysis)
+        : analysis_(analysis) {}
+
+    /// Whether a path leads from the program's start to the node.
+    [[nodiscard]] bool leads_to(Variable variable, flow::NodeId node);
+    /// Somebody has found out that no path of this kind does: nor does one lead over the node.
+    void exclude(Variable variable, flow::NodeId node);
+
+  private:
+    struct Reach {
+        std::vector<flow::NodeId> excluded;
+        std::vector<bool> nodes; ///< to which a path leads; empty: not asked since a node was excluded
+    };
+    [[nodiscard]] std::vector<bool> reach_of(Variable variable, const Reach& reach) const;
+
+    const ProgramAnalysis& analysis_;
+    std::unordered_map<Variable, Reach, VariableHash> reach_;
+};
 
 /// The assignments to the variable that can be the last one before the loop begins.
 [[nodiscard]] std::vector<const dataflow::Store*>

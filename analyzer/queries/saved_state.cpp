@@ -55,11 +55,12 @@ std::vector<const dataflow::Store*> saves_of(const ProgramAnalysis& analysis) {
         const auto group = saved_group(analysis, store);
         if (group && is_put_back_by_custom(analysis.control().groups[*group])) saves.push_back(&store);
     }
-    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
-        if (saves.empty()) break;
-        if (only_hands_on(read)) continue;
-        std::erase(saves, store_of(analysis, read.value));
-    }
+    if (saves.empty()) return saves;
+    std::vector<const dataflow::Store*> used;
+    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
+        if (!only_hands_on(read)) used.push_back(store_of(analysis, read.value));
+    std::ranges::sort(used);
+    std::erase_if(saves, [&](const dataflow::Store* save) { return std::ranges::binary_search(used, save); });
     return saves;
 }
 

@@ -21,7 +21,7 @@ constexpr int most_attempts = 64; // reads of one variable to which a path is lo
 struct Attempts {
     Variable variable;
     int searches = 0;
-    std::vector<flow::NodeId> unreachable = {}; ///< that no path leads to without an assignment
+    bool some_failed = false;
 };
 
 /// Why the value may be vacant is that the variable is as it was when the program began.
@@ -159,21 +159,22 @@ std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
     if (!analysis.is_main() && !analysis.is_macro()) return groups;
     const std::vector<Variable> series = series_taken(analysis);
     std::vector<Attempts> attempts;
+    WithoutAssignment without_assignment(analysis);
     std::optional<execution::PathSearch> search; // most programs have no such read
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         if (!uses_unset(analysis, read) || std::ranges::find(series, read.variable) != series.end()) continue;
         auto tried = std::ranges::find(attempts, read.variable, &Attempts::variable);
         if (tried == attempts.end()) tried = attempts.insert(tried, {read.variable});
         if (tried->searches >= most_attempts || counts(analysis, read)) continue;
-        if (!tried->unreachable.empty() &&
-            assigned_on_every_path(analysis, read.variable, read.node, tried->unreachable))
-            continue;
+        if (tried->some_failed && !without_assignment.leads_to(read.variable, read.node)) continue;
         ++tried->searches;
         if (!search) search.emplace(analysis);
         execution::PathFound found = path_to_use(*search, analysis, read);
         // A path to a word has to lead on to an exit.
-        if (!found.path && !found.gave_up && read.use != dataflow::Use::word)
-            tried->unreachable.push_back(read.node);
+        if (!found.path && !found.gave_up && read.use != dataflow::Use::word) {
+            without_assignment.exclude(read.variable, read.node);
+            tried->some_failed = true;
+        }
         if (!found.path) continue;
         tried->searches = most_attempts; // once a variable
         add_to(groups, analysis, {&read, *std::move(found.path)});

@@ -216,13 +216,18 @@ class WorkspaceBuilder {
             const ProgramAnalysis& called = programs[*site->target];
             return dataflow::Callee{called.summary(), site->references, &called.data()};
         };
+        std::unordered_map<ProgramIndex, std::vector<Label>> returned_to; ///< from programs of the cycle
         analysis.regions_ = flow::pair_regions(program);
         analysis.graph_ = flow::build_graph(program, analysis.regions_, [&](EffectId call) {
             const dataflow::Summary& summary = callees(call).summary;
             const CallSite* site = analysis.call_at(call);
-            if (site != nullptr && site->in_cycle)
-                return flow::ReturnTargets{
-                    true, labels_in(program, labels_returned_to(programs_[*site->target].program()))};
+            if (site != nullptr && site->in_cycle) {
+                const auto [labels, fresh] = returned_to.try_emplace(*site->target);
+                if (fresh)
+                    labels->second =
+                        labels_in(program, labels_returned_to(programs_[*site->target].program()));
+                return flow::ReturnTargets{true, labels->second};
+            }
             return flow::ReturnTargets{summary.returns, labels_in(program, summary.resume_labels)};
         });
         const bool main = runs_on_its_own(analysis);
@@ -361,6 +366,10 @@ class WorkspaceBuilder {
             if (const auto number = taker.names.find(giver.names[variable.number]))
                 variables.push_back({variable.space, *number});
         }
+        const auto key = [](Variable variable) { return std::pair(variable.space, variable.number); };
+        std::ranges::sort(variables, {}, key);
+        const auto twice = std::ranges::unique(variables);
+        variables.erase(twice.begin(), twice.end());
     }
 
     /// Arguments that all callers pass and those that some leave out. A call that shares its locals passes
@@ -492,6 +501,7 @@ const CallSite* ProgramAnalysis::call_at(EffectId effect) const {
 }
 
 std::vector<Caller> ProgramAnalysis::path_to(ProgramIndex program) const {
+    if (program == index_) return {};
     std::unordered_map<ProgramIndex, Caller> reached_by;
     std::deque<ProgramIndex> queue{index_};
     while (!queue.empty() && !reached_by.contains(program)) {

@@ -67,8 +67,12 @@ std::string example(char open) {
     return "(MACLINT ALLOW MAC301 - REASON)";
 }
 
-DirectiveFault unknown_rule(const ProgramFile& file, const RuleToken& token) {
+/// A comment with more words that name no rule is no typing error: it gets no proposals.
+constexpr std::size_t most_proposals = 8;
+
+DirectiveFault unknown_rule(const ProgramFile& file, const RuleToken& token, bool proposes) {
     const std::string word = file.source->to_utf8(token.word);
+    if (!proposes) return {token.span, "unknown", {word}};
     if (const auto similar = closest(word, rule_words())) return {token.span, "similar", {word, *similar}};
     return {token.span, "unknown", {word}};
 }
@@ -83,7 +87,8 @@ void read_tokens(const ProgramFile& file, Words& words, Directive& directive) {
             return;
         }
         RuleToken token{word.span, std::string(word.text), rules_named(word.text)};
-        if (token.rules.empty()) directive.faults.push_back(unknown_rule(file, token));
+        if (token.rules.empty())
+            directive.faults.push_back(unknown_rule(file, token, directive.faults.size() < most_proposals));
         directive.tokens.push_back(std::move(token));
     }
 }

@@ -113,13 +113,14 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    queries::WithoutAssignment without_assignment(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (comparison.operation != Operation::is_vacant && comparison.operation != Operation::is_set)
             continue;
         if (comparison.left.vacancy != dataflow::Vacancy::set) continue;
         const auto variable = queries::plain_variable(analysis.program(), comparison.left_expression);
         if (variable && queries::may_hold_vacant(analysis.program(), *variable) &&
-            queries::assigned_on_every_path(analysis, *variable, comparison.node))
+            !without_assignment.leads_to(*variable, comparison.node))
             report(analysis, reporter, comparison, *variable);
     }
 }

@@ -57,8 +57,11 @@ class Interner {
             if (is_slot_of(thing, slot)) return slot;
             slot = (slot + 1) & mask;
         }
-        slot = hash_mixed(thing) & mask;
-        while (!is_slot_of(thing, slot)) slot = (slot + 1) & mask;
+        // Steps of its own size take it past the rows that things side by side have filled.
+        const std::uint64_t far = hash_mixed(thing);
+        const std::size_t step = (far >> 32U) | 1U;
+        slot = far & mask;
+        while (!is_slot_of(thing, slot)) slot = (slot + step) & mask;
         return slot;
     }
     [[nodiscard]] bool is_slot_of(const T& thing, std::size_t slot) const {
