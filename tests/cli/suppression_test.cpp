@@ -57,6 +57,17 @@ TEST(Suppression, AloneIsForTheNextBlock) {
     EXPECT_THAT(codes_of(program("", "", "(MACLINT ALLOW MAC301)")), ElementsAre("MAC301", "MAC001"));
 }
 
+TEST(Suppression, OnlyTheFirstUnknownWordsGetProposals) {
+    std::string words;
+    for (int i = 0; i < 12; ++i) words += " MAC30l";
+    const auto result = lint_text(program("(MACLINT ALLOW" + words + ")", "", ""));
+    const auto proposals = std::ranges::count_if(result.findings, [](const cli::FilteredFinding& filtered) {
+        return filtered.finding.statement().find("MAC301") != std::string::npos &&
+               filtered.finding.rule->code == "MAC001";
+    });
+    EXPECT_EQ(proposals, 8);
+}
+
 TEST(Suppression, TakesNamesPrefixesListsAndAnyCase) {
     EXPECT_THAT(codes_of(program("", "(maclint allow jump-target-missing)", "")), IsEmpty());
     EXPECT_THAT(codes_of(program("", "(MACLINT ALLOW MAC3 - ALL JUMPS)", "")), IsEmpty());

@@ -49,6 +49,27 @@ TEST(Graph, AJumpWithinAnotherProgramOfTheTapeIsNotFound) {
     EXPECT_THAT(targets_in("O1\nGOTO10\nM30\nO2\nN10 M99\n"), ElementsAre(0));
 }
 
+TEST(Graph, CallsThatReturnAtManyLabelsShareANode) {
+    // 150 calls of a program that comes back at any of 150 labels, never after the call.
+    std::string calls, labels = "GOTO999\n", returns;
+    for (int i = 0; i < 150; ++i) {
+        const std::string label = std::to_string(1000 + i);
+        calls += "M98P2\n";
+        labels += "N" + label + " #1=" + label + "\n";
+        returns += "IF[#100EQ" + label + "]GOTO" + label + "\n";
+    }
+    std::string ends = "M99P1000\n";
+    for (int i = 0; i < 150; ++i)
+        ends += "N" + std::to_string(1000 + i) + " M99P" + std::to_string(1000 + i) + "\n";
+    const auto workspace = test::analyse_fanuc("O1\n" + calls + labels + "N999 M30\nO2\n" + returns + ends);
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    EXPECT_LT(analysis.graph().edges.size(), 2000U); // 22,500 if each call had its own
+    std::size_t reached = 0;
+    for (const flow::LabelledBlock& labelled : analysis.graph().labels)
+        reached += analysis.data().reached(labelled.node) ? 1U : 0U;
+    EXPECT_EQ(reached, analysis.graph().labels.size() - 1) << "all but N999, which only the GOTO leads to";
+}
+
 TEST(Graph, WhatFollowsAJumpIsNotReached) {
     EXPECT_THAT(unreached_in("O1\nGOTO10\n#1=5\nN10 M30\n"), ElementsAre(3));
 }

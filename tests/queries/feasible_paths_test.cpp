@@ -122,6 +122,48 @@ TEST(FeasiblePaths, WhatOnlyLaterDecisionsAskForMakesNoDifference) {
     EXPECT_TRUE(search_for_last_read(asked->programs().front(), 5).gave_up);
 }
 
+TEST(FeasiblePaths, NotEveryOneOfThousandsIsLookedForInALongProgram) {
+    std::string text = "O1\nIF[#500EQ1]GOTO5\n#1=1\nN5\n";
+    for (int i = 0; i < 30'000; ++i) text += "#2=#501\n";
+    const auto workspace = test::analyse_fanuc(text + "M30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    EXPECT_TRUE(queries::path_on_from(program, 0, 1).path.has_value());
+    int searches = 1;
+    while (queries::path_on_from(program, 0, 1).path.has_value() && searches < 5000) ++searches;
+    const execution::PathFound given_up = queries::path_on_from(program, 0, 1);
+    EXPECT_TRUE(given_up.gave_up);
+    EXPECT_EQ(given_up.visits, 0U);
+    EXPECT_GT(searches, 100);
+    EXPECT_LT(searches, 5000);
+}
+
+/// 1-based lines of the nodes to which a path leads without an assignment to the variable.
+std::vector<std::uint32_t> lines_without_assignment(const ProgramAnalysis& program,
+                                                    queries::WithoutAssignment& paths, Variable variable) {
+    std::vector<std::uint32_t> lines;
+    for (flow::NodeId node = 0; node < program.graph().nodes.size(); ++node)
+        if (paths.leads_to(variable, node))
+            lines.push_back(test::line_of(program, program.graph().nodes[node].part.begin));
+    return lines;
+}
+
+TEST(WithoutAssignment, PathsEndAtTheAssignment) {
+    const auto workspace =
+        test::analyse_fanuc("O1\nIF[#500EQ1]GOTO5\n#1=1\nG0X#1\nN5 G0X#1\n#1=2\nG0X#1\nM30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    const Variable variable = program.facts().all<dataflow::Store>().front().variable;
+    queries::WithoutAssignment paths(program);
+    // Lines 3 and 6 assign; the one behind each is reached only over it.
+    const auto before = lines_without_assignment(program, paths, variable);
+    EXPECT_THAT(before, testing::AllOf(testing::Contains(3), testing::Contains(5), testing::Contains(6)));
+    EXPECT_THAT(before, testing::Not(testing::AnyOf(testing::Contains(4), testing::Contains(7))));
+    for (flow::NodeId node = 0; node < program.graph().nodes.size(); ++node)
+        if (test::line_of(program, program.graph().nodes[node].part.begin) == 5)
+            paths.exclude(variable, node);
+    EXPECT_THAT(lines_without_assignment(program, paths, variable),
+                testing::Not(testing::AnyOf(testing::Contains(5), testing::Contains(6))));
+}
+
 TEST(FeasiblePaths, ASearchFindsTheSameAfterOthers) {
     const auto workspace = test::analyse_fanuc(
         "O1\nIF[#501EQ1]GOTO20\n#5=1\nN20\nIF[#502EQ1]GOTO22\n#6=1\nN22\nIF[#501NE1]GOTO21\n#5=2\n"

@@ -116,6 +116,18 @@ TEST(MissingReturn, OfAProgramInAFolderBesideTheCallersNeedsACompleteWorkspace) 
     EXPECT_EQ(raised("O2.nc", false), 1U);
 }
 
+TEST(RecursiveCall, OfALongCircleSomeProgramsAreNamed) {
+    std::string text;
+    for (int i = 1; i <= 20; ++i)
+        text += "O" + std::to_string(i) + "\nM98 P" + std::to_string(i % 20 + 1) + "\nM99\n";
+    const auto workspace = test::analyse_fanuc(text);
+    const auto findings = run_rules(*workspace, {{find_rule("MAC412")}}, 1);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_THAT(findings.front().statement(),
+                testing::HasSubstr("(O1 > O2 > O3 > O4 > O5 > 11 more > O17 > O18 > O19 > O20 > O1)"));
+    EXPECT_EQ(findings.front().path.size(), 9U);
+}
+
 TEST(MissingReturn, IsToldWithTheCallOfAnotherFile) {
     const auto workspace =
         test::analyse_files({{"O1.nc", "O1\nG65 P2\nM30\n"}, {"O2.nc", "O2\nG0 X1.\n"}}, {false, 1});
