@@ -94,6 +94,8 @@ class LoopSearch {
                 if (mark_[target_[out]] != round_) loop.exit_edges.push_back(out);
             traits |= traits_[node];
         }
+        // Where many computed jumps share a node all its edges leave each of their loops.
+        budget_ -= std::min(budget_, loop.exit_edges.size());
         loop.can_stop = (traits & may_stop) != 0;
         loop.has_unknown_effects = (traits & has_unknown_effects) != 0;
         if (edge.kind == flow::EdgeKind::back) {

@@ -54,10 +54,9 @@ bool lasts_until(const ProgramAnalysis& analysis, GroupId group, const dataflow:
     // What sets the group for other channels leaves it alone for these.
     const auto running = [&](flow::NodeId at) { return analysis.graph().channels_at(at).running; };
     const unsigned channels = running(set) & running(node);
-    std::vector<flow::NodeId> setting;
+    std::vector<flow::NodeId> setting; // sorted, as facts are
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>())
         if (write.group == group && (channels & ~running(write.node)) == 0) setting.push_back(write.node);
-    std::ranges::sort(setting);
     return can_follow(analysis, set, node, setting);
 }
 
