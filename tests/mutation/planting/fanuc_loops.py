@@ -53,6 +53,8 @@ def why_it_still_ends(program, start, counter, numbers, callees):
         return 'no path leads to the loop'
     if '#[' in condition.replace(' ', '') or any(1000 <= variable for variable in watched):
         return 'the machine changes what the condition reads'
+    if all(v >= 100 for v in watched) and sum(bool(program.blocks[index].code.strip()) for index in program.body(start)) < 2:
+        return 'without its step the loop only waits for a common variable'
     for index in program.body(start):
         block = program.blocks[index]
         if program.has_exit(index) and not block.is_call:
@@ -88,6 +90,17 @@ def may_stop_by_the_machine(program):
     return reads_machine and any(ALARM.search(block.code) for block in program.blocks)
 
 
+def ends_by_alarm(program, start, callees):
+    """Why a loop ends whose counter runs away: what it passes to a called program does, too, and that raises an alarm."""
+    for index in program.body(start):
+        block = program.blocks[index]
+        called = NUMBER_CALLED.search(block.code) if block.is_call else None
+        callee = callees.get(int(called.group(1))) if called else None
+        if callee and any(ALARM.search(other.code) for other in callee.blocks):
+            return 'a called program raises an alarm for some numbers'
+    return ''
+
+
 def endless(program, start, numbers, callees):
     found = step_of(program, start)
     if not found:
@@ -101,10 +114,10 @@ def endless(program, start, numbers, callees):
         name = step.group(0).index(step.group(1))
         span = (step.start() + name, step.start() + name + len(step.group(1)))
         yield 'step-elsewhere', put(block, span, str(unused)), reason
-        yield from other_condition(program, start, counter, unused, reason)
+        yield from other_condition(program, start, counter, unused, reason or ends_by_alarm(program, start, callees))
     by = step['by'] or step['front']
     if not by.startswith('#'):
-        yield from literal_steps(block, step, relation, float(by), reason)
+        yield from literal_steps(block, step, relation, float(by), reason, ends_by_alarm(program, start, callees))
     else:
         yield from unguarded_step(program, int(by.strip('# ')), start, reason)
 
@@ -125,13 +138,13 @@ def other_condition(program, start, counter, unused, reason):
     yield 'condition-elsewhere', put(block, name.span(1), str(free[-1] if free else unused)), reason
 
 
-def literal_steps(block, step, relation, by, reason):
+def literal_steps(block, step, relation, by, reason, alarm):
     kind, limit = relation.group(2), relation.group(3).strip()
     sign = step['sign'] or '+'
     right = {'+': UP, '-': DOWN}[sign]
     if step['sign']:
         turned = '-' if sign == '+' else '+'
-        doubt = reason or ('' if kind in right else 'the sign was not that of the relation')
+        doubt = reason or alarm or ('' if kind in right else 'the sign was not that of the relation')
         yield 'step-sign', put(block, step.span('sign'), turned), doubt
     digits = step.span('by') if step['by'] else step.span('front')
     yield 'step-zero', put(block, digits, '0'), reason
