@@ -57,10 +57,9 @@ class InescapableCycleSearch {
     }
 
     [[nodiscard]] bool a_call_may_stop(const Loop& cycle) const {
-        const LoopChanges changes(cycle, analysis_.facts());
         bool may_stop = false;
         for_each_in_body(cycle, analysis_.facts().all<CallMade>(), [&](const CallMade& call) {
-            may_stop = may_stop || may_stop_later(program_, analysis_, call, changes);
+            may_stop = may_stop || may_stop_later(program_, graph_, analysis_, call, cycle);
         });
         return may_stop;
     }
@@ -83,6 +82,7 @@ class InescapableCycleSearch {
         cycle.region = region_around(component);
         cycle.body.assign(body.begin(), body.end());
         cycle.exit_edges = std::move(never_taken);
+        cycle.changes = LoopChanges(cycle, analysis_.facts());
         return cycle;
     }
 

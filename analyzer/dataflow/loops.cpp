@@ -49,7 +49,7 @@ class LoopSearch {
             if (budget_ == 0) break; // its body is not complete
             loop.changes = LoopChanges(loop, analysis_.facts());
             for_each_in_body(loop, analysis_.facts().all<CallMade>(), [&](const CallMade& call) {
-                loop.can_stop = loop.can_stop || may_stop_later(program_, analysis_, call, loop.changes);
+                loop.can_stop = loop.can_stop || may_stop_later(program_, graph_, analysis_, call, loop);
             });
             loops.push_back(std::move(loop));
         }

@@ -282,7 +282,7 @@ class WorkspaceBuilder {
         for_each_effect(analysis.program(), [&](EffectId id) {
             returns |= std::holds_alternative<Return>(analysis.program().effects[id].what);
         });
-        return !returns && !is_written_as_macro(analysis.program());
+        return !returns && !find_macro_argument(analysis.program());
     }
 
     dataflow::EntryKnowledge entry_of(const ProgramAnalysis& analysis, bool main) const {

@@ -10,37 +10,62 @@
 namespace maclint {
 namespace {
 
-std::vector<Variable> variables_set_by(const Program& program) {
-    std::vector<Variable> set;
+struct FirstStore {
+    Variable variable;
+    Offset at;
+};
+
+std::vector<FirstStore> first_stores(const Program& program) {
+    std::vector<FirstStore> stores;
     for_each_effect(program, [&](EffectId id) {
         const auto* assign = std::get_if<Assign>(&program.effects[id].what);
         if (assign == nullptr) return;
-        if (const auto* variable = std::get_if<Variable>(&assign->target)) set.push_back(*variable);
+        const auto* variable = std::get_if<Variable>(&assign->target);
+        if (variable != nullptr &&
+            std::ranges::find(stores, *variable, &FirstStore::variable) == stores.end())
+            stores.push_back({*variable, program.effects[id].span.begin});
     });
-    return set;
+    return stores;
+}
+
+/// Whether a letter of a call reaches the variable, and no block above sets it.
+bool reads_argument(const Program& program, const std::vector<FirstStore>& stores, ExpressionId id) {
+    const Expression& expression = program.expressions[id];
+    const auto& formals = program.control->formals;
+    const auto* load = std::get_if<Load>(&expression.node);
+    if (load == nullptr || std::ranges::find(formals, load->variable) == formals.end()) return false;
+    const auto store = std::ranges::find(stores, load->variable, &FirstStore::variable);
+    return store == stores.end() || expression.span.begin < store->at;
 }
 
 } // namespace
 
-bool is_written_as_macro(const Program& program) {
-    const std::vector<Variable> set = variables_set_by(program);
-    const auto& formals = program.control->formals;
-    const auto reads_argument = [&](const Expression& expression) {
-        const auto* load = std::get_if<Load>(&expression.node);
-        return load != nullptr && std::ranges::find(formals, load->variable) != formals.end() &&
-               std::ranges::find(set, load->variable) == set.end();
+std::vector<ExpressionId> argument_reads(const Program& program) {
+    const std::vector<FirstStore> stores = first_stores(program);
+    std::vector<ExpressionId> reads;
+    const auto variable_of = [&](ExpressionId id) {
+        return std::get<Load>(program.expressions[id].node).variable;
     };
-    const auto asks_for_argument = [&](const Expression& expression) {
-        const auto* apply = std::get_if<Apply>(&expression.node);
-        return apply != nullptr &&
-               (apply->operation == Operation::is_vacant || apply->operation == Operation::is_set) &&
-               std::ranges::any_of(program.operands_of(*apply), [&](ExpressionId operand) {
-                   return reads_argument(program.expressions[operand]);
-               });
-    };
-    return program.number && program.control->macro_numbers.contains(*program.number)
-               ? std::ranges::any_of(program.expressions, reads_argument)
-               : std::ranges::any_of(program.expressions, asks_for_argument);
+    for (ExpressionId id = 0; id < program.expressions.size(); ++id)
+        if (reads_argument(program, stores, id) &&
+            std::ranges::find(reads, variable_of(id), variable_of) == reads.end())
+            reads.push_back(id);
+    return reads;
+}
+
+std::optional<ExpressionId> find_macro_argument(const Program& program) {
+    const std::vector<FirstStore> stores = first_stores(program);
+    const bool numbered = program.number && program.control->macro_numbers.contains(*program.number);
+    for (ExpressionId id = 0; id < program.expressions.size(); ++id) {
+        if (numbered && reads_argument(program, stores, id)) return id;
+        const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
+        if (apply == nullptr ||
+            (apply->operation != Operation::is_vacant && apply->operation != Operation::is_set))
+            continue;
+        for (const ExpressionId operand : program.operands_of(*apply))
+            if (reads_argument(program, stores, operand)) return operand;
+    }
+    return std::nullopt;
 }
 
 } // namespace maclint

@@ -3,10 +3,17 @@
 
 #include "analyzer/program/model.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace maclint {
 
-/// Whether a program that does not return reads arguments as only a macro has them: it sets nothing of what
-/// a letter of a call reaches, reads it, and asks whether it was passed, or bears a number of macros.
-[[nodiscard]] bool is_written_as_macro(const Program& program);
+/// Reads of variables that a letter of a call reaches and that no block above sets, the first of each.
+[[nodiscard]] std::vector<ExpressionId> argument_reads(const Program& program);
+
+/// The first argument that a program reads as only a macro does: no block above sets what a letter of a call
+/// reaches, and it asks whether that was passed, or bears a number of macros and reads it. Nothing for a
+/// program that does not; whether it returns to a caller is not looked at.
+[[nodiscard]] std::optional<ExpressionId> find_macro_argument(const Program& program);
 
 } // namespace maclint

@@ -1,15 +1,16 @@
 //! MAC456: a called program that runs past its last block.
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/program/block_view.hpp"
-#include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/exits.hpp"
-#include "analyzer/queries/sections.hpp"
+#include "analyzer/queries/expected_ends.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/path.hpp"
+#include "rules/calls/end_evidence.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace maclint::rules {
 
@@ -21,18 +22,37 @@ extern const Rule missing_m99{
     .code = "MAC456",
     .name = "missing-m99",
     .aliases = "DIN506",
-    .summary = "A path through a called program ends without M99 (RETURN in DIN PLUS)",
+    .summary = "A path through a program that is called, or that ends with M99 or M30 elsewhere, ends "
+               "without it (RETURN "
+               "in DIN PLUS)",
     .why =
         "Only M99 leads back to the caller. Without it a FANUC control stops with an alarm at the program's "
-        "end. The manual of DIN PLUS demands RETURN at the end of every subprogram.",
+        "end. The manual of DIN PLUS demands RETURN at the end of every subprogram. Where no caller is "
+        "known, another end of the program, arguments that it works with or a state that it puts back "
+        "show that it was to be left.",
     .severity = Severity::error,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::ExitState>(),
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"plain",
-                  "Missing {2}: {0} calls {1}, and a path through {1} ends after this block without it, so "
-                  "that the program does not return.",
-                  "Add {2} after this block."}},
+    .messages =
+        {{"plain",
+          "Missing {0}: {2} calls {1}, and a path through {1} ends after this block without it, so "
+          "that the program does not return.",
+          "Add {0} after this block."},
+         {"other-exit",
+          "Missing {0}: a path through {1} ends after this block without it, another with it in line "
+          "{2}.",
+          "Add {0} after this block."},
+         {"argument",
+          "Missing {0}: {1} works with {2}, which only a call sets, and ends after this block without "
+          "{0}, so that it does not return.",
+          "Add {0} after this block."},
+         {"state",
+          "Missing {0}: {1} saves a modal state of its caller in line {2} and puts it back, but ends "
+          "after this block without {0}, so that it does not return.",
+          "Add {0} after this block."},
+         {"empty-end", "Missing {0}: '{2}' leads to the end of {1}, which ends after this block without {0}.",
+          "Add {0} after this block."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)
 G65P9456Z-5.
@@ -42,6 +62,12 @@ IF[#26EQ#0]GOTO9
 G90 G1 Z#26 F100.
 M99
 N9 G0 Z50.
+)nc"},
+            {"fanuc", R"nc(
+O9457(RETRACT)
+#33=#4003
+G91 G28 Z0
+G#33
 )nc"},
             {"dinplus", R"nc(
 MACHINING
@@ -76,31 +102,20 @@ END
 
 namespace {
 
-/// By a block that is skipped or unreadable; whether END closes a called file the manual does not say.
-bool may_return_otherwise(const Program& program, const BlockView& last) {
-    bool may =
-        last.skip_levels != 0 || (!program.local && queries::has_section(program, SectionKind::Role::end));
-    for_each_effect(program, [&](EffectId id) {
-        const auto* block = std::get_if<UnreadableBlock>(&program.effects[id].what);
-        may |= block != nullptr && block->may_call_or_return;
-    });
-    return may;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const Program& program = analysis.program();
     const auto exits = analysis.facts().all<dataflow::ExitState>();
     const auto exit = std::ranges::find(exits, flow::ExitKind::runs_off,
                                         [](const dataflow::ExitState& e) { return e.exit.kind; });
-    const Caller* caller = exit == exits.end() ? nullptr : queries::find_reached_caller(analysis);
-    const auto last = last_block(program);
-    if (caller == nullptr || !last || may_return_otherwise(program, *last)) return;
-    const ProgramAnalysis& calling = queries::calling_program(analysis, *caller);
+    if (exit == exits.end()) return;
+    const auto why = queries::find_expected_end(analysis, exit->exit);
+    const auto last = last_block(analysis.program());
+    if (!why || !last) return;
     const Span span = queries::last_block_before(analysis, exit->exit, *last);
+    Evidence evidence = evidence_of(analysis, *why);
     Finding& finding =
-        reporter.report({analysis, span}, span, "plain",
-                        {calling.program().name, program.name, std::string(analysis.control().return_word)});
-    finding.related.push_back(related_at_effect(calling, caller->effect, "calls " + program.name));
+        reporter.report({analysis, span}, span, evidence.message,
+                        {missing_end(analysis, *why), analysis.program().name, evidence.shown});
+    if (evidence.place) finding.related.push_back(std::move(*evidence.place));
     trace(finding, analysis, exit->exit.node, "the program ends after this block");
 }
 

@@ -4,7 +4,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from planting import dinplus, edit, fanuc, fanuc_calls, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, report
+from planting import dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, report
 from planting.callers import Callers
 from planting.judge import Judge
 from planting.plants import KINDS, Plant
@@ -103,9 +103,48 @@ class Loops(unittest.TestCase):
         found = [reason for kind, _, reason in fanuc_loops.plants(program(calling), {7}) if kind == 'step-removed']
         self.assertEqual(found, [''])
 
+    def test_a_called_program_may_stop_by_what_it_reads_of_the_machine(self):
+        calling = DRILL.replace('#30=#30+1', 'G65P7\n#30=#30+1')
+        alarm = 'O7\nIF[#%s GT5]GOTO1\nM99\nN1#3000=1'
+
+        def reason(callee):
+            return [harmless for kind, _, harmless in fanuc_loops.plants(program(calling), {7}, {7: program(callee)})
+                    if kind == 'step-removed']
+
+        self.assertEqual(reason(alarm % '1'), [''])
+        self.assertEqual(reason(alarm % '5041'), ['a called program may stop, and reads the machine or waits'])
+        self.assertEqual(reason('O7\nM0\nM99'), ['a called program may stop, and reads the machine or waits'])
+
+    def test_a_loop_with_a_block_that_nobody_can_read_is_no_place(self):
+        self.assertEqual(planted(loops, DRILL.replace('G81X', '#103=ABS(#24)\nG81X'), 'step-removed')[0][1],
+                         'a block of the loop cannot be read')
+
     def test_a_limit_that_the_machine_changes_is_no_place(self):
         waiting = 'O1\n#1=0\nWHILE[#1LT#3001]DO1\n#1=#1+1\nEND1\nM30'
         self.assertEqual(planted(loops, waiting, 'step-removed'), [([''], 'the machine changes what the condition reads')])
+
+
+class Conditions(unittest.TestCase):
+    @staticmethod
+    def harmless(text):
+        return [reason for _, reason in planted(fanuc_conditions.plants, text, 'vacancy-as-zero')]
+
+    def test_a_vacancy_test_that_asks_for_0(self):
+        self.assertEqual(planted(fanuc_conditions.plants, 'O1\nIF[#24EQ#0]GOTO8\nG0X#24\nM99\nN8#3000=1', 'vacancy-as-zero'),
+                         [(['IF[#24EQ0]GOTO8'], '')])
+
+    def test_what_is_vacant_leaves_by_a_later_test(self):
+        refused = ['another test sends what is vacant out of the program']
+        end = 'G0X#24\nM99\nN8#3000=1'
+        self.assertEqual(self.harmless(f'O1\nIF[#24EQ#0]GOTO8\nIF[#25EQ1]GOTO8\nIF[#24LT10]GOTO8\n{end}'), refused)
+        self.assertEqual(self.harmless(f'O1\nIF[#24EQ#0]THEN#24=1.\nIF[#24LE0]THEN#3000=2\n{end}'), refused)
+        self.assertEqual(self.harmless(f'O1\nIF[#24NE#0]GOTO1\n#24=1.\nN1IF[#24LE0]GOTO8\n{end}'), refused)
+        self.assertEqual(self.harmless(f'O1\nIF[#24EQ#0]GOTO8\nIF[#24GT10]GOTO8\n{end}'), [''])
+        self.assertEqual(self.harmless(f'O1\nIF[#24EQ#0]GOTO8\nG0Y#24\nIF[#24LT10]GOTO8\n{end}'), [''])
+
+    def test_a_comparison_alone_does_not_suffer(self):
+        self.assertEqual(self.harmless('O1\nIF[#24EQ#0]GOTO8\nIF[#24EQ2]GOTO8\nM99\nN8#3000=1'),
+                         ['nothing calculates with the variable after the test'])
 
 
 class Variables(unittest.TestCase):
@@ -147,6 +186,16 @@ class Calls(unittest.TestCase):
 
     def test_an_end_that_runs_into_another_is_left_out(self):
         self.assertEqual(self.plants('return-removed', 'O2\nIF[#1EQ1]GOTO1\nM99\nN1M99')[0][1], 'the control runs on into another M99')
+
+    def test_a_return_is_missed_where_something_says_that_it_belongs_there(self):
+        main, macro, two = 'O2\nG0X1.\nM99', 'O2\nG0X#24\nM99', 'O2\nIF[#501EQ1]GOTO1\nM99\nN1G0X1.\nM99'
+        harmless = 'nothing else says that the program is called: it has no caller, no argument, no other end'
+        self.assertEqual([reason for _, reason in self.plants('return-removed', main)], [harmless])
+        self.assertEqual([reason for _, reason in self.plants('return-removed', main, 'O1\nM98P2\nM30')], [''])
+        self.assertEqual([reason for _, reason in self.plants('return-removed', macro)], [''])
+        self.assertEqual(self.plants('return-removed', two)[1][1], '')
+        self.assertEqual(self.plants('return-removed', 'O2\nIF[#1EQ1]GOTO1\nM99\nN1M30')[0][1],
+                         'the control runs on into the end of the part')
 
     def test_callers_that_say_the_mode_anew_are_not_hurt(self):
         hurt, safe = 'O1\nG65P2\nG0X1.\nM30', 'O1\nG65P2\nG90G0X1.\nM30'

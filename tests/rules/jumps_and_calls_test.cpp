@@ -100,8 +100,39 @@ TEST(MissingReturn, OfAProgramThatIsLeftOtherwiseOrThatNobodyCallsIsNone) {
         EXPECT_THAT(lines_raised("MAC456", "O1\nM98 P2\nM30\nO2\n" + std::string(called)), IsEmpty())
             << called;
     EXPECT_THAT(lines_raised("MAC456", "O1\nM30\nO2\nG0 X1.\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC456", "O9002\nG0 X1.\n"), IsEmpty()); // a number of macros alone
     EXPECT_THAT(lines_raised("MAC456", "O1\nM30\nM98 P2\nO2\nG0 X1.\n"), IsEmpty()); // never called
     EXPECT_THAT(lines_raised("MAC456", "O2\nM98 P2\n"), IsEmpty());                  // MAC412's
+}
+
+TEST(MissingReturn, IsReportedWhereAnotherPathShowsHowTheProgramIsLeft) {
+    EXPECT_THAT(messages_raised("MAC456", "O1\nIF[#500EQ1]GOTO9\nG0 X1.\nM99\nN9 G0 X2.\n"),
+                ElementsAre(AllOf(HasSubstr("Missing M99"), HasSubstr("line 4"))));
+    EXPECT_THAT(messages_raised("MAC456", "O1\nIF[#500EQ1]GOTO9\nG0 X1.\nM30\nN9 (NO PART)\n"),
+                ElementsAre(AllOf(HasSubstr("Missing M30"), HasSubstr("line 4"))));
+    for (const std::string_view fine : {"M99\nN9#3000=1(NO)\n", "M99\nN9 G0 X2.\n/M99\n", "M99\nN9 G65 P77\n",
+                                        "GOTO9\nM99\nN9 G0 X2.\n", "#3000=1(NO)\nN9 G0 X2.\n"})
+        EXPECT_THAT(lines_raised("MAC456", "O1\nIF[#500EQ1]GOTO9\nG0 X1.\n" + std::string(fine)), IsEmpty())
+            << fine;
+}
+
+TEST(MissingReturn, IsReportedInAProgramThatIsWrittenAsAMacro) {
+    const auto said = [](const std::string& text) { return messages_raised("MAC456", text); };
+    EXPECT_THAT(said("O1\nIF[#24EQ#0]THEN#24=1.\nG0 X#24\n"), ElementsAre(HasSubstr("works with #24 (X)")));
+    EXPECT_THAT(said("O9001\nG0 X#24\n"), ElementsAre(HasSubstr("works with #24 (X)")));
+    EXPECT_THAT(said("O1\nG0 X#24 Y#25\nG1 Z#26 F#9\nR#18\n"), ElementsAre(HasSubstr("works with #24,")));
+    EXPECT_THAT(said("O1\n#33=#4003\nG91 G0 X1.\nG#33\n"), ElementsAre(HasSubstr("in line 2")));
+    EXPECT_THAT(said("O9001\nIF[#500EQ0]GOTO9\nG0 X1.\nGOTO1\nN1#3000=1\nN9 (END)\n"),
+                ElementsAre(HasSubstr("'GOTO9' leads to the end of O9001")));
+}
+
+TEST(MissingReturn, OfAProgramThatMayBeStartedByHandIsNone) {
+    for (const std::string_view text :
+         {"O1\n#24=1.\nIF[#24EQ#0]THEN#24=1.\nG0 X#24\n", // set before it is asked for
+          "O1\nG0 X#24\nG1 Z#26 F#9\n",                   // settings left out
+          "O1\n#33=#4003\nG0 X1.\n",                      // saved, and never put back
+          "O1\nIF[#500EQ0]GOTO9\nG0 X1.\nN9 (END)\n", "O9001\nIF[#500EQ0]GOTO9\nG0 X1.\nN9 G0 X2.\n"})
+        EXPECT_THAT(lines_raised("MAC456", std::string(text)), IsEmpty()) << text;
 }
 
 TEST(MissingReturn, OfAProgramInAFolderBesideTheCallersNeedsACompleteWorkspace) {

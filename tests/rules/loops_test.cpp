@@ -151,6 +151,13 @@ TEST(UnchangedLoop, IsExcusedByAnAlarmOfACallOnlyWhereSomethingDecidesItAnew) {
     EXPECT_THAT(lines_raised("MAC319", loop("G65P9010", "#500EQ1", "#500=#500+1\n")), IsEmpty());
     EXPECT_THAT(lines_raised("MAC319", loop("G65P9010A#2", "#1EQ1", "#2=#2+1\n")), IsEmpty());
     EXPECT_THAT(lines_raised("MAC319", loop("M98P9010", "#2EQ1", "#2=#2+1\n")), IsEmpty());
+    // What each round sets anew from nothing that changes is the same in each.
+    EXPECT_THAT(lines_raised("MAC319", loop("#4=#2*2\n#5=#4+1\nG65P9010A#5", "#1EQ1")), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC319", loop("G65P9010A#4", "#1EQ1", "#4=#2*2\n")), IsEmpty()); // later
+    EXPECT_THAT(lines_raised("MAC319", loop("#4=#5043\nG65P9010A#4", "#1EQ1")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", loop("IF[#5043GT1]THEN#4=2\nG65P9010A#4", "#1EQ1")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", loop("IF[#5043GT1]GOTO2\n#4=2\nN2G65P9010A#4", "#1EQ1")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", loop("#4=#6\n#6=#6+1\nG65P9010A#4", "#1EQ1")), IsEmpty());
     // The callee counts itself, or what decides is made of what the machine tells.
     EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG65P9010\nEND1\nM99\nO9010\n#500=#500+1\n"
                                        "IF[#500GT9]GOTO9\nM99\nN9#3000=1\n"),

@@ -380,5 +380,15 @@ TEST(Restore, NamesWhatToWrite) {
                 ElementsAre(HasSubstr("Write #3=#4109 in line 2")));
 }
 
+TEST(SavedValue, ThatIsOverwrittenOnOnePathIsLost) {
+    const auto lines = [](const std::string& between, const std::string& after = "") {
+        return lines_raised("MAC506", "O9001\n#3=#4003\n" + between + "G91G0Z1.\n" + after + "G#3\nM99\n");
+    };
+    EXPECT_THAT(lines("IF[#1EQ1]GOTO2\n#3=#5001+1\nN2"), ElementsAre(4));
+    // Saved anew, or the path with the other value is none.
+    EXPECT_THAT(lines("IF[#1EQ1]GOTO2\n#3=#5001+1\n#3=#4003\nN2"), IsEmpty());
+    EXPECT_THAT(lines("IF[#1EQ1]GOTO2\n#3=#5001+1\nN2", "IF[#1NE1]THEN#3000=1\n"), IsEmpty());
+}
+
 } // namespace
 } // namespace maclint

@@ -2,7 +2,7 @@
 import re
 
 from .edit import drop, put
-from .fanuc import ALARM, CALL, NUMBER_CALLED, RETURN, closing
+from .fanuc import ALARM, ARGUMENTS, CALL, NUMBER_CALLED, PROGRAM_END, RETURN, closing
 from .flow import unreached, variables_in
 
 MODAL = re.compile(r'G\s*66(?:\.1)?(?![\d.])')
@@ -32,7 +32,7 @@ def plants(program, numbers, callers):
         if cancel and any(MODAL.search(other.code) for other in program.blocks[:index]):
             later = any(CANCEL.search(other.code) for other in program.blocks[index + 1:])
             yield 'modal-call-left', put(block, cancel.span(), ''), reason or ('a later block has G67' if later else '')
-    yield from returns_removed(program)
+    yield from returns_removed(program, callers)
 
 
 def missing(number, numbers):
@@ -42,7 +42,7 @@ def missing(number, numbers):
     return next(int(new) for new in swapped + typed if new and new[0] != '0' and int(new) not in numbers)
 
 
-def returns_removed(program):
+def returns_removed(program, callers):
     """The M99 after which nothing comes that the control would run on into."""
     for index, block in enumerate(program.blocks):
         back = RETURN.search(block.code)
@@ -55,7 +55,28 @@ def returns_removed(program):
             reason = reason or 'the control runs on into another M99'
         elif follows and any(ALARM.search(program.blocks[at].code) for at in ends):
             reason = reason or 'the control runs on into an alarm'
+        elif follows and all(RETURN.search(program.blocks[at].code) or PROGRAM_END.search(program.blocks[at].code) for at in ends):
+            reason = reason or 'the control runs on into the end of the part'
+        elif not is_meant_to_return(program, index, callers):
+            reason = reason or 'nothing else says that the program is called: it has no caller, no argument, no other end'
         yield 'return-removed', put(block, back.span(), '') if block.code.strip() != back.group() else drop(block), reason
+
+
+def is_meant_to_return(program, index, callers):
+    """Whether a reader sees without the M99 at the index that the program must not run over its end."""
+    ends = any(at != index and at in program.reachable and (RETURN.search(block.code) or PROGRAM_END.search(block.code))
+               for at, block in enumerate(program.blocks))
+    return ends or any(True for _ in callers.of(program.number)) or reads_arguments(program)
+
+
+def reads_arguments(program):
+    """Whether a block reads what a letter passes, and no block above has set it."""
+    stored = set()
+    for block in program.blocks:
+        if any(variable in ARGUMENTS - stored for variable, _ in block.reads):
+            return True
+        stored |= set(block.stores)
+    return False
 
 
 def alarms_removed(program):

@@ -2,21 +2,22 @@
 import re
 
 from .edit import drop, put
-from .fanuc import DO, END, NUMBER_CALLED, OTHER_LOCALS, WHILE
+from .fanuc import ALARM, DO, END, NUMBER_CALLED, OTHER_LOCALS, PROGRAM_END, STOP, WHILE
 from .flow import variables_in
 
 STEP = re.compile(r'#\s*(\d+)\s*=\s*(?:#\s*\1\s*(?P<sign>[+-])\s*(?P<by>#\s*\d+|\d+\.?\d*|\.\d+)|'
                   r'(?P<front>#\s*\d+|\d+\.?\d*)\s*\+\s*#\s*\1)\s*$')
 RELATION = re.compile(r'^\[\s*#\s*(\d+)\s*(LT|LE|GT|GE|NE)\s*(.*)\]$')
+UNREADABLE = re.compile(r'(?:ABS|SIN|COS|TAN|SQRT|FIX|FUP|ROUND)(?!\s*\[)')  # what a ( follows is blank here
 UP, DOWN = {'LT', 'LE'}, {'GT', 'GE'}
 
 
-def plants(program, numbers):
-    """`numbers`: programs that are there."""
+def plants(program, numbers, callees=None):
+    """`numbers`: programs that are there; `callees`: those that can be read, by number."""
     for start, end in program.loops():
         yield from unpaired(program, start, end)
         if program.blocks[start].loop_condition:
-            yield from endless(program, start, numbers)
+            yield from endless(program, start, numbers, callees or {})
 
 
 def unpaired(program, start, end):
@@ -44,7 +45,7 @@ def step_of(program, start):
     return (found[0], step, relation) if step and int(step.group(1)) == counter else None
 
 
-def why_it_still_ends(program, start, counter, numbers):
+def why_it_still_ends(program, start, counter, numbers, callees):
     """Something else than the step may end the loop; '' when nothing does."""
     condition = program.blocks[start].loop_condition
     watched = variables_in(condition)
@@ -52,6 +53,8 @@ def why_it_still_ends(program, start, counter, numbers):
         return 'no path leads to the loop'
     if '#[' in condition.replace(' ', '') or any(1000 <= variable for variable in watched):
         return 'the machine changes what the condition reads'
+    if all(v >= 100 for v in watched) and sum(bool(program.blocks[index].code.strip()) for index in program.body(start)) < 2:
+        return 'without its step the loop only waits for a common variable'
     for index in program.body(start):
         block = program.blocks[index]
         if program.has_exit(index) and not block.is_call:
@@ -64,6 +67,10 @@ def why_it_still_ends(program, start, counter, numbers):
         called = NUMBER_CALLED.search(block.code)
         if block.is_call and (called is None or int(called.group(1)) not in numbers):
             return 'a called program that is not there may stop'
+        if block.is_call and may_stop_by_the_machine(callees.get(int(called.group(1)))):
+            return 'a called program may stop, and reads the machine or waits'
+        if UNREADABLE.search(block.code):
+            return 'a block of the loop cannot be read'
         if block.is_call and (block.uses_frame_of_caller or any(33 < variable < 1000 for variable in watched)):
             return 'a called program may change what the condition reads'
         if any(variable in block.stores for variable in watched - {counter}):
@@ -71,23 +78,46 @@ def why_it_still_ends(program, start, counter, numbers):
     return ''
 
 
-def endless(program, start, numbers):
+def may_stop_by_the_machine(program):
+    """Whether a called program stops for the operator, calls others, or raises an alarm and reads what may change without
+    its caller: a position, an offset, an input."""
+    if program is None:
+        return False
+    if any(STOP.search(block.code) or PROGRAM_END.search(block.code) or block.is_call for block in program.blocks):
+        return True
+    reads_machine = any(variable >= 1000 and not 4001 <= variable <= 4130 for block in program.blocks for variable, _ in block.reads) or \
+        any(re.search(r'#\s*\[', block.code) for block in program.blocks)
+    return reads_machine and any(ALARM.search(block.code) for block in program.blocks)
+
+
+def ends_by_alarm(program, start, callees):
+    """Why a loop ends whose counter runs away: what it passes to a called program does, too, and that raises an alarm."""
+    for index in program.body(start):
+        block = program.blocks[index]
+        called = NUMBER_CALLED.search(block.code) if block.is_call else None
+        callee = callees.get(int(called.group(1))) if called else None
+        if callee and any(ALARM.search(other.code) for other in callee.blocks):
+            return 'a called program raises an alarm for some numbers'
+    return ''
+
+
+def endless(program, start, numbers, callees):
     found = step_of(program, start)
     if not found:
         return
     block, step, relation = found
     counter = int(relation.group(1))
-    reason = why_it_still_ends(program, start, counter, numbers)
+    reason = why_it_still_ends(program, start, counter, numbers, callees)
     yield 'step-removed', put(block, step.span(), ''), reason
     unused = unused_local(program)
     if unused:
         name = step.group(0).index(step.group(1))
         span = (step.start() + name, step.start() + name + len(step.group(1)))
         yield 'step-elsewhere', put(block, span, str(unused)), reason
-        yield from other_condition(program, start, counter, unused, reason)
+        yield from other_condition(program, start, counter, unused, reason or ends_by_alarm(program, start, callees))
     by = step['by'] or step['front']
     if not by.startswith('#'):
-        yield from literal_steps(block, step, relation, float(by), reason)
+        yield from literal_steps(block, step, relation, float(by), reason, ends_by_alarm(program, start, callees))
     else:
         yield from unguarded_step(program, int(by.strip('# ')), start, reason)
 
@@ -108,13 +138,13 @@ def other_condition(program, start, counter, unused, reason):
     yield 'condition-elsewhere', put(block, name.span(1), str(free[-1] if free else unused)), reason
 
 
-def literal_steps(block, step, relation, by, reason):
+def literal_steps(block, step, relation, by, reason, alarm):
     kind, limit = relation.group(2), relation.group(3).strip()
     sign = step['sign'] or '+'
     right = {'+': UP, '-': DOWN}[sign]
     if step['sign']:
         turned = '-' if sign == '+' else '+'
-        doubt = reason or ('' if kind in right else 'the sign was not that of the relation')
+        doubt = reason or alarm or ('' if kind in right else 'the sign was not that of the relation')
         yield 'step-sign', put(block, step.span('sign'), turned), doubt
     digits = step.span('by') if step['by'] else step.span('front')
     yield 'step-zero', put(block, digits, '0'), reason

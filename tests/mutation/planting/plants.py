@@ -89,7 +89,7 @@ KINDS = {kind.name: kind for kind in [
         ('feed-left', 'MAC503', 'the F word that puts the feed back is gone'),
         ('speed-left', 'MAC503', 'the S word that puts the speed back is gone'),
         ('saved-late', 'MAC517', 'the mode is saved after the block that changes it'),
-        ('saved-lost', 'MAC506', 'the variable with the saved mode is used for something else before it is put back'),
+        ('saved-lost', 'MAC506 MAC209 MAC319', 'the variable with the saved mode is used for something else before it is put back'),
         ('cancel-removed', 'MAC502 MAC501 MAC413', 'G40, G69, G50.1, G15, G50 or G67 is gone'),
         ('single-block-left', 'MAC515', '#3003=0 or #3004=0 is gone'),
         ('group-conflict', 'MAC514', 'G90 and G91, or G17 and G18, in one block'),
@@ -107,7 +107,7 @@ KINDS = {kind.name: kind for kind in [
     ]),
     *table('calls', WARNING, [
         ('modal-call-left', 'MAC413', 'G67 is gone'),
-        ('letter-left-out', 'MAC209', 'the only call of a program leaves out a letter that it reckons with and never tests'),
+        ('letter-left-out', 'MAC210 MAC209', 'the only call of a program leaves out a letter that it reckons with and never tests'),
     ]),
     *table('spelling', ERROR, [
         ('bracket-unclosed', 'MAC117 MAC121 MAC118', 'a ] is gone'),

@@ -77,7 +77,7 @@ class Corpus:
         numbers = {name for other in self.neighbours[path] for name in self.names(self.files[other])}
         callers = Callers([program for other in self.neighbours[path] for program in fanuc.programs_of(self.files[other].lines)])
         for program in fanuc.programs_of(lines):
-            found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program, numbers), *fanuc_conditions.plants(program),
+            found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program, numbers, callers.by_number), *fanuc_conditions.plants(program),
                      *fanuc_variables.plants(program), *fanuc_modal.plants(program, lines),
                      *fanuc_calls.plants(program, numbers, callers), *spelling.plants(program, lines)]
             for kind, edits, harmless in found:

@@ -1,0 +1,95 @@
+//! Looks at what the variables of words held before they were assigned last.
+#include "analyzer/queries/overwritten_saves.hpp"
+
+#include "analyzer/dataflow/domain/read_set.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace maclint::queries {
+namespace {
+
+struct Saved {
+    CopySource source;
+    flow::NodeId node; ///< in which the variable got it
+};
+
+/// The modal value that the variable held just before the assignment, when it was a saved one.
+std::optional<Saved> saved_before(const ProgramAnalysis& analysis, const dataflow::Store& store) {
+    const dataflow::Store* save = store_of(analysis, store.old);
+    if (save == nullptr) return std::nullopt;
+    const auto source = copy_source(analysis, save->expression, save->value);
+    if (!source || !source->group) return std::nullopt;
+    return Saved{*source, save->node};
+}
+
+/// Whether the word would have put the saved value back.
+bool would_restore(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write, GroupId saved) {
+    return write.stated ? write.group == saved : analysis.control().groups[saved].letter == 'G';
+}
+
+/// A new feed may be computed from the saved one; a new G code may not.
+bool is_computed_from(const ProgramAnalysis& analysis, const dataflow::Store& store) {
+    const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), store.expression);
+    return std::ranges::find(set.variables, store.variable) != set.variables.end();
+}
+
+/// The saved value has served already: some word put it back.
+bool is_put_back(const ProgramAnalysis& analysis, Variable variable, ExpressionId saved) {
+    return std::ranges::any_of(analysis.facts().all<dataflow::ModalWrite>(),
+                               [&](const dataflow::ModalWrite& write) {
+                                   if (plain_variable(analysis.program(), write.expression) != variable)
+                                       return false;
+                                   const auto source = copy_source(analysis, write.expression, write.value);
+                                   return source && source->expression == saved;
+                               });
+}
+
+/// Whether the control can come from the assignment to the word while the variable keeps what it stores.
+bool reaches(const ProgramAnalysis& analysis, const dataflow::Store& store,
+             const dataflow::ModalWrite& write) {
+    std::vector<flow::NodeId> others;
+    for (const dataflow::Store& other : analysis.facts().all<dataflow::Store>())
+        if (other.variable == store.variable && other.node != store.node) others.push_back(other.node);
+    return store.node != write.node && can_follow(analysis, store.node, write.node, others);
+}
+
+/// The assignment that surely made the value of the word; where several may have, each that does on some
+/// path.
+std::vector<const dataflow::Store*> stores_for(const ProgramAnalysis& analysis,
+                                               const dataflow::ModalWrite& write, Variable variable) {
+    std::vector<const dataflow::Store*> stores;
+    if (const dataflow::Store* only = store_of(analysis, write.value)) {
+        if (only->variable == variable) stores.push_back(only);
+        return stores;
+    }
+    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
+        if (store.variable == variable && saved_before(analysis, store) && reaches(analysis, store, write))
+            stores.push_back(&store);
+    return stores;
+}
+
+} // namespace
+
+std::vector<OverwrittenSave> overwritten_saves(const ProgramAnalysis& analysis) {
+    std::vector<OverwrittenSave> found;
+    for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
+        const auto variable = plain_variable(analysis.program(), write.expression);
+        if (!variable) continue;
+        for (const dataflow::Store* store : stores_for(analysis, write, *variable)) {
+            const auto source = copy_source(analysis, store->expression, store->value);
+            if (source && source->group) continue; // saved anew
+            const auto saved = saved_before(analysis, *store);
+            if (!saved || !would_restore(analysis, write, *saved->source.group)) continue;
+            if (write.stated && is_computed_from(analysis, *store)) continue;
+            if (std::ranges::find(found, store, &OverwrittenSave::store) != found.end()) continue;
+            if (is_put_back(analysis, *variable, saved->source.expression)) continue;
+            found.push_back({saved->source, saved->node, store, &write});
+        }
+    }
+    return found;
+}
+
+} // namespace maclint::queries
