@@ -43,4 +43,7 @@ namespace maclint {
 /// 1-based line of a byte, as a word of a message.
 [[nodiscard]] std::string line_number(const ProgramFile& file, Offset offset);
 
+/// The program and the line: "O1000 line 12"; with the file where several programs have that name.
+[[nodiscard]] std::string place_in(const ProgramAnalysis& analysis, Span span);
+
 } // namespace maclint

@@ -1,25 +1,49 @@
 //! Paths of findings, made of the paths through the flow graph.
 #include "rules/trace.hpp"
 
+#include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/origins.hpp"
+#include "analyzer/queries/provoking_calls.hpp"
 #include "rules/path.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace maclint::rules {
 namespace {
 
-/// Adds the steps of a path that the control can take; the finding takes note of it where there is none.
+using Edges = std::vector<flow::EdgeId>;
+
+/// The edges of a path that the control can take; the finding takes note of it where there is none.
+std::optional<Edges> find_path(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from,
+                               flow::NodeId to) {
+    execution::PathFound found = queries::path_on_from(analysis, from, to);
+    if (!found.path) finding.proof = found.gave_up ? std::max(finding.proof, Proof::gave_up) : Proof::no_path;
+    return std::move(found.path);
+}
+
+void add_steps(std::vector<RelatedLocation>& to_list, const ProgramAnalysis& analysis,
+               const std::optional<Edges>& path, flow::NodeId from, flow::NodeId to) {
+    if (from == to) return;
+    for (RelatedLocation& step : path ? steps_along(analysis, *path) : path_between(analysis, from, to))
+        to_list.push_back(std::move(step));
+}
+
 void add_path(Finding& finding, std::vector<RelatedLocation>& to_list, const ProgramAnalysis& analysis,
               flow::NodeId from, flow::NodeId to) {
+<<<<<<< HEAD
     const execution::PathFound found = queries::path_on_from(analysis, from, to);
     if (!found.path) finding.proof = found.gave_up ? std::max(finding.proof, Proof::gave_up) : Proof::no_path;
     if (from == to || (found.gave_up && found.visits == 0)) return; // no more searches, nor steps
     for (RelatedLocation& step :
          found.path ? steps_along(analysis, *found.path) : path_between(analysis, from, to))
         to_list.push_back(std::move(step));
+=======
+    add_steps(to_list, analysis, find_path(finding, analysis, from, to), from, to);
+>>>>>>> cbb47eb9ba1d995becc7857ed2ec75d391162d9e
 }
 
 } // namespace
@@ -28,6 +52,26 @@ void trace(Finding& finding, const ProgramAnalysis& analysis, dataflow::OriginId
            flow::NodeId node, std::string ends) {
     trace(finding, analysis, queries::node_of_origin(analysis, origin),
           related_at(analysis, origin, std::move(begins)), node, std::move(ends));
+}
+
+RelatedLocation begin_of_vacancy(const ProgramAnalysis& analysis, dataflow::OriginId origin,
+                                 std::span<const flow::EdgeId> path, std::string otherwise) {
+    const auto argument = queries::variable_of_origin(analysis, origin);
+    const Caller* call = argument ? queries::call_that_leaves_out(analysis, *argument, path) : nullptr;
+    return call == nullptr ? related_at(analysis, origin, std::move(otherwise))
+                           : related_at_effect(queries::calling_program(analysis, *call), call->effect,
+                                               "leaves " + with_letter(analysis, *argument) + " out");
+}
+
+void trace_vacancy(Finding& finding, const ProgramAnalysis& analysis, dataflow::OriginId origin,
+                   const std::string& name, flow::NodeId node, std::string ends) {
+    const flow::NodeId from = queries::node_of_origin(analysis, origin);
+    const auto path = find_path(finding, analysis, from, node);
+    finding.path.push_back(begin_of_vacancy(analysis, origin,
+                                            path ? std::span(*path) : std::span<flow::EdgeId>{},
+                                            name + " may be vacant from here on"));
+    add_steps(finding.path, analysis, path, from, node);
+    finding.path.push_back({finding.source, finding.span, std::move(ends)});
 }
 
 void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, RelatedLocation begins,

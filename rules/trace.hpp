@@ -5,6 +5,7 @@
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/finding.hpp"
 
+#include <span>
 #include <string>
 
 namespace maclint::rules {
@@ -20,6 +21,15 @@ void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from,
 
 /// The same from the program's start, where nothing happens.
 void trace(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId node, std::string ends);
+
+/// Gives the finding a path to a variable of that name that may be vacant, from what makes it so: a known
+/// call that leaves the argument out and then comes to the node, else the origin.
+void trace_vacancy(Finding& finding, const ProgramAnalysis& analysis, dataflow::OriginId origin,
+                   const std::string& name, flow::NodeId node, std::string ends);
+
+/// Where such a path begins.
+[[nodiscard]] RelatedLocation begin_of_vacancy(const ProgramAnalysis& analysis, dataflow::OriginId origin,
+                                               std::span<const flow::EdgeId> path, std::string otherwise);
 
 /// What happens on the path from the finding's place in `from` to `node`, as related places.
 void report_path_on(Finding& finding, const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId node);

@@ -7,6 +7,7 @@
 #include "analyzer/queries/origins.hpp"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace maclint::queries {
@@ -30,15 +31,15 @@ class VacantPath {
         , checks_(ends_in_alarm()) {}
 
     /// The first use, in the order of the paths' lengths, to which the program can come.
-    const Read* first_use() {
+    std::optional<Span> first_use() {
         take_edges(test_.node);
         std::size_t next = 0;
         while (next < pending_.size()) { // it grows on the way
             const flow::NodeId node = pending_[next++];
-            if (const Read* use = use_in(node); use != nullptr && is_feasible(*use)) return use;
+            if (const auto use = use_in(node); use && can_follow(analysis_, test_.node, node)) return use;
             if (!sets_variable(node)) take_edges(node);
         }
-        return nullptr;
+        return std::nullopt;
     }
 
   private:
@@ -75,23 +76,38 @@ class VacantPath {
         }
     }
 
-    [[nodiscard]] const Read* use_in(flow::NodeId node) const {
+    [[nodiscard]] std::optional<Span> use_in(flow::NodeId node) const {
         const auto reads = analysis_.facts().in<Read>(node);
         const auto found = std::ranges::find_if(reads, [&](const Read& read) {
             const bool counts = read.use == Use::arithmetic || (checks_ && read.use == Use::word);
             return counts && is_tested_value(read);
         });
-        return found == reads.end() ? nullptr : &*found;
+        if (found != reads.end()) return analysis_.program().expressions[found->expression].span;
+        return checks_ ? unreadable_use_in(node) : std::nullopt;
+    }
+
+    [[nodiscard]] std::optional<Span> unreadable_use_in(flow::NodeId node) const {
+        for (const Effect& effect : analysis_.program().effects_in(analysis_.graph().nodes[node].effects)) {
+            const auto* block = std::get_if<UnreadableBlock>(&effect.what);
+            if (block == nullptr || block->may_open_or_close) continue;
+            if (std::ranges::find(block->may_write, variable_) != block->may_write.end() &&
+                !may_assign(effect.span))
+                return effect.span;
+        }
+        return std::nullopt;
+    }
+
+    /// Whether the variable's name stands there with a sign of equality behind it.
+    [[nodiscard]] bool may_assign(Span span) const {
+        std::string text(analysis_.program().slice(span));
+        std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
+        return text.find(analysis_.program().spell(variable_) + "=") != std::string::npos;
     }
 
     [[nodiscard]] bool is_tested_value(const Read& read) const {
         if (read.value.vacancy != Vacancy::vacant && read.value.vacancy != Vacancy::maybe) return false;
         return read.value.symbol == tested_.symbol ||
                (read.variable == variable_ && read.value.vacancy_origin == tested_.vacancy_origin);
-    }
-
-    [[nodiscard]] bool is_feasible(const Read& use) const {
-        return can_follow(analysis_, test_.node, use.node);
     }
 
     [[nodiscard]] bool sets_variable(flow::NodeId node) const {
@@ -148,12 +164,12 @@ bool is_path_without_assignment(const ProgramAnalysis& analysis, Variable variab
 
 } // namespace
 
-const Read* use_after_zero_test(const ProgramAnalysis& analysis, const Comparison& test, const Value& tested,
-                                Variable variable) {
+std::optional<Span> use_after_zero_test(const ProgramAnalysis& analysis, const Comparison& test,
+                                        const Value& tested, Variable variable) {
     if (variable_of_origin(analysis, tested.vacancy_origin) == variable &&
         analysis.data().is_vacant_at_entry(variable) &&
         !is_path_without_assignment(analysis, variable, test.node))
-        return nullptr;
+        return std::nullopt;
     return VacantPath(analysis, test, tested, variable).first_use();
 }
 

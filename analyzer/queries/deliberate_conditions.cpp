@@ -73,14 +73,20 @@ DeliberateConditions::DeliberateConditions(const ProgramAnalysis& analysis)
     }
 }
 
-bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition) const {
+bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition,
+                                        const std::optional<GuardBefore>& guard) const {
     const Sides sides = sides_of(analysis_, condition);
+    const Program& program = analysis_.program();
+    if (guard && guard->same &&
+        (jump_target(program, condition.effect) ||
+         guarded_text(program, guard->effect) == guarded_text(program, condition.effect)))
+        return false;
     if (sides.open) return false;
-    if (settings_.is_all_that_is_read(condition.expression, condition.effect)) return true;
+    if (!guard && settings_.is_all_that_is_read(condition.expression, condition.effect)) return true;
     if (leaves_nothing_to_run(condition)) return false;
     if (only_clamps(analysis_, condition) || repeats_another(condition) || does_what_another_does(condition))
         return true;
-    if (settings_.is_read(condition.effect)) return true;
+    if (!guard && settings_.is_read(condition.effect)) return true;
     // What is left over after all other cases were tested may be tested once more.
     return condition.truth.can_hold || sides.vacant;
 }
@@ -110,21 +116,32 @@ bool DeliberateConditions::does_what_another_does(const dataflow::Condition& con
     return found != guarded_.end() && found->second > 1;
 }
 
-std::optional<Reason> reason_for(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
+Reason reason_for(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
+                  const std::optional<GuardBefore>& guard) {
     const Program& program = analysis.program();
+    const auto tested = [&](ExpressionId earlier) {
+        return Reason{guard && guard->same ? Reason::Kind::same_test : Reason::Kind::test,
+                      {},
+                      0,
+                      program.expressions[earlier].span,
+                      earlier};
+    };
+    if (guard) return tested(guard->condition);
+    if (sides_of(analysis, condition).open) return {Reason::Kind::itself, {}, 0, {}, {}};
     for (const dataflow::Read& read : analysis.facts().at<dataflow::Read>(condition.effect)) {
         const auto number = read.value.constant();
         const auto set = effect_of_origin(analysis, read.value.origin);
-        if (number && set) return Reason{read.variable, *number, program.effects[*set].span, {}};
+        if (number && set)
+            return {Reason::Kind::number, read.variable, *number, program.effects[*set].span, {}};
     }
     const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
-    std::optional<Reason> reason;
+    Reason reason{Reason::Kind::unknown, {}, 0, {}, {}};
     for (const dataflow::Comparison& other : analysis.facts().all<dataflow::Comparison>()) {
         if (other.node >= condition.node) break;
         for (const ExpressionId side : {other.left_expression, other.right_expression}) {
             const auto variable = plain_variable(program, side);
             if (variable && std::ranges::find(reads.variables, *variable) != reads.variables.end())
-                reason = Reason{{}, 0, program.expressions[other.expression].span, other.expression};
+                reason = tested(other.expression);
         }
     }
     return reason;

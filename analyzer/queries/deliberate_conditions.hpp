@@ -3,10 +3,13 @@
 
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/queries/guards_before.hpp"
 #include "analyzer/queries/settings.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string_view>
 
 namespace maclint::queries {
@@ -18,8 +21,10 @@ class DeliberateConditions {
 
     /// Whether a condition that is always true, or never, may be meant so: numbers that users edit decide it,
     /// it only makes sure of a limit, repeats a test, or tests what other cases left over. Not: one that is
-    /// decided by the other parts of it, as #1LT8 OR #1GT6 is, and one after which no block is left to run.
-    [[nodiscard]] bool may_be_meant(const dataflow::Condition& condition) const;
+    /// decided by the other parts of it, as #1LT8 OR #1GT6 is, one after which no block is left to run, and
+    /// one that asks again what the guard before it has asked. What such a guard decides, no setting does.
+    [[nodiscard]] bool may_be_meant(const dataflow::Condition& condition,
+                                    const std::optional<GuardBefore>& guard) const;
 
   private:
     [[nodiscard]] bool repeats_another(const dataflow::Condition& condition) const;
@@ -34,15 +39,20 @@ class DeliberateConditions {
 
 /// Why a condition is decided where it stands.
 struct Reason {
-    /// A variable that it asks for, and the one number that this is; nothing: an earlier test decides.
-    std::optional<Variable> variable;
+    enum class Kind : std::uint8_t {
+        unknown,   ///< neither of these tells why
+        itself,    ///< its parts decide it, whatever the values are: #1LT8 OR #1GT6
+        number,    ///< a variable that it asks for is one number
+        test,      ///< an earlier test of the same variable
+        same_test, ///< the guard before it, which asks the very same
+    } kind;
+    std::optional<Variable> variable; ///< of Kind::number
     double number = 0;
     Span since;                          ///< what set the variable, or the earlier test
     std::optional<ExpressionId> earlier; ///< of the same variable
 };
 
-/// Nothing when neither a number nor one earlier test tells why.
-[[nodiscard]] std::optional<Reason> reason_for(const ProgramAnalysis& analysis,
-                                               const dataflow::Condition& condition);
+[[nodiscard]] Reason reason_for(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
+                                const std::optional<GuardBefore>& guard);
 
 } // namespace maclint::queries

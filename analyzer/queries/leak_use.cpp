@@ -116,7 +116,9 @@ class Search {
                               std::ranges::all_of(value.parts, [&](const dataflow::ModalPart& part) {
                                   return code_of(callee_, part) == idle_[i].under.code;
                               });
-            if (sure || stays_at(callee_, set, idle_[i].under)) idle |= 1U << i;
+            if (sure || stays_at(callee_, set, idle_[i].under) ||
+                is_given_on_the_way(callee_, set, exit.exit.node, idle_[i].under))
+                idle |= 1U << i;
         }
         return idle;
     }
@@ -229,7 +231,8 @@ class Search {
         if (!move.relies) return true;
         if (!point.inside && !can_follow(program, point.call, point.node)) return true;
         result_.matters = true;
-        const bool own_is_lost = point.own && !point.inside;
+        const bool own_is_lost =
+            point.own && !point.inside && is_set_on_a_path_to(program, point.call, group_);
         if (result_.program == nullptr || own_is_lost || move.gives_feed)
             result_ = {true, &program, block, own_is_lost, move.gives_feed};
         return false;

@@ -10,14 +10,20 @@
 namespace maclint::queries {
 namespace {
 
+bool is_move(const Program& program, const flow::Node& node) {
+    if (node.is_run) return moves(program, node.stretch());
+    return std::ranges::any_of(program.effects_in(node.effects), [](const Effect& effect) {
+        return std::holds_alternative<Motion>(effect.what);
+    });
+}
+
 /// A loop that neither moves nor computes waits for somebody else: an operator, a robot, another path.
 bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     for (const flow::NodeId node : loop.body) {
         const flow::Node& n = analysis.graph().nodes[node];
-        if (n.is_run && moves(analysis.program(), n.stretch())) return false;
+        if (is_move(analysis.program(), n)) return false;
         for (const Effect& effect : analysis.program().effects_in(n.effects))
-            if (std::holds_alternative<Motion>(effect.what) || std::holds_alternative<Assign>(effect.what))
-                return false;
+            if (std::holds_alternative<Assign>(effect.what)) return false;
     }
     return true;
 }
@@ -39,6 +45,23 @@ Span span_of_repetition(const ProgramAnalysis& analysis, const dataflow::Loop& l
 }
 
 bool is_endless_by_jumps(const dataflow::Loop& cycle) { return !cycle.region && cycle.exit_edges.empty(); }
+
+bool repeats_whole_program(const ProgramAnalysis& analysis, const dataflow::Loop& cycle) {
+    const Program& program = analysis.program();
+    const auto& nodes = analysis.graph().nodes;
+    if (analysis.is_macro() || !analysis.callers().empty() || !analysis.possible_callers().empty() ||
+        cycle.latch + 1 >= nodes.size())
+        return false;
+    const auto behind = program.effects_in(nodes[cycle.latch + 1].effects);
+    if (behind.empty() || !std::holds_alternative<Return>(behind.front().what)) return false;
+    bool moves = false;
+    for (flow::NodeId node = 0; node < nodes.size(); ++node) {
+        if (!analysis.data().reached(node) || !is_move(program, nodes[node])) continue;
+        if (!cycle.holds(node)) return false;
+        moves = true;
+    }
+    return moves;
+}
 
 bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return std::ranges::any_of(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {

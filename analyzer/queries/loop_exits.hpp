@@ -24,7 +24,11 @@ namespace maclint::queries {
 /// is never true.
 [[nodiscard]] bool is_endless_by_jumps(const dataflow::Loop& cycle);
 
-/// Whether the loop lies in a cycle of that kind.
+/// Whether the cycle does what the return behind it would do: in a program that nobody calls and that gets no
+/// arguments, M99 begins it again. The program moves, and only in the cycle, as where axes are run in.
+[[nodiscard]] bool repeats_whole_program(const ProgramAnalysis& analysis, const dataflow::Loop& cycle);
+
+/// Whether the loop lies in a cycle that jumps alone make endless.
 [[nodiscard]] bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& loop);
 
 /// The variables that decide over the loop's exits, each once, where nothing of it can change in the loop;

@@ -1,12 +1,15 @@
 //! Goes back from a node over the blocks that set a group.
 #include "analyzer/queries/own_settings.hpp"
 
+#include "analyzer/execution/path_search.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/origins.hpp"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <variant>
 
@@ -50,19 +53,36 @@ bool calls_change(const ProgramAnalysis& analysis, flow::NodeId node, GroupId gr
     return false;
 }
 
+/// Calls the visitor with the last nodes before this one that set the group, and with what their words give.
+template<class Visit>
+void for_each_setting_before(const ProgramAnalysis& analysis, flow::NodeId node, GroupId group,
+                             const Visit& visit) {
+    flow::walk<flow::Direction::backward>(analysis.graph(), {node},
+                                          [&](flow::EdgeId edge, flow::NodeId from) {
+                                              if (!analysis.data().passable(edge)) return flow::Step::refuse;
+                                              const auto setting = setting_in(analysis, from, group);
+                                              if (setting) visit(from, *setting);
+                                              return setting ? flow::Step::end : flow::Step::go_on;
+                                          });
+}
+
 } // namespace
 
 std::vector<std::optional<double>> last_settings_before(const ProgramAnalysis& analysis, flow::NodeId node,
                                                         GroupId group) {
     std::vector<std::optional<double>> found;
-    flow::walk<flow::Direction::backward>(analysis.graph(), {node},
-                                          [&](flow::EdgeId edge, flow::NodeId from) {
-                                              if (!analysis.data().passable(edge)) return flow::Step::refuse;
-                                              const auto setting = setting_in(analysis, from, group);
-                                              if (setting) found.push_back(*setting);
-                                              return setting ? flow::Step::end : flow::Step::go_on;
-                                          });
+    for_each_setting_before(analysis, node, group,
+                            [&](flow::NodeId, std::optional<double> setting) { found.push_back(setting); });
     return found;
+}
+
+bool is_set_on_a_path_to(const ProgramAnalysis& analysis, flow::NodeId node, GroupId group) {
+    constexpr std::size_t most_searches = 8; // of so many one will do
+    std::vector<flow::NodeId> setting;
+    for_each_setting_before(analysis, node, group,
+                            [&](flow::NodeId at, std::optional<double>) { setting.push_back(at); });
+    return setting.size() > most_searches ||
+           std::ranges::any_of(setting, [&](flow::NodeId at) { return can_follow(analysis, at, node); });
 }
 
 bool stays_at(const ProgramAnalysis& analysis, flow::NodeId node, GroupCode code) {
@@ -78,6 +98,19 @@ bool stays_at(const ProgramAnalysis& analysis, flow::NodeId node, GroupCode code
     return !by_a_call && !now.empty() && std::ranges::all_of(now, [&](const std::optional<double>& setting) {
         return setting == code.code;
     });
+}
+
+bool is_given_on_the_way(const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to,
+                         GroupCode code) {
+    std::vector<flow::NodeId> giving; // sorted
+    for (flow::NodeId node = 0; node < analysis.graph().nodes.size(); ++node)
+        if (analysis.data().reached(node) && setting_in(analysis, node, code.group) == code.code &&
+            stays_at(analysis, node, code))
+            giving.push_back(node);
+    if (giving.empty()) return false;
+    execution::PathSearch search(analysis);
+    const auto around = search.find(std::array{execution::Leg{from, {}}, execution::Leg{to, giving}});
+    return !around.path && !around.gave_up;
 }
 
 bool stands_beside(const ProgramAnalysis& analysis, dataflow::OriginId set, GroupCode code) {

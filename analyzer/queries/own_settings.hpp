@@ -13,9 +13,17 @@ namespace maclint::queries {
 [[nodiscard]] std::vector<std::optional<double>> last_settings_before(const ProgramAnalysis& analysis,
                                                                       flow::NodeId node, GroupId group);
 
+/// Whether the control can come from one of these words to the node.
+[[nodiscard]] bool is_set_on_a_path_to(const ProgramAnalysis& analysis, flow::NodeId node, GroupId group);
+
 /// Whether the code is surely in force after the node, and no word or call can set the group otherwise from
 /// there on.
 [[nodiscard]] bool stays_at(const ProgramAnalysis& analysis, flow::NodeId node, GroupCode code);
+
+/// Whether the control cannot come from one node to the other but over a word that gives the code, which then
+/// stays as long as it takes. False, too, when the search for a path gives up.
+[[nodiscard]] bool is_given_on_the_way(const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to,
+                                       GroupCode code);
 
 /// Whether the block that sets a group also gives this code.
 [[nodiscard]] bool stands_beside(const ProgramAnalysis& analysis, dataflow::OriginId set, GroupCode code);

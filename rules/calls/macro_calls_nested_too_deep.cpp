@@ -19,10 +19,12 @@ extern const Rule macro_calls_nested_too_deep{
     .precision = Precision::high,
     .needs = {Capability::macro_calls},
     .data_flow = true,
-    .messages = {{"named", "'{0}' is macro level {1}, and {2} has {3}: {4}. Call it from a higher level."},
+    .messages = {{"named", "Too many call levels: '{0}' is macro level {1}, and {2} has {3}: {4}.",
+                  "Call it from a higher level."},
                  {"assumed",
-                  "'{0}' is macro level {1}, and a 16i has {3} (no control is named, so this limit is "
-                  "assumed): {4}. Call it from a higher level, or name the control."}},
+                  "Too many call levels: '{0}' is macro level {1}, and a 16i has {3} (assumed, as no control "
+                  "is named): {4}.",
+                  "Call it from a higher level, or name the control."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)
 G65P9001

@@ -28,14 +28,14 @@ extern const Rule duplicate_sequence_number{
     .precision = Precision::very_high,
     .needs = {Capability::sequence_numbers},
     .messages = {{"passed-over",
-                  "Wrong block: {0} takes N{1} of line {2}, the first of the program, not that of "
-                  "line {3}. {4}."},
-                 {"unreached", "Wrong block: {0} takes N{1} of line {2}, and nothing leads to N{1} of line "
-                               "{3}. {4}."},
-                 {"after", "Sequence number N{1} is used more than once: {0} goes to line {2}, the first one "
-                           "after it. {4}."},
-                 {"plain", "Sequence number N{1} is used more than once, and {0} leads to one of the blocks. "
-                           "{4}."}},
+                  "Wrong block: {0} takes N{1} of line {2}, the first of the program, not that of line {3}.",
+                  "{4}."},
+                 {"unreached",
+                  "Wrong block: {0} takes N{1} of line {2}, and nothing leads to N{1} of line {3}.", "{4}."},
+                 {"after",
+                  "Sequence number N{1} is there more than once: {0} goes to line {2}, the next one.",
+                  "{4}."},
+                 {"plain", "Sequence number N{1} is there more than once: {0} goes to one of them.", "{4}."}},
     .bad = {{"fanuc", R"nc(
 O9462(TWO)
 N20 G0 X1.

@@ -18,15 +18,16 @@ extern const Rule endless_jump_loop{
     .name = "endless-jump-loop",
     .summary = "A jump closes a cycle of blocks from which no path leads out and in which nothing can"
                " stop",
-    .why = "The control repeats the blocks until somebody presses reset.",
+    .why = "The control repeats the blocks until somebody presses reset. A note where all moves of a program "
+           "that nobody calls lie in the cycle, and a return stands behind it, which would begin it again as "
+           "well.",
     .severity = Severity::error,
     .precision = Precision::high,
     .needs = {Capability::jumps},
     .data_flow = true,
-    .messages =
-        {{"plain",
-          "Endless loop: '{0}' goes back to line {1}, and nothing in between ever leaves it. Count the "
-          "passes, or leave them with IF and GOTO."}},
+    .messages = {{"plain",
+                  "Endless loop: '{0}' goes back to line {1}, and nothing in between ever leaves it.",
+                  "Count the passes, or leave them with IF and GOTO."}},
     .bad = {{"fanuc", R"nc(
 O9336(WAIT)
 N10 G0 X0
@@ -59,6 +60,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             reporter.report({analysis, *jump}, span, "plain",
                             {quoted(analysis.program(), span),
                              line_number(analysis.file(), analysis.graph().nodes[cycle.head].part.begin)});
+        if (queries::repeats_whole_program(analysis, cycle)) finding.severity = Severity::note;
         trace_round(finding, analysis, cycle, "jumps back");
     }
 }

@@ -28,13 +28,12 @@ extern const Rule infinite_loop_step{
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::Store, dataflow::Comparison>(),
     .data_flow = true,
-    .messages = {{"vacant",
-                  "'{0}' changes nothing when {1} is left out or 0, and the loop never ends. Reject "
-                  "both before the loop."},
-                 {"zero", "'{0}' changes nothing, and the loop never ends: its step is 0. Correct the step."},
+    .messages = {{"vacant", "Endless loop: '{0}' changes nothing when {1} is left out or 0.",
+                  "Reject both before the loop."},
+                 {"zero", "Endless loop: '{0}' changes nothing, because its step is 0.", "Correct the step."},
                  {"wrong-sign",
-                  "'{0}' leads away from the end of the loop, which therefore never comes. Turn the sign "
-                  "of the step or the comparison around."}},
+                  "Endless loop: '{0}' leads away from the end of the loop, which therefore never comes.",
+                  "Turn the sign of the step or the comparison around."}},
     .bad = {{"fanuc", R"nc(
 O9320(DEPTH PASSES, Z DEPTH K STEP)
 #33=0
@@ -99,8 +98,8 @@ Finding& report(const ProgramAnalysis& analysis, Reporter& reporter, const dataf
     if (fault == StepFault::vacant) {
         const std::string name = name_of_vacancy_origin(analysis, *store.step);
         Finding& finding = reporter.report({analysis, store.effect}, span, "vacant", {text, name});
-        trace(finding, analysis, store.step->amount.vacancy_origin, name + " may be vacant from here on",
-              store.node, "a vacant " + name + " counts as 0 in arithmetic");
+        trace_vacancy(finding, analysis, store.step->amount.vacancy_origin, name, store.node,
+                      "a vacant " + name + " counts as 0 in arithmetic");
         return finding;
     }
     Finding& finding = reporter.report({analysis, store.effect}, span,

@@ -27,15 +27,14 @@ extern const Rule infinite_loop_unchanged{
     .severity_elsewhere = {{"dinplus", Severity::warning}},
     .precision = Precision::high,
     .data_flow = true,
-    .messages =
-        {{"unchanged",
-          "Endless loop: once '{0}' is entered, nothing in it changes {1}. Change the variable in the "
-          "loop, or leave the loop."},
-         {"own-block",
-          "Endless loop: '{0}' jumps to its own block, and nothing changes {1} there: the control hangs "
-          "without an alarm."},
-         {"no-exit", "Endless loop: nothing leads out of '{0}'. Count in a variable that "
-                     "its condition asks, or leave it."}},
+    .messages = {{"unchanged", "Endless loop: once '{0}' is entered, nothing in it changes {1}.",
+                  "Change the variable in the loop, or leave the loop."},
+                 {"own-block",
+                  "Endless loop: '{0}' jumps to its own block, and nothing changes {1} there: the control "
+                  "hangs without an alarm.",
+                  "Correct the number of the jump, or change the variable."},
+                 {"no-exit", "Endless loop: nothing leads out of '{0}'.",
+                  "Count in a variable that its condition asks, or leave it."}},
     .bad = {{"fanuc", R"nc(
 O9319(ROWS)
 #33=0

@@ -13,14 +13,14 @@ extern const Rule other_control{
         " least, that make no sense. Whoever names the dialect, or allows this finding, sees all others.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
-    .messages =
-        {{"marks",
-          "Program for another control: it seems to be for {0} ({1}). Read as {2} it gives {3}, withheld"
-          " here. Leave the file out (\"exclude\" in the configuration), or see them with --dialect"
-          " {2}."},
-         {"share", "Program for another control: {0} blocks cannot be read ({1}). Read as {2} it gives {3},"
-                   " withheld here. Leave the file out (\"exclude\" in the configuration), or see them with"
-                   " --dialect {2}."}},
+    .messages = {{"marks",
+                  "Program for another control: it seems to be for {0} ({1}). Read as {2} it gives {3}, "
+                  "withheld here.",
+                  "Leave the file out (\"exclude\" in the configuration), or see them with --dialect {2}."},
+                 {"share",
+                  "Program for another control: {0} blocks cannot be read ({1}). Read as {2} it gives {3}, "
+                  "withheld here.",
+                  "Leave the file out (\"exclude\" in the configuration), or see them with --dialect {2}."}},
     .bad = {{"fanuc", R"nc(
 O0005(PROBE IN X)
 #100=R_SKIP[1]

@@ -26,8 +26,8 @@ extern const Rule oversized_block{
            "transfer or a file whose line ends were lost. What the block does is unknown to all other rules.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"oversized", "Block of more than 4 KiB, which maclint skips. Check the file for lost "
-                               "line ends, or divide the block."}},
+    .messages = {{"oversized", "Block of more than 4 KiB, which maclint skips.",
+                  "Check the file for lost line ends, or divide the block."}},
     .bad = {{"fanuc", long_block()}},
     .good = {{"fanuc", R"nc(
 O0004(SHORT BLOCKS)

@@ -10,12 +10,11 @@ extern const Rule unknown_rule_in_suppression{
     .why = "A mistyped code allows nothing: the finding that it was meant for comes back.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
-    .messages = {{"unknown", "There is no rule '{0}'. See 'maclint rules' for the list."},
-                 {"similar", "There is no rule '{0}'. Write '{1}' if you mean that one."},
-                 {"no-rule", "This comment names no rule. Write '{0}'."},
-                 {"no-verb",
-                  "'{0}' is nothing that maclint understands here. Write ALLOW, ALLOW-FILE, OFF or ON "
-                  "before the rule's code."}},
+    .messages = {{"unknown", "Unknown rule: there is no '{0}'.", "See 'maclint rules' for the list."},
+                 {"similar", "Unknown rule: there is no '{0}'.", "Write '{1}' if you mean that one."},
+                 {"no-rule", "Comment for maclint that names no rule.", "Write '{0}'."},
+                 {"no-verb", "Unknown instruction: '{0}' is nothing that maclint understands here.",
+                  "Write ALLOW, ALLOW-FILE, OFF or ON before the rule's code."}},
     .bad = {{"fanuc", R"nc(
 O0002(MISTYPED CODE)
 G0 X10. (MACLINT ALLOW MAC004X - HOUSE RULE)

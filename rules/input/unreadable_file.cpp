@@ -12,7 +12,7 @@ extern const Rule unreadable_file{
         "stops at the first character that it does not know, or it reads noise as words.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"not-nc", "Not an NC program but {0}. Name another file, or fetch this one again."}},
+    .messages = {{"not-nc", "Not an NC program but {0}.", "Name another file, or fetch this one again."}},
     .bad = {{"fanuc", "\x89PNG\r\n\x1A\n\x01\x02\x03\x04"}},
     .good = {{"fanuc", R"nc(
 O0003(TEXT)

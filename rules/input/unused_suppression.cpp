@@ -12,10 +12,10 @@ extern const Rule unused_suppression{
         "of something that is no longer there.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
-    .messages = {{"unused",
-                  "'{0}' is allowed here, but there is nothing to allow. Remove it from the comment."},
-                 {"comment",
-                  "This comment allows '{0}', but there is nothing to allow. Remove the comment."}},
+    .messages = {{"unused", "Needless exception: '{0}' is allowed here, but there is nothing to allow.",
+                  "Remove it from the comment."},
+                 {"comment", "Needless exception: this comment allows '{0}', but there is nothing to allow.",
+                  "Remove the comment."}},
     .bad = {{"fanuc", R"nc(
 O0001(ALLOWS WHAT IS NOT THERE)
 G0 X10. (MACLINT ALLOW MAC004 - THE BLOCK WAS LONG ONCE)

@@ -31,10 +31,11 @@ extern const Rule compensation_or_transform_left_active{
                              dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path",
-                  "{0} is still active when the program is left: every later move is subject to it. {1}."},
+                  "{0} is still active when the program is left: every later move is subject to it.", "{1}."},
                  {"some-paths",
                   "{0} is still active on some of the paths on which the program is left: every later move "
-                  "is subject to it. {1}."}},
+                  "is subject to it.",
+                  "{1}."}},
     .bad = {{"fanuc", R"nc(
 O9502(SLOT AT AN ANGLE)
 G68 X0 Y0 R30.

@@ -88,8 +88,7 @@ bool report_alone(const ProgramAnalysis& analysis, const queries::ModalLeak& lea
     if (leak.leak_use.own_is_lost) {
         const ProgramAnalysis& caller = *leak.leak_use.program;
         message = "caller";
-        words.push_back(caller.program().name + " line " +
-                        line_number(caller.file(), leak.leak_use.block.begin));
+        words.push_back(place_in(caller, leak.leak_use.block));
     } else if (saves_this) {
         message = "not-put-back";
     } else if (!saves.empty()) {

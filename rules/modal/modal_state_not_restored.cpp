@@ -28,8 +28,8 @@ extern const Rule modal_state_not_restored{
     .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
                              dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"every-path", "{0} {1} is left to the caller. {2}."},
-                 {"some-paths", "{0} {1} is left to the caller on some of the paths. {2}."}},
+    .messages = {{"every-path", "{0} {1} is left to the caller.", "{2}."},
+                 {"some-paths", "{0} {1} is left to the caller on some of the paths.", "{2}."}},
     .bad = {{"fanuc", R"nc(
 O9501(ONE STEP UP)
 G91 G0 Z10.

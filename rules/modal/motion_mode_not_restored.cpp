@@ -28,10 +28,13 @@ extern const Rule motion_mode_not_restored{
                              dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"feed",
-                  "{0} is left to the caller, whose block in {1} states a feed and no motion code: it "
-                  "moves at rapid traverse. Write the motion code there."},
-                 {"own", "{0} is left to the caller, whose block in {1} goes on without a motion code: it "
-                         "moves at rapid traverse. Write the motion code there."}},
+                  "{0} is left to the caller, whose block in {1} states a feed and no motion code: it moves "
+                  "at rapid traverse.",
+                  "Write the motion code there."},
+                 {"own",
+                  "{0} is left to the caller, whose block in {1} goes on without a motion code: it moves at "
+                  "rapid traverse.",
+                  "Write the motion code there."}},
     .bad = {{"fanuc", R"nc(
 O0001(SLOT)
 G90 G1 X50. F800.

@@ -26,9 +26,10 @@ extern const Rule restore_from_wrong_variable{
     .precision = Precision::very_high,
     .facts = dataflow::facts<dataflow::ModalWrite, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"value", "'{0}' puts back '{1}', which is not the {2}. Write {3} in line {4}."},
-                 {"code", "'{0}' puts back '{1}', which is no G code. In line {2}, save the variable of the "
-                          "group that is meant."}},
+    .messages = {{"value", "Wrong value put back: '{0}' takes '{1}', which is not the {2}.",
+                  "Write {3} in line {4}."},
+                 {"code", "Wrong value put back: '{0}' takes '{1}', which is no G code.",
+                  "In line {2}, save the variable of the group that is meant."}},
     .bad = {{"fanuc", R"nc(
 O9505(PLUNGE, Z DEPTH F FEED)
 #33=#4019

@@ -31,10 +31,10 @@ extern const Rule single_block_suppression_not_restored{
                              dataflow::Clobber>(),
     .data_flow = true,
     .messages =
-        {{"every-path", "No {1} any more: '{0}' is still in force when the program is left. Set it back "
-                        "to 0 before {2}."},
+        {{"every-path", "No {1} any more: '{0}' is still in force when the program is left.",
+          "Set it back to 0 before {2}."},
          {"some-paths",
-          "No {1} any more: '{0}' is still in force on some of the paths on which the program is left. "
+          "No {1} any more: '{0}' is still in force on some of the paths on which the program is left.",
           "Set it back to 0 before {2}."}},
     .bad = {{"fanuc", R"nc(
 O9515(UP WITHOUT A STOP)

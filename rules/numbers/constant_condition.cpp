@@ -2,9 +2,10 @@
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/deliberate_conditions.hpp"
+#include "analyzer/queries/guards_before.hpp"
 #include "analyzer/queries/loop_exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/path.hpp"
+#include "rules/numbers/condition_words.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
@@ -22,16 +23,21 @@ extern const Rule constant_condition{
     .name = "constant-condition",
     .aliases = "DIN405",
     .summary = "A condition is always true or never, because of what the program did before",
-    .why = "Blocks run that should have been left out, or never run. Often another variable was "
-           "meant, or an earlier test already went away with the case.",
+    .why = "Blocks run that should not, or never run. Often another variable or another case was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .yields_to = "MAC222",
     .facts = dataflow::facts<dataflow::Condition, dataflow::Comparison, dataflow::Store, dataflow::Read>(),
     .data_flow = true,
-    .messages = {{"decided", "Condition {1} true: '{0}'. Correct it, or remove it."},
-                 {"number", "Condition {1} true: '{0}', because {2} is {3} since line {4}."},
-                 {"tested",
-                  "Condition {1} true: '{0}', because of the test '{2}' in line {3}. Correct one of them."}},
+    .messages = {{"decided", "Condition {1} true: '{0}'.", "Correct it, or remove it."},
+                 {"itself", "Condition {1} true: '{0}', whatever the values are.",
+                  "Exchange AND and OR, or correct a comparison."},
+                 {"number", "Condition {1} true: '{0}', because {3} is {4} since line {2}.",
+                  "Correct it, or remove it."},
+                 {"tested", "Condition {1} true: '{0}', because of the test '{3}' in line {2}.",
+                  "Correct one of them."},
+                 {"repeated", "Condition {1} true: '{0}', because line {2} asks the same and leaves.",
+                  "Ask here for what was meant{4}, or remove the block."}},
     .bad = {{"fanuc", R"nc(
 O9718(LEVELS, K LEVEL)
 #33=0
@@ -56,9 +62,8 @@ END
             {"dinplus", R"nc(
 MACHINING
 N10 WHILE 1==1
-N20 G0 X10
-N30 ENDWHILE
-N40 M30
+N20 ENDWHILE
+N30 M30
 END
 )nc"}},
     .good = {{"fanuc", R"nc(
@@ -89,38 +94,35 @@ END
 namespace {
 
 bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
+               const std::optional<queries::GuardBefore>& guard,
                const queries::DeliberateConditions& deliberate) {
     // Where a jump can leave it, a loop without an exit is MAC319's.
     if (condition.truth.can_hold && queries::is_loop_condition(analysis, condition))
         return queries::never_ends(analysis, condition);
-    if (queries::tests_any_vacancy(analysis.program(), condition.expression))
+    if (!guard && queries::tests_any_vacancy(analysis.program(), condition.expression))
         return false; // MAC222's and MAC228's
-    return !deliberate.may_be_meant(condition);
+    return !deliberate.may_be_meant(condition, guard);
 }
 
-void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Condition& condition) {
-    const bool always = condition.truth.can_hold;
-    const Span span = analysis.program().expressions[condition.expression].span;
-    std::vector<std::string> words{quoted(analysis.program(), span), always ? "always" : "never"};
-    const auto reason = queries::reason_for(analysis, condition);
-    if (reason) {
-        words.push_back(reason->variable ? analysis.program().spell(*reason->variable)
-                                         : quoted(analysis.program(), reason->since));
-        if (reason->variable) words.push_back(number_word(reason->number));
-        words.push_back(line_number(analysis.file(), reason->since.begin));
-    }
-    const std::string_view id = !reason ? "decided" : reason->variable ? "number" : "tested";
-    Finding& finding = reporter.report({analysis, condition}, span, id, std::move(words));
-    trace(finding, analysis, condition.node, always ? "it is always true" : "it is never true");
+void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Condition& condition,
+            const std::optional<queries::GuardBefore>& guard) {
+    const std::string outcome = (guard ? guard->makes : condition.truth.can_hold) ? "always" : "never";
+    ConditionWords words = words_for(analysis, condition, guard, outcome);
+    Finding& finding =
+        reporter.report({analysis, condition}, analysis.program().expressions[condition.expression].span,
+                        words.message_id, std::move(words.arguments));
+    if (words.earlier) finding.related.push_back(*std::move(words.earlier));
+    trace(finding, analysis, condition.node, "it is " + outcome + " true");
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    if (analysis.regions().balance_unknown) return; // a loop that cannot be read may repeat the block
-    std::optional<queries::DeliberateConditions> deliberate; // most programs have no such condition
+    const bool may_repeat = analysis.regions().balance_unknown; // by a loop that cannot be read
+    std::optional<queries::DeliberateConditions> deliberate;    // most programs have no such condition
     for (const dataflow::Condition& condition : analysis.facts().all<dataflow::Condition>()) {
-        if (condition.truth.can_hold == condition.truth.can_fail) continue;
+        const auto guard = queries::guard_that_decides(analysis, condition);
+        if (!guard && (may_repeat || condition.truth.can_hold == condition.truth.can_fail)) continue;
         if (!deliberate) deliberate.emplace(analysis);
-        if (is_defect(analysis, condition, *deliberate)) report(analysis, reporter, condition);
+        if (is_defect(analysis, condition, guard, *deliberate)) report(analysis, reporter, condition, guard);
     }
 }
 

@@ -21,10 +21,9 @@ extern const Rule float_equality{
     .code = "MAC710",
     .name = "float-equality",
     .aliases = "DIN327",
-    .summary = "A result that has been rounded is compared with EQ or NE: 0.002*1000 need not be "
-               "2",
-    .why = "The comparison fails although both numbers look the same on the display: the last "
-           "pass is left out, or the loop goes on.",
+    .summary = "A result that has been rounded is compared with EQ or NE: 0.002*1000 need not be 2",
+    .why =
+        "Both numbers look the same on the display, and yet the last pass is left out, or the loop goes on.",
     .severity = Severity::warning,
     .severity_elsewhere = {{"dinplus", Severity::note}},
     .precision = Precision::high,
@@ -32,21 +31,19 @@ extern const Rule float_equality{
     .data_flow = true,
     .messages =
         {{"equal",
-          "Equality of computed numbers: '{0}' may be false although both are equal on paper: '{1}' is "
-          "rounded (line {2}). Ask whether the ABS of the difference is less than 0.001."},
+          "Equality of computed numbers: '{0}' may be false by mistake: '{1}' is rounded (line {2}).",
+          "Ask whether the ABS of the difference is less than 0.001."},
          {"not-equal",
-          "Equality of computed numbers: '{0}' may be true although both are equal on paper: '{1}' "
-          "is rounded (line {2}). Ask whether the ABS of the difference is 0.001 or more."},
+          "Equality of computed numbers: '{0}' may be true by mistake: '{1}' is rounded (line {2}).",
+          "Ask whether the ABS of the difference is 0.001 or more."},
          {"distance",
-          "Distance of exactly 0: in '{0}' the last digit of a measured or calculated number decides. "
+          "Distance of exactly 0: in '{0}' the last digit of a measured or calculated number decides.",
           "Compare '{1}' with a tolerance, as 0.001."},
-         {"sum-equal",
-          "Equality of a sum: '{0}' may be false when the steps added to {1} have decimals: ten steps "
-          "of 0.1 are not 1. Ask whether the ABS of the difference is less than 0.001."},
+         {"sum-equal", "Equality of a sum: '{0}' may be false when the steps added to {1} have decimals.",
+          "Ask whether the ABS of the difference is less than 0.001."},
          {"sum-not-equal",
-          "Equality of a sum: '{0}' may stay true for ever when the steps added to {1} have "
-          "decimals: ten steps of 0.1 are not 1. Ask whether the ABS of the difference is 0.001 "
-          "or more."}},
+          "Equality of a sum: '{0}' may stay true when the steps added to {1} have decimals.",
+          "Ask whether the ABS of the difference is 0.001 or more."}},
     .bad = {{"fanuc", R"nc(
 O9710(HALF A TURN, A ANGLE)
 #33=#1/3

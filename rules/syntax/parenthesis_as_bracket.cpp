@@ -13,8 +13,10 @@ extern const Rule parenthesis_as_bracket{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .yields_to = "MAC122",
-    .messages = {{"cure", "Round brackets make a comment, and '{0}' is left without its value. Write '{1}'."},
-                 {"plain", "Round brackets make a comment, and '{0}' is left without its value. Write [ ]."}},
+    .messages = {{"cure", "Round brackets make a comment, and '{0}' is left without its value.",
+                  "Write '{1}'."},
+                 {"plain", "Round brackets make a comment, and '{0}' is left without its value.",
+                  "Write [ ]."}},
     .bad = {{"fanuc", R"nc(
 O9116(ANGLE)
 #100=SIN(30)

@@ -12,9 +12,9 @@ extern const Rule symbolic_comparison{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .yields_to = "MAC122",
-    .messages = {{"cure", "Sign '{0}' does not compare: the control stops here. Write {1}."},
-                 {"plain",
-                  "Sign '{0}' does not compare: the control stops here. Use EQ, NE, GT, GE, LT or LE."}},
+    .messages = {{"cure", "Sign '{0}' does not compare: the control stops here.", "Write {1}."},
+                 {"plain", "Sign '{0}' does not compare: the control stops here.",
+                  "Use EQ, NE, GT, GE, LT or LE."}},
     .bad = {{"fanuc", R"nc(
 O9119(CHOICE)
 IF[#100=2]GOTO5

@@ -19,11 +19,11 @@ extern const Rule unknown_keyword{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .yields_to = "MAC122",
-    .messages = {{"cure", "Unknown word '{0}': the control stops here. Write '{1}'."},
-                 {"plain",
-                  "Unknown word '{0}': the control stops here. If the program is for another control,"
-                  " name that (--dialect, or \"files\" in the configuration)."},
-                 {"construct", "No block IF on this control, which stops at '{0}'. {1}."}},
+    .messages =
+        {{"cure", "Unknown word '{0}': the control stops here.", "Write '{1}'."},
+         {"plain", "Unknown word '{0}': the control stops here.",
+          "If the program is for another control, name that (--dialect, or \"files\" in the configuration)."},
+         {"construct", "No block IF on this control, which stops at '{0}'.", "{1}."}},
     .bad = {{"fanuc", R"nc(
 O9118(DEPTH)
 IF[#100LTE5]GOTO10

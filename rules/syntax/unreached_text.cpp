@@ -17,8 +17,8 @@ extern const Rule unreached_text{
            " that somebody took out of use: an alarm waits for whoever puts them back.",
     .severity = Severity::note,
     .precision = Precision::very_high,
-    .messages = {{"plain", "Unreadable text where no path leads: '{0}' is never run. Make it a comment, or"
-                           " delete it."}},
+    .messages = {{"plain", "Unreadable text where no path leads: '{0}' is never run.",
+                  "Make it a comment, or delete it."}},
     .bad = {{"fanuc", R"nc(
 O9122(CHECK)
 IF[#101GT0]GOTO5

@@ -19,16 +19,15 @@ extern const Rule unreadable_block{
     .severity = Severity::error,
     .precision = Precision::high,
     .yields_to = "MAC122",
-    .messages = {{"cure", "Unreadable text '{0}': expected {1}. The control stops in this block."},
-                 {"plain", "Unreadable text '{0}': the control stops in this block."},
-                 {"remark", "Remark without brackets: after {1}, the control runs '{0}' as a block. Put it in"
-                            " ( ), or name the program's control (--dialect, or \"files\" in the"
-                            " configuration)."},
-                 {"point",
-                  "Variable number with a decimal point: '{0}'. No manual says that the control takes"
-                  " it: write '{1}'."},
-                 {"fraction", "Variable number with a decimal point: '{0}'. Haas has such variables: choose"
-                              " that control (--control haas) if it runs there."}},
+    .messages =
+        {{"cure", "Unreadable text '{0}': expected {1}. The control stops in this block."},
+         {"plain", "Unreadable text '{0}': the control stops in this block."},
+         {"remark", "Remark without brackets: after {1}, the control runs '{0}' as a block.",
+          "Put it in ( ), or name the program's control (--dialect, or \"files\" in the configuration)."},
+         {"point", "Variable number with a decimal point: '{0}'. No manual says that the control takes it.",
+          "Write '{1}'."},
+         {"fraction", "Variable number with a decimal point: '{0}', as Haas has them.",
+          "Choose that control (--control haas) if the program runs there."}},
     .bad = {{"fanuc", R"nc(
 O9121(POINT)
 G1 X5. Y? F100

@@ -15,7 +15,7 @@ extern const Rule unterminated_comment{
     .precision = Precision::very_high,
     .yields_to = "MAC122",
     .messages = {{"plain",
-                  "Comment without its end: '{0}' is never closed, so all that it takes in does nothing. "
+                  "Comment without its end: '{0}' is never closed, so all that it takes in does nothing.",
                   "Close it with '{1}'."}},
     .bad = {{"fanuc", R"nc(
 O9102(PART)

@@ -4,6 +4,7 @@
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
+#include "rules/trace.hpp"
 #include "rules/variables/unset_words.hpp"
 
 #include <algorithm>
@@ -20,9 +21,8 @@ extern const Rule uninitialised_local{
     .aliases = "DIN301",
     .summary = "A local variable is read before anything has set it, and no argument can have done so",
     .why = "Such a variable is vacant: a word that uses it is ignored (the axis stays where it is, the feed "
-           "does "
-           "not change), and arithmetic takes it for 0, without an alarm. Where the language knows no vacant "
-           "value, it is undefined and may read as 0.",
+           "does not change), and arithmetic takes it for 0, without an alarm. Where the language knows no "
+           "vacant value, it is undefined and may read as 0.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::unset_locals},
@@ -40,18 +40,18 @@ extern const Rule uninitialised_local{
                  {"as-tested",
                   "Variable {0} is always vacant here: the program only comes to this block when it is.",
                   "Correct the test (EQ #0 or NE #0), or its jump."},
-                 {"cases", "Variable {0} may be vacant here: set only for {1}.",
-                  "Set it in the other cases, too, or refuse them with an alarm."},
-                 {"depends", "Variable {0} may be vacant here: whether it is set depends on {1}.",
-                  "Set it on every path, or test it with EQ #0 first."},
-                 {"some-paths", "Variable {0} may be vacant here: not every path sets it.",
-                  "Set it on every path, or test it with EQ #0 first."},
+                 {"cases", "{2} {0} may be vacant here: set only for {1}.",
+                  "Set a value in the other cases, too, or refuse them with an alarm."},
+                 {"depends", "{2} {0} may be vacant here, depending on {1}.",
+                  "Set a value on every path, or test for EQ #0 first."},
+                 {"some-paths", "{2} {0} may be vacant here: not every path sets a value.",
+                  "Set one on every path, or test for EQ #0 first."},
                  {"undefined", "Nothing has set {0} before this block: it has no value.",
                   "Set it first, or correct the name."},
                  {"undefined-not-passed", "Variable {0} has no value here: no caller passes it.",
                   "Pass it in the call."},
-                 {"undefined-some-paths", "Variable {0} may have no value here: not every path sets it.",
-                  "Set it on every path."}},
+                 {"undefined-some-paths", "{2} {0} may have no value here: not every path sets one.",
+                  "Set one on every path."}},
     .bad = {{"fanuc", R"nc(
 O0209(FACE)
 #100=10.
@@ -112,13 +112,14 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const std::string name = as_written(analysis, read.expression);
         Finding& finding =
             reporter.report({analysis, read}, span, message_for(analysis, reads),
-                            {names_of(analysis, reads), words_for_cases(analysis, reads.missing)});
+                            {names_of(analysis, reads), words_for_cases(analysis, reads.missing),
+                             reads.others.empty() ? "Variable" : "Variables"});
         for (const dataflow::Read* other : reads.others)
             finding.related.push_back({analysis.source(),
                                        analysis.program().expressions[other->expression].span,
                                        "the same is true of " + as_written(analysis, other->expression)});
-        finding.path.push_back(
-            related_at(analysis, read.value.vacancy_origin, name + " has no value when the program begins"));
+        finding.path.push_back(begin_of_vacancy(analysis, read.value.vacancy_origin, reads.first.path,
+                                                name + " has no value when the program begins"));
         for (RelatedLocation& step : steps_along(analysis, reads.first.path))
             finding.path.push_back(std::move(step));
         finding.path.push_back({analysis.source(), span, name + " is read"});

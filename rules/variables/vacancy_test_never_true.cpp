@@ -23,22 +23,24 @@ extern const Rule vacancy_test_never_true{
     .code = "MAC228",
     .name = "vacancy-test-never-true",
     .summary = "A variable that is set on every path to the test is compared with #0: it is never vacant",
-    .why = "A test for 0 was probably meant. As it stands, the blocks that the test guards never run, or "
-           "always.",
+    .why = "A test for 0 was probably meant. As it stands, what the test guards never runs, or always does.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::vacancy},
+    .yields_to = "MAC718",
     .facts = dataflow::facts<dataflow::Comparison, dataflow::Store>(),
     .data_flow = true,
     .messages =
         {{"set",
-          "Test of a variable that is never vacant: '{0}' is {1} true, because {2} has been set on every "
-          "path (line {3}). Compare it with 0 if the value 0 is meant."},
+          "Test of a variable that is never vacant: '{0}' is {1} true, because every path sets {2} (line "
+          "{3}).",
+          "Compare it with 0 if the value 0 is meant."},
          {"overwritten",
-          "Test of an overwritten variable: '{0}' is {1} true, because {2} got another value in "
-          "line {3}. Test the value from the call before that."},
-         {"kept", "Test of an overwritten variable: '{0}' is {1} true, because {2} got another value in line "
-                  "{3}. Its value from the call is in {4}: test that."}},
+          "Test of an overwritten variable: '{0}' is {1} true, because {2} got another value in line {3}.",
+          "Test the value from the call before that."},
+         {"kept",
+          "Test of an overwritten variable: '{0}' is {1} true, because {2} got another value in line {3}.",
+          "Its value from the call is in {4}: test that."}},
     .bad = {{"fanuc", R"nc(
 O9228(DRILL, Z DEPTH)
 #33=#26

@@ -94,8 +94,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const std::string name = with_letter(analysis, *variable);
         Finding& finding =
             reporter.report({analysis, comparison}, span, "passes", {quoted(program, span), name});
-        trace(finding, analysis, value.vacancy_origin, name + " may be vacant from here on", comparison.node,
-              "a vacant " + name + " counts as 0");
+        trace_vacancy(finding, analysis, value.vacancy_origin, name, comparison.node,
+                      "a vacant " + name + " counts as 0");
         finding.related.push_back({analysis.source(), program.expressions[use->expression].span,
                                    name + " is used here and may still be vacant"});
     }

@@ -30,12 +30,14 @@ extern const Rule zero_test_misses_vacant{
     .needs = {Capability::vacancy},
     .facts = dataflow::facts<dataflow::Comparison, dataflow::Read, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"equal",
-                  "Check skipped when {1} is left out: it is vacant then, not 0, '{0}' is false, and "
-                  "line {2} uses it. Test it with EQ #0 as well."},
-                 {"not-equal",
-                  "Check passed when {1} is left out: it is vacant then, not 0, '{0}' is true, and "
-                  "line {2} uses it. Test it with NE #0 as well."}},
+    .messages =
+        {{"equal",
+          "Check skipped when {1} is left out: it is vacant then, not 0, '{0}' is false, and line {2} uses "
+          "it.",
+          "Test it with EQ #0 as well."},
+         {"not-equal",
+          "Check passed when {1} is left out: it is vacant then, not 0, '{0}' is true, and line {2} uses it.",
+          "Test it with NE #0 as well."}},
     .bad = {{"fanuc", R"nc(
 O9220(PECK, K DEPTH OF ONE PECK)
 IF[#6EQ0]GOTO9
@@ -101,18 +103,17 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             std::ranges::find(choices, *variable) != choices.end() ||
             tests_both(analysis, comparison, *variable))
             continue;
-        const dataflow::Read* use = queries::use_after_zero_test(analysis, comparison, value, *variable);
-        if (use == nullptr) continue;
+        const auto used = queries::use_after_zero_test(analysis, comparison, value, *variable);
+        if (!used) continue;
         const Span span = program.expressions[comparison.expression].span;
-        const Span used = program.expressions[use->expression].span;
         const std::string name = program.spell(*variable);
         Finding& finding = reporter.report({analysis, comparison}, span,
                                            comparison.operation == Operation::equal ? "equal" : "not-equal",
                                            {quoted(program, span), queries::with_letter(program, *variable),
-                                            line_number(analysis.file(), used.begin)});
-        finding.related.push_back({analysis.source(), used, name + " is used here"});
-        trace(finding, analysis, value.vacancy_origin, name + " may be vacant from here on", comparison.node,
-              name + " is compared with 0");
+                                            line_number(analysis.file(), used->begin)});
+        finding.related.push_back({analysis.source(), *used, name + " is used here"});
+        trace_vacancy(finding, analysis, value.vacancy_origin, name, comparison.node,
+                      name + " is compared with 0");
     }
 }
 

@@ -21,7 +21,8 @@ class HandMade {
     [[nodiscard]] const std::shared_ptr<const Source>& source() const { return source_; }
     /// The first place of `part` in the text.
     [[nodiscard]] Span place_of(std::string_view part) const;
-    /// Puts a finding at the first place of `part` into the report: MAC002, "There is no rule 'part'. …".
+    /// Puts a finding at the first place of `part` into the report: MAC002, "Unknown rule: there is no
+    /// 'part'. …".
     Finding& add(std::string_view part, Severity severity);
     [[nodiscard]] cli::Report& report() { return report_; }
 

@@ -111,12 +111,12 @@ TEST(TextReport, ShowsMessagePlaceAndRows) {
     Finding& finding = made.add("GOTO 20", Severity::error);
     finding.related.push_back({made.source(), made.place_of("N20"), "N20 is here"});
     EXPECT_EQ(write_text(made.report(), plain),
-              "error[MAC002]: There is no rule 'GOTO 20'. See 'maclint rules' for the list.\n"
+              "error[MAC002]: Unknown rule: there is no 'GOTO 20'.\n"
               "  --> O9100.nc:2:3\n"
               " 2 | GOTO 20\n"
               "   | ^^^^^^^\n"
               " 4 | N20 G0      N20 is here\n"
-              "   = more: maclint explain MAC002\n"
+              "   = cure: See 'maclint rules' for the list.        more: maclint explain MAC002\n"
               "\n"
               "1 error in 1 file (1 checked)\n");
 }
@@ -265,7 +265,7 @@ TEST(ConciseReport, WritesOneLineAFinding) {
     HandMade made("a/O1.nc", "O1\n(\xC3\xB6) M30\n");
     made.add("M30", Severity::note);
     EXPECT_EQ(write_concise(made.report(), plain),
-              "a/O1.nc:2:5: note[MAC002] There is no rule 'M30'. See 'maclint rules' for the list.\n"
+              "a/O1.nc:2:5: note[MAC002] Unknown rule: there is no 'M30'. See 'maclint rules' for the list.\n"
               "1 note in 1 file (1 checked)\n");
 }
 

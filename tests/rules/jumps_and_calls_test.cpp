@@ -8,6 +8,7 @@
 namespace maclint {
 namespace {
 
+using test::judged;
 using test::lines_raised;
 using test::messages_raised;
 using test::path_raised;
@@ -65,6 +66,18 @@ TEST(EndlessJumps, WithTwoWaysBackAreOneFinding) {
     const std::string text = "O1\nN10 G0 X1.\nIF[#500EQ1]GOTO20\nG0 X2.\nGOTO10\nN20 G0 X3.\nGOTO10\nM30\n";
     EXPECT_THAT(lines_raised("MAC336", text), ElementsAre(7));
     EXPECT_THAT(lines_raised("MAC319", text), IsEmpty());
+}
+
+TEST(EndlessJumps, ThatRepeatWhatTheReturnBehindThemWouldAreANote) {
+    const auto judgement = [](const std::string& text) { return judged("MAC336", text); };
+    EXPECT_THAT(judgement("O1\n#100=5.\nN10 G1 X#100 F500\nG1 X0\nGOTO10\nM99\n"), ElementsAre("note 5"));
+    // a wait, a move before it, another end, arguments, a caller
+    EXPECT_THAT(judgement("O1\nN10 GOTO10\nM99\n"), ElementsAre("warning 2"));
+    EXPECT_THAT(judgement("O1\nG0 X5.\nN10 G1 X5. F500\nG1 X0\nGOTO10\nM99\n"), ElementsAre("warning 5"));
+    EXPECT_THAT(judgement("O1\nN10 G1 X5. F500\nG1 X0\nGOTO10\nM30\n"), ElementsAre("warning 4"));
+    EXPECT_THAT(judgement("O1\nN10 G1 X#24 F500\nG1 X0\nGOTO10\nM99\n"), ElementsAre("warning 4"));
+    EXPECT_THAT(judgement("O1\nN10 G1 X5. F500\nG1 X0\nGOTO10\nM99\nO2\nM98P1\nM30\n"),
+                ElementsAre("warning 4"));
 }
 
 TEST(CallDepth, CountsACallOfAProgramThatIsNotThere) {
@@ -184,7 +197,7 @@ TEST(SequenceNumber, IsHarmlessWhereEachJumpTakesTheNextBlock) {
     const std::string part = "IF[#1GT0]GOTO5\n#3=-1\nN5 G0 X#3\n";
     EXPECT_THAT(doublings("O1\n" + part + part + "M30\n"), ElementsAre("note 7"));
     EXPECT_THAT(messages_raised("MAC462", "O1\n" + part + part + "M30\n"),
-                ElementsAre(HasSubstr("'GOTO5' in line 2 goes to line 4, the first one after it")));
+                ElementsAre(HasSubstr("'GOTO5' in line 2 goes to line 4, the next one")));
 }
 
 TEST(SequenceNumber, IsAWarningWhereAJumpBackPassesTheNearestBlock) {
@@ -209,7 +222,7 @@ TEST(SequenceNumber, IsAWarningWhereNothingLeadsToOneOfTheBlocks) {
 TEST(SequenceNumber, OfSeveralBlocksInOneProgramIsOneFinding) {
     const std::string part = "IF[#1EQ1]GOTO1\nIF[#1EQ2]GOTO2\nN1 X1.\nN2 X2.\n";
     EXPECT_THAT(messages_raised("MAC462", "O1\n" + part + part + "M30\n"),
-                ElementsAre(HasSubstr("N1 is used more than once")));
+                ElementsAre(HasSubstr("N1 is there more than once")));
     EXPECT_THAT(messages_raised("MAC462", "O1\n" + part + part + "M30\n"),
                 ElementsAre(HasSubstr("(also N2)")));
     const std::string thrice = "O1\nIF[#1EQ1]GOTO10\nN10 G0 X1.\nN10 G0 X2.\nN10 G0 X3.\nM30\n";

@@ -1,6 +1,7 @@
 //! Rules about modal state that a program leaves behind: MAC501-MAC506, MAC515, MAC517, MAC518; and about its
 //! codes that serve as numbers: MAC574.
 #include "tests/rules/raised.hpp"
+#include "tests/support/analysed.hpp"
 
 #include <gmock/gmock.h>
 
@@ -311,6 +312,37 @@ TEST(FeedLeak, NamesTheCure) {
     EXPECT_THAT(
         messages_raised("MAC501", "O9001\n#33=1\nG91 G0 Z#33\nM99\n"),
         ElementsAre(HasSubstr("Distance mode G91 is left to the caller. Add #32=#4003 at the start")));
+}
+
+TEST(FeedLeak, OfACallerThatStatedItsOwnOnAnotherPathIsANote) {
+    const std::string macro = "O9001\nG1 Z#26 F#9\nM99\n";
+    const auto caller = [](std::string_view second) {
+        return "O1\nIF[#500EQ1]GOTO5\nG1 X1. F800.\nN5 G0 Z1.\nIF[#500" + std::string(second) +
+               "1]GOTO9\nG65 P9001 Z-1. F50.\nX9.\nN9 M30\n";
+    };
+    EXPECT_THAT(judged("MAC503", caller("EQ") + macro), ElementsAre("warning 10"));
+    EXPECT_THAT(judged("MAC503", caller("NE") + macro), ElementsAre("note 10"));
+}
+
+TEST(FeedLeak, NamesTheFileOfACallerThatHasANamesake) {
+    const auto workspace =
+        test::analyse_files({{"a/first.nc", "O1\nG1 X1. F800.\nG65 P9001 Z-1. F50.\nX9.\nM30\n"},
+                             {"a/second.nc", "O1\nG0 X1.\nM30\n"},
+                             {"a/macro.nc", "O9001\nG1 Z#26 F#9\nM99\n"}},
+                            {false, 1});
+    const auto findings = run_rules(*workspace, {{find_rule("MAC503")}}, 1);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_THAT(findings.front().message(), HasSubstr("O1 line 4 (first.nc) moves"));
+}
+
+TEST(SpeedLeak, OfASpindleThatOnePathStopsDependsOnTheWayThere) {
+    const auto macro = [](std::string_view second) {
+        return "O9001\nIF[#4111EQ50]GOTO1\nS2000\nM03\nN1 G0 X#24\nIF[#4111" + std::string(second) +
+               "50]GOTO2\nM05\nN2 G0 Z#26\nM99\n";
+    };
+    const std::string caller = "O1\nS900 M3\nG65 P9001 X1.\nG1 X5. F9\nM30\n";
+    EXPECT_THAT(judged("MAC503", caller + macro("EQ")), IsEmpty());
+    EXPECT_THAT(judged("MAC503", caller + macro("NE")), ElementsAre("warning 8"));
 }
 
 TEST(SpeedLeak, OfAParkedSpindleHarmsOnlyWhoStartsItWithout) {

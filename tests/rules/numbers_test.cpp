@@ -179,6 +179,60 @@ TEST(ConstantCondition, ThatDoesWhatAnotherDoesIsHarmless) {
                 ElementsAre(3));
 }
 
+TEST(ConstantCondition, OfAGuardThatIsThereTwice) {
+    const auto guards = [](std::string_view first, std::string_view between, std::string_view second) {
+        return "O9001\nIF[" + std::string(first) + "\n" + std::string(between) + "IF[" + std::string(second) +
+               "\nG0X#24Y#25Z#26\nM99\nN8 M99\nN9#3000=1(MISSING)\n";
+    };
+    const auto raised = [&](std::string_view first, std::string_view between, std::string_view second) {
+        return lines_raised("MAC718", guards(first, between, second)).size();
+    };
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "", "#24EQ#0]GOTO9"), 1U);
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "", "#24EQ#0]GOTO8"), 1U);
+    EXPECT_EQ(raised("#24EQ5]GOTO9", "", "#24EQ5]GOTO9"), 1U);
+    EXPECT_EQ(raised("#1EQ1]GOTO8\nIF[#24EQ#0]GOTO9", "", "#24EQ#0]GOTO8"), 1U);
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "", "#24EQ#0]GOTO9\nIF[#1EQ1]]GOTO9"), 1U); // an open loop is no matter
+    EXPECT_EQ(raised("#24EQ#0]THEN#3000=1", "", "#24EQ#0]THEN#3000=1"), 1U);
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "IF[#25EQ#0]GOTO9\n", "#24EQ#0]GOTO9"), 1U);
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "IF[#7EQ#0]THEN#7=1.\n", "#24EQ#0]GOTO9"), 1U);
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "#1=#24\n", "#24EQ#0]GOTO9"), 1U);
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "", "#25EQ#0]GOTO9"), 0U);
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "#24=#1\n", "#24EQ#0]GOTO9"), 0U);
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "IF[#7EQ#0]THEN#24=#1\n", "#24EQ#0]GOTO9"), 0U);
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "G0X1.\n", "#24EQ#0]GOTO9"), 0U);
+    EXPECT_EQ(raised("#24EQ#0]GOTO9", "IF[#7EQ1]GOTO5\n#24=#1\nN5", "#24EQ#0]GOTO9"), 0U);
+    EXPECT_EQ(raised("#1000EQ0]GOTO9", "", "#1000EQ0]GOTO9"), 0U); // an input may change in between
+    EXPECT_EQ(raised("#24EQ1]THEN#1=1", "", "#24EQ1]THEN#2=1"), 0U);
+}
+
+TEST(ConstantCondition, NamesWhatNoTestAsksFor) {
+    EXPECT_THAT(messages_raised("MAC718", "O9001\nIF[#24EQ#0]GOTO9\nIF[#24EQ#0]GOTO9\nIF[#26EQ#0]GOTO9\n"
+                                          "G0X#24Y#25Z#26\nM99\nN9#3000=1(MISSING)\n"),
+                ElementsAre(AllOf(HasSubstr("line 2 asks the same"), HasSubstr("(nothing tests #25 (Y))"))));
+    EXPECT_THAT(messages_raised("MAC718", "O9001\nIF[#24EQ#0]GOTO9\nIF[#24EQ#0]GOTO9\nG0X#24\nM99\n"
+                                          "N9#3000=1(MISSING)\n"),
+                ElementsAre(Not(HasSubstr("nothing tests"))));
+}
+
+TEST(ConstantCondition, ThatAGuardDecidesIsNoMatterOfSettings) {
+    EXPECT_THAT(lines_raised("MAC718", "O9001\n#6=1.\nIF[#6GT1]GOTO3\nIF[#6NE4]GOTO3\nG0X1.\nN3M99\n"),
+                ElementsAre(4));
+    EXPECT_THAT(
+        lines_raised("MAC718", "O9001\n#6=1.\nIF[#6GT5]GOTO3\nIF[#6GT10]GOTO4\nG0X1.\nN3M99\nN4M99\n"),
+        ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC718", "O9001\n#6=1.\nIF[#6GT5]GOTO3\nIF[#6GT4]GOTO4\nG0X1.\nN3M99\nN4M99\n"),
+                IsEmpty());
+    // the limits of the mould are asked once more for each of two variables
+    EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6LT54]GOTO9\nIF[#6LT54]THEN#31=-1\nIF[#6LT55]THEN#31=-1\n"
+                                       "G0X#31\nN9M99\n"),
+                IsEmpty());
+}
+
+TEST(ConstantCondition, ThatItsOwnPartsDecideHasNoOtherReason) {
+    EXPECT_THAT(messages_raised("MAC718", "O9001\nIF[#1EQ6]GOTO9\nIF[[#1LT8]OR[#1GT6]]GOTO9\nG0X1\nN9M99\n"),
+                ElementsAre(HasSubstr("whatever the values are")));
+}
+
 TEST(FloatEquality, WithZeroIsSafeWhereRoundingCannotMakeIt) {
     const auto asked = [](std::string_view expression) {
         return "O9001\n#33=" + std::string(expression) + "\nIF[#33EQ0]GOTO9\nG0X[1/#33]\nN9 M99\n";

@@ -51,8 +51,7 @@ TEST(Messages, NameTheArgumentOfAMacroBesideItsVariable) {
 
 TEST(UninitialisedLocal, SetOnOneWayOnlyIsToldWithTheOtherWay) {
     const std::string text = "O1\nIF[#1004EQ1]GOTO3\n#31=5\nN3 G0 X#31\nM30\n";
-    EXPECT_THAT(messages_raised("MAC209", text),
-                ElementsAre(HasSubstr("whether it is set depends on #1004")));
+    EXPECT_THAT(messages_raised("MAC209", text), ElementsAre(HasSubstr("here, depending on #1004")));
     EXPECT_THAT(path_raised("MAC209", text), ElementsAre(1, 2, 4));
 }
 
@@ -132,8 +131,9 @@ TEST(UninitialisedLocal, AnIndexMadeOfAVacantVariableIsToldThere) {
 TEST(UninitialisedLocal, IsToldOnceForAllThatOneCaseLeavesUnset) {
     const std::string table = "O9001(C#3)\nIF[#4120EQ12]THEN#31=#3\nIF[#4120EQ12]THEN#32=4\n"
                               "IF[#4120EQ11]THEN#31=1\nIF[#4120EQ11]THEN#32=3\n";
-    EXPECT_THAT(messages_raised("MAC209", table + "G0 X#31\nY#32\nM99\n"),
-                ElementsAre(HasSubstr("#31 and #32 may be vacant here: set only for #4120 = 11 or 12.")));
+    EXPECT_THAT(
+        messages_raised("MAC209", table + "G0 X#31\nY#32\nM99\n"),
+        ElementsAre(HasSubstr("Variables #31 and #32 may be vacant here: set only for #4120 = 11 or 12.")));
     // Two cases are two mistakes.
     EXPECT_THAT(lines_raised("MAC209", table + "IF[#4111EQ5]THEN#33=1\nG0 X#31\nY#33\nM99\n"),
                 ElementsAre(7, 8));
@@ -214,6 +214,26 @@ TEST(ZeroTest, OfAWordMattersWhereTheOtherSideIsAnAlarm) {
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#20EQ0]GOTO9\nS#20\nM99\nN9#3000=1\n"), ElementsAre(2));
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#20EQ0]THEN#3000=1\nS#20\nM99\n"), ElementsAre(2));
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#20NE0]GOTO1\n#3000=1\nN1S#20\nM99\n"), ElementsAre(2));
+}
+
+TEST(ZeroTest, MattersWhereABlockThatCannotBeReadNamesTheVariable) {
+    const auto after = [](std::string_view block) {
+        return "O9001\nIF[#4EQ0]THEN#3000=1\n" + std::string(block) + "\nG0X1.\nM99\n";
+    };
+    EXPECT_THAT(lines_raised("MAC220", after("#33=ABS(#26)+[1/#4]")), ElementsAre(2));
+    EXPECT_THAT(messages_raised("MAC220", after("#33=ABS(#26)+[1/#4]")), ElementsAre(HasSubstr("line 3")));
+    EXPECT_THAT(lines_raised("MAC220", after("#33=ABS(#26)+[1/#5]")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", after("#4 = ABS(#26)+[1/#5]")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", after("IF[#4EQ#0]]GOTO9")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#4EQ0]GOTO9\n#33=ABS(#26)+[1/#4]\nN9M99\n"), IsEmpty());
+}
+
+TEST(ZeroTest, ShowsTheCallThatLeavesTheArgumentOut) {
+    const std::string macro = "O9001\nIF[#1EQ1]GOTO9\nIF[#6EQ0]GOTO9\nG0Z[#6*2]\nN9M99\n";
+    EXPECT_THAT(path_raised("MAC220", "O1\nG65P9001K2.\nG65P9001A1.\nG65P9001A2.\nM30\n" + macro),
+                ElementsAre(4, 8));
+    EXPECT_THAT(path_raised("MAC220", "O1\nG65P9001A1.\nG65P9001K2.\nM30\n" + macro), ElementsAre(5, 7));
+    EXPECT_THAT(path_raised("MAC220", "O1\nG65P9001A#500\nM30\n" + macro), ElementsAre(2, 6));
 }
 
 TEST(ZeroTest, OnAPathThatNobodyCanTakeIsNoDefect) {

@@ -1,0 +1,168 @@
+//! Goes back from block to block as long as only one way leads to it.
+#include "analyzer/queries/guards_before.hpp"
+
+#include "analyzer/dataflow/domain/read_set.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/semantics/truth.hpp"
+
+#include <algorithm>
+
+namespace maclint::queries {
+namespace {
+
+using dataflow::Comparison;
+using semantics::AbstractValue;
+using semantics::Truth;
+
+constexpr int most_nodes = 64; ///< of a row of guards
+
+/// Where the program comes from to a node.
+struct Before {
+    flow::NodeId node;
+    bool by_failed_guard; ///< the node is a condition, and that it was false is the only way on
+};
+
+class Row {
+  public:
+    Row(const ProgramAnalysis& analysis, const dataflow::Condition& last)
+        : analysis_(analysis)
+        , last_(last)
+        , reads_(dataflow::variables_of(analysis.program(), last.expression)) {}
+
+    std::optional<GuardBefore> find() const {
+        if (!reads_.closed || guard_in(last_.node) == nullptr) return std::nullopt;
+        flow::NodeId node = last_.node;
+        for (int i = 0; i < most_nodes; ++i) {
+            const auto before = before_node(node);
+            if (!before || !leaves_operands_alone(before->node)) return std::nullopt;
+            node = before->node;
+            const Guarded* guard = guard_in(node);
+            if (guard == nullptr || !before->by_failed_guard) continue;
+            if (const auto makes = decides(node, guard->condition, last_.expression))
+                return GuardBefore{analysis_.graph().nodes[node].effects.first, guard->condition,
+                                   same_expression(program(), guard->condition, last_.expression), *makes};
+        }
+        return std::nullopt;
+    }
+
+  private:
+    [[nodiscard]] const Program& program() const { return analysis_.program(); }
+
+    [[nodiscard]] const Guarded* guard_in(flow::NodeId node) const {
+        const Slice effects = analysis_.graph().nodes[node].effects;
+        return effects.count == 1 ? std::get_if<Guarded>(&program().effects[effects.first].what) : nullptr;
+    }
+
+    [[nodiscard]] std::vector<const flow::Edge*> edges_to(flow::NodeId node) const {
+        std::vector<const flow::Edge*> edges;
+        for (const flow::EdgeId id : analysis_.graph().in[node])
+            if (analysis_.data().passable(id)) edges.push_back(&analysis_.graph().edges[id]);
+        return edges;
+    }
+
+    /// The one node that leads to another; that of a guard where what it guards leads there as well.
+    [[nodiscard]] std::optional<Before> before_node(flow::NodeId node) const {
+        const auto edges = edges_to(node);
+        if (edges.size() == 1 && edges[0]->kind != flow::EdgeKind::jump)
+            return Before{edges[0]->from, is_failed(*edges[0])};
+        if (edges.size() != 2 || is_failed(*edges[0]) == is_failed(*edges[1])) return std::nullopt;
+        const flow::NodeId guard = edges[is_failed(*edges[0]) ? 0 : 1]->from;
+        const flow::NodeId guarded = edges[is_failed(*edges[0]) ? 1 : 0]->from;
+        const auto to_guarded = edges_to(guarded);
+        if (to_guarded.size() != 1 || to_guarded[0]->from != guard || !leaves_operands_alone(guarded))
+            return std::nullopt;
+        return Before{guard, false};
+    }
+
+    static bool is_failed(const flow::Edge& edge) { return edge.condition.has_value() && !edge.holds; }
+
+    /// Whether the node guards, or stores in variables that the last condition does not read, and no more.
+    [[nodiscard]] bool leaves_operands_alone(flow::NodeId at) const {
+        const flow::Node& node = analysis_.graph().nodes[at];
+        if (node.is_run) return false;
+        return std::ranges::all_of(program().effects_in(node.effects), [&](const Effect& effect) {
+            if (std::holds_alternative<Guarded>(effect.what)) return true;
+            const auto* assign = std::get_if<Assign>(&effect.what);
+            const auto* variable = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+            return variable != nullptr &&
+                   std::ranges::find(reads_.variables, *variable) == reads_.variables.end();
+        });
+    }
+
+    /// What `later` always is when `earlier`, in this node, is false.
+    [[nodiscard]] std::optional<bool> decides(flow::NodeId node, ExpressionId earlier,
+                                              ExpressionId later) const {
+        if (same_expression(program(), earlier, later)) return false;
+        const Comparison* first = comparison_with_number(node, earlier);
+        const Comparison* second = comparison_with_number(last_.node, later);
+        if (first == nullptr || second == nullptr ||
+            !same_expression(program(), first->left_expression, second->left_expression))
+            return std::nullopt;
+        Truth truth{false, false};
+        for (const AbstractValue& any : {number(), semantics::of_vacant()}) {
+            const bool zero = analysis_.control().vacant_equals_zero;
+            const auto left =
+                semantics::refine(any, semantics::opposite(first->operation), first->right, zero);
+            if (!left) continue;
+            const Truth now = semantics::compare(second->operation, *left, second->right, zero);
+            truth.can_hold |= now.can_hold;
+            truth.can_fail |= now.can_fail;
+        }
+        return truth.can_hold == truth.can_fail ? std::nullopt : std::optional(truth.can_hold);
+    }
+
+    static AbstractValue number() {
+        AbstractValue value;
+        value.vacancy = semantics::Vacancy::set;
+        return value;
+    }
+
+    /// The comparison that a condition is, where its right side is a number of the text; else nullptr.
+    [[nodiscard]] const Comparison* comparison_with_number(flow::NodeId node, ExpressionId condition) const {
+        for (const Comparison& comparison : analysis_.facts().in<Comparison>(node)) {
+            if (comparison.expression != condition || semantics::is_vacancy_test(comparison.operation))
+                continue;
+            const auto right = dataflow::variables_of(program(), comparison.right_expression);
+            if (right.closed && right.variables.empty() && comparison.right.constant()) return &comparison;
+        }
+        return nullptr;
+    }
+
+    const ProgramAnalysis& analysis_;
+    const dataflow::Condition& last_;
+    dataflow::ReadSet reads_;
+};
+
+bool is_used_as_given(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    using dataflow::Use;
+    const dataflow::Symbol& symbol = analysis.data().table().symbols[read.value.symbol];
+    return (read.use == Use::word || read.use == Use::arithmetic) &&
+           symbol.kind == dataflow::Symbol::Kind::entry && symbol.a == dataflow::key_of(read.variable) &&
+           analysis.control().letter_of(read.variable).has_value();
+}
+
+} // namespace
+
+std::optional<GuardBefore> guard_that_decides(const ProgramAnalysis& analysis,
+                                              const dataflow::Condition& condition) {
+    return Row(analysis, condition).find();
+}
+
+std::vector<Variable> untested_arguments(const ProgramAnalysis& analysis) {
+    std::vector<Variable> untested;
+    if (!analysis.is_macro()) return untested;
+    for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
+        if (is_used_as_given(analysis, read)) untested.push_back(read.variable);
+    for (const Comparison& comparison : analysis.facts().all<Comparison>())
+        for (const ExpressionId side : {comparison.left_expression, comparison.right_expression})
+            std::erase(untested, plain_variable(analysis.program(), side));
+    std::ranges::sort(untested, {}, &Variable::number);
+    const auto again = std::ranges::unique(untested);
+    untested.erase(again.begin(), again.end());
+    return untested;
+}
+
+} // namespace maclint::queries

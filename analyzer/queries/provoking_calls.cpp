@@ -1,0 +1,85 @@
+//! Holds what a call gives against the conditions on a path.
+#include "analyzer/queries/provoking_calls.hpp"
+
+#include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/semantics/truth.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace maclint::queries {
+namespace {
+
+using dataflow::Comparison;
+using semantics::Truth;
+
+bool opens_locals(const ProgramAnalysis& calling, const Caller& call) {
+    const Call& made = call_of(calling.program(), call.effect);
+    return calling.control().calls[made.kind].frame == Frame::fresh;
+}
+
+/// What the call gives the variable; nothing where it is computed.
+std::optional<semantics::AbstractValue> value_given(const Program& caller, EffectId call, Variable variable) {
+    const decltype(Argument::given) given = variable;
+    const auto arguments = caller.arguments_of(call_of(caller, call));
+    const auto argument = std::ranges::find(arguments, given, &Argument::given);
+    if (argument == arguments.end()) return semantics::of_vacant();
+    const auto* literal = std::get_if<Literal>(&caller.expressions[argument->value].node);
+    return literal == nullptr ? std::nullopt : std::optional(semantics::of_number(literal->value));
+}
+
+/// The argument that a comparison asks for while it is still as the call has given it.
+std::optional<Variable> argument_asked_for(const ProgramAnalysis& analysis, const Comparison& comparison) {
+    const auto variable = plain_variable(analysis.program(), comparison.left_expression);
+    if (!variable) return std::nullopt;
+    const dataflow::Symbol& symbol = analysis.data().table().symbols[comparison.left.symbol];
+    const bool as_given =
+        symbol.kind == dataflow::Symbol::Kind::entry && symbol.a == dataflow::key_of(*variable);
+    return as_given && analysis.program().is_formal(*variable) ? variable : std::nullopt;
+}
+
+Truth outcome_of(const ProgramAnalysis& analysis, const Comparison& comparison,
+                 const semantics::AbstractValue& given) {
+    if (semantics::is_vacancy_test(comparison.operation))
+        return semantics::test_vacancy(comparison.operation, given);
+    if (!comparison.right.constant()) return {};
+    return semantics::compare(comparison.operation, given, comparison.right,
+                              analysis.control().vacant_equals_zero);
+}
+
+/// Whether the call can go on over the edge.
+bool allows(const ProgramAnalysis& analysis, const Program& caller, EffectId call, const flow::Edge& edge) {
+    if (!edge.condition) return true;
+    for (const Comparison& comparison : analysis.facts().in<Comparison>(edge.from)) {
+        if (comparison.expression != *edge.condition) continue;
+        const auto variable = argument_asked_for(analysis, comparison);
+        const auto given = variable ? value_given(caller, call, *variable) : std::nullopt;
+        if (!given) return true;
+        const Truth truth = outcome_of(analysis, comparison, *given);
+        return edge.holds ? truth.can_hold : truth.can_fail;
+    }
+    return true;
+}
+
+} // namespace
+
+const Caller* call_that_leaves_out(const ProgramAnalysis& analysis, Variable argument,
+                                   std::span<const flow::EdgeId> path) {
+    if (!analysis.program().is_formal(argument)) return nullptr;
+    const auto found = std::ranges::find_if(analysis.callers(), [&](const Caller& call) {
+        const ProgramAnalysis& calling = calling_program(analysis, call);
+        const Program& caller = calling.program();
+        const auto given = value_given(caller, call.effect, argument);
+        if (!opens_locals(calling, call) || !given || given->vacancy != semantics::Vacancy::vacant)
+            return false;
+        return std::ranges::all_of(path, [&](flow::EdgeId edge) {
+            return allows(analysis, caller, call.effect, analysis.graph().edges[edge]);
+        });
+    });
+    return found == analysis.callers().end() ? nullptr : &*found;
+}
+
+} // namespace maclint::queries
