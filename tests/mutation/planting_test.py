@@ -4,7 +4,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from planting import dinplus, edit, fanuc, fanuc_calls, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, report
+from planting import dinplus, edit, fanuc, fanuc_calls, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_numbers, fanuc_variables, report
 from planting.callers import Callers
 from planting.judge import Judge
 from planting.plants import KINDS, Plant
@@ -106,6 +106,17 @@ class Loops(unittest.TestCase):
     def test_a_limit_that_the_machine_changes_is_no_place(self):
         waiting = 'O1\n#1=0\nWHILE[#1LT#3001]DO1\n#1=#1+1\nEND1\nM30'
         self.assertEqual(planted(loops, waiting, 'step-removed'), [([''], 'the machine changes what the condition reads')])
+
+
+class Numbers(unittest.TestCase):
+    def test_a_divisor(self):
+        divided = 'O1\n#33=[#1+2]/4\nG0X[360/#6]\nM99'
+        self.assertEqual(planted(fanuc_numbers.plants, divided, 'divisor-zero'), [(['#33=[#1+2]/0'], '')])
+        self.assertEqual(planted(fanuc_numbers.plants, 'O1\n/2G0X1.\nM99', 'divisor-zero'), [])
+
+    def test_angles_and_roots(self):
+        self.assertEqual(planted(fanuc_numbers.plants, 'O1\n#1=TAN[30]\nM99', 'tangent-right-angle'), [(['#1=TAN[90.]'], '')])
+        self.assertEqual(planted(fanuc_numbers.plants, 'O1\n#1=SQRT[4]\nM99', 'root-negative'), [(['#1=SQRT[-4]'], '')])
 
 
 class Variables(unittest.TestCase):
