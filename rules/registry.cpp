@@ -64,6 +64,8 @@
     RULE(modal_code_as_number)                  /* MAC574 */ \
     RULE(bracket_depth)                         /* MAC701 */ \
     RULE(division_by_zero)                      /* MAC702 */ \
+    RULE(domain_error)                          /* MAC703 */ \
+    RULE(right_angle_tangent)                   /* MAC704 */ \
     RULE(float_equality)                        /* MAC710 */ \
     RULE(float_loop_counter)                    /* MAC711 */ \
     RULE(constant_condition)                    /* MAC718 */ \

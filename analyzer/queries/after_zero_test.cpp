@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/origins.hpp"
 
@@ -28,7 +29,7 @@ class VacantPath {
         , tested_(tested)
         , variable_(variable)
         , seen_(analysis.graph().nodes.size(), false)
-        , checks_(ends_in_alarm()) {}
+        , checks_(ends_in_alarm(analysis, test.node, test.operation == Operation::equal)) {}
 
     /// The first use, in the order of the paths' lengths, to which the program can come.
     std::optional<Span> first_use() {
@@ -115,45 +116,13 @@ class VacantPath {
                                    [&](const dataflow::Store& store) { return store.variable == variable_; });
     }
 
-    /// Whether the side that is meant for 0 leads straight to an alarm.
-    [[nodiscard]] bool ends_in_alarm() const {
-        constexpr int most_nodes = 16;
-        const bool side = test_.operation == Operation::equal;
-        flow::NodeId node = test_.node;
-        for (int i = 0; i < most_nodes; ++i) {
-            std::optional<flow::NodeId> next;
-            for (const flow::EdgeId id : analysis_.graph().out[node]) {
-                const flow::Edge& edge = analysis_.graph().edges[id];
-                if (!analysis_.data().passable(id)) continue;
-                if (edge.condition && (node != test_.node || edge.holds != side)) {
-                    if (node != test_.node) return false;
-                    continue;
-                }
-                if (next) return false;
-                next = edge.to;
-            }
-            if (!next) return calls(node); // and does not come back
-            node = *next;
-            for (const Effect& effect : analysis_.program().effects_in(analysis_.graph().nodes[node].effects))
-                if (const auto* stop = std::get_if<Stop>(&effect.what))
-                    return stop->kind == Stop::Kind::alarm;
-        }
-        return false;
-    }
-
-    [[nodiscard]] bool calls(flow::NodeId node) const {
-        return std::ranges::any_of(
-            analysis_.program().effects_in(analysis_.graph().nodes[node].effects),
-            [](const Effect& effect) { return std::holds_alternative<Call>(effect.what); });
-    }
-
     const ProgramAnalysis& analysis_;
     const Comparison& test_;
     const Value& tested_;
     Variable variable_;
     std::vector<bool> seen_;
     std::vector<flow::NodeId> pending_;
-    bool checks_;
+    bool checks_; ///< the side that is meant for 0 leads straight to an alarm
 };
 
 bool is_path_without_assignment(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node) {

@@ -1,4 +1,4 @@
-//! Where a program is left, in the text.
+//! Where a program is left.
 #pragma once
 
 #include "analyzer/program/block_view.hpp"
@@ -17,5 +17,12 @@ namespace maclint::queries {
 /// `last`, the program's last block, where the exit has no text of its own.
 [[nodiscard]] Span last_block_before(const ProgramAnalysis& analysis, const flow::Exit& exit,
                                      const BlockView& last);
+
+/// Whether no path to an exit, alarms left out, leads around the node.
+[[nodiscard]] bool is_on_every_path(const ProgramAnalysis& analysis, flow::NodeId node);
+
+/// Whether that side of the decision in the node `test` leads straight to an alarm, or to a call that does
+/// not come back.
+[[nodiscard]] bool ends_in_alarm(const ProgramAnalysis& analysis, flow::NodeId test, bool side);
 
 } // namespace maclint::queries

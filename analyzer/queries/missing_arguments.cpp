@@ -1,8 +1,8 @@
 //! Compares what a program reads with what its callers pass.
 #include "analyzer/queries/missing_arguments.hpp"
 
-#include "analyzer/flow/walk.hpp"
 #include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/exits.hpp"
 
 #include <algorithm>
 
@@ -40,24 +40,6 @@ bool is_asked_for(const ProgramAnalysis& analysis, const dataflow::Read& wanted)
         const bool asks = read.use == dataflow::Use::vacancy_test || read.use == dataflow::Use::comparison;
         return asks && (read.value.symbol == wanted.value.symbol || read.variable == wanted.variable);
     });
-}
-
-/// Whether no path to an exit, alarms left out, leads around the node: another argument may choose between
-/// the paths.
-bool is_on_every_path(const ProgramAnalysis& analysis, flow::NodeId node) {
-    const auto leaves = [&](flow::NodeId at) {
-        return std::ranges::any_of(analysis.graph().exits, [&](const flow::Exit& exit) {
-            return exit.node == at && exit.kind != flow::ExitKind::alarm;
-        });
-    };
-    if (node == 0) return true;
-    bool left = leaves(0);
-    flow::walk<flow::Direction::forward>(analysis.graph(), {0}, [&](flow::EdgeId edge, flow::NodeId to) {
-        if (left || to == node || !analysis.data().passable(edge)) return flow::Step::refuse;
-        left = leaves(to);
-        return flow::Step::go_on;
-    });
-    return !left;
 }
 
 } // namespace

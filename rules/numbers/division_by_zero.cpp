@@ -1,10 +1,10 @@
-//! MAC702: a division whose divisor is 0.
-#include "analyzer/dataflow/facts/application.hpp"
+//! MAC702: a division whose divisor is 0, or may be.
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/unset_reads.hpp"
-#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/numbers/operand_risk.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -22,20 +22,38 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule division_by_zero{
     .code = "MAC702",
     .name = "division-by-zero",
-    .summary = "The divisor of a division is 0 whenever the program comes there",
-    .why = "A FANUC control stops with an alarm, with the tool where it happens to be; vacant counts as 0 "
-           "there. "
-           "The manual of DIN PLUS does not say what comes out of such a division.",
+    .summary = "The divisor of a division is 0, or an argument or common that nothing checks",
+    .why =
+        "A FANUC control stops with an alarm, with the tool where it happens to be; vacant counts as 0 "
+        "there. The manual of DIN PLUS does not say what comes out. An error where the divisor is always 0, "
+        "a warning where a call shows it or the program checks other things, else a note.",
     .severity = Severity::error,
     .severity_elsewhere = {{"dinplus", Severity::warning}},
-    .precision = Precision::very_high,
-    .facts = dataflow::facts<dataflow::Application, dataflow::Condition, dataflow::Read, dataflow::Store>(),
+    .precision = Precision::high,
+    .yields_to = "MAC210 DIN330",
+    .facts = dataflow::facts<dataflow::Application, dataflow::Comparison, dataflow::Condition, dataflow::Read,
+                             dataflow::Store>(),
     .data_flow = true,
     .messages = {{"zero", "Division by 0: '{0}' divides by '{1}', which is always 0 here.",
                   "Correct the divisor, or divide only where it is not 0."},
                  {"number", "Division by 0: '{0}' can have no value.", "Correct the divisor."},
                  {"vacant", "Division by a vacant variable: '{0}' divides by '{1}', which counts as 0.",
-                  "Correct the divisor, or divide only where it is set and not 0."}},
+                  "Correct the divisor, or divide only where it is set and not 0."},
+                 {"passed", "Division by 0: '{0}' divides by 0 for the call in line {3} of {4}.",
+                  "Pass another value, or divide only where it is not 0."},
+                 {"left-out", "Division by 0: '{0}', as the call in line {3} of {4} leaves out {2}.",
+                  "Pass it, or divide only where it is not 0."},
+                 {"lets-zero-pass",
+                  "Division by 0 possible: '{3}' lets {2} pass when it is 0, and '{0}' divides by it.",
+                  "Test it against 0, too."},
+                 {"asked-vacancy",
+                  "Division by 0 possible: {2} is asked for, not whether it is 0, and '{0}' divides by it.",
+                  "Test it against 0, too."},
+                 {"others-checked",
+                  "Division by 0 possible: the program checks {3}, but not {2}, and '{0}' divides by it.",
+                  "Test it against 0, too."},
+                 {"unchecked", "Division by 0 possible: nothing checks {2}, and '{0}' divides by it.",
+                  "Divide only where it is not 0."}},
     .bad = {{"fanuc", R"nc(
 O9702(HOLES ON A CIRCLE, A NUMBER)
 #5=0
@@ -48,6 +66,12 @@ N10 #l1=0
 N20 #l2=46/#l1
 N40 M30
 END
+)nc"},
+            {"fanuc", R"nc(
+O9702(HOLES ON A CIRCLE, A NUMBER)
+IF[#1LT0]THEN#3000=1(A NEGATIVE)
+G90 G0 X[360/#1]
+M99
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9702(HOLES ON A CIRCLE, A NUMBER)
@@ -91,14 +115,15 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const dataflow::OriginId stored = division.right.origin;
         if (!message || (stored != 0 && !said.insert(stored).second)) continue;
         const Span span = program.expressions[division.expression].span;
-        const std::string divisor = quoted(program, program.expressions[division.right_expression].span);
-        Finding& finding =
-            reporter.report({analysis, division}, span, *message, {quoted(program, span), divisor});
+        const Span divisor = program.expressions[division.right_expression].span;
+        Finding& finding = reporter.report({analysis, division}, span, *message,
+                                           {quoted(program, span), quoted(program, divisor)});
         if (stored == 0)
             trace(finding, analysis, division.node, "the divisor is 0");
         else
             trace(finding, analysis, stored, "this value is 0", division.node, "it is the divisor");
     }
+    report_risks(analysis, Operation::divide, reporter);
 }
 
 } // namespace

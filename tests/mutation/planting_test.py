@@ -4,7 +4,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from planting import dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, report
+from planting import dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_numbers, fanuc_variables, report
 from planting.callers import Callers
 from planting.judge import Judge
 from planting.plants import KINDS, Plant
@@ -145,6 +145,17 @@ class Conditions(unittest.TestCase):
     def test_a_comparison_alone_does_not_suffer(self):
         self.assertEqual(self.harmless('O1\nIF[#24EQ#0]GOTO8\nIF[#24EQ2]GOTO8\nM99\nN8#3000=1'),
                          ['nothing calculates with the variable after the test'])
+
+
+class Numbers(unittest.TestCase):
+    def test_a_divisor(self):
+        divided = 'O1\n#33=[#1+2]/4\nG0X[360/#6]\nM99'
+        self.assertEqual(planted(fanuc_numbers.plants, divided, 'divisor-zero'), [(['#33=[#1+2]/0'], '')])
+        self.assertEqual(planted(fanuc_numbers.plants, 'O1\n/2G0X1.\nM99', 'divisor-zero'), [])
+
+    def test_angles_and_roots(self):
+        self.assertEqual(planted(fanuc_numbers.plants, 'O1\n#1=TAN[30]\nM99', 'tangent-right-angle'), [(['#1=TAN[90.]'], '')])
+        self.assertEqual(planted(fanuc_numbers.plants, 'O1\n#1=SQRT[4]\nM99', 'root-negative'), [(['#1=SQRT[-4]'], '')])
 
 
 class Variables(unittest.TestCase):

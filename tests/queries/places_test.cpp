@@ -1,4 +1,5 @@
 //! Where programs are left, which numbers stand twice, which branches go on into the next.
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/fall_throughs.hpp"
@@ -40,6 +41,18 @@ std::string last_block_of(const std::string& text) {
 TEST(Exits, OffTheEndAreAfterTheLastBlockThatRuns) {
     EXPECT_EQ(last_block_of("X1.\nX2.\nX3.\n"), "X3.");
     EXPECT_EQ(last_block_of("X1.\nX#1\n"), "X#1");
+}
+
+TEST(Exits, OfWhichOneSideOfATestEndsInAnAlarm) {
+    const auto ends = [](const std::string& text, bool side) {
+        const auto workspace = test::analyse_fanuc("O9001\n" + text);
+        const ProgramAnalysis& analysis = workspace->programs().front();
+        return ends_in_alarm(analysis, analysis.facts().all<dataflow::Comparison>().front().node, side);
+    };
+    const std::string text = "IF[#1GT5]GOTO9\nX1.\nM99\nN9\n#2=1\n#3000=1\n";
+    EXPECT_TRUE(ends(text, true));
+    EXPECT_FALSE(ends(text, false));
+    EXPECT_FALSE(ends("IF[#1GT5]GOTO9\nM99\nN9 IF[#2GT5]GOTO8\nM99\nN8 #3000=1\n", true));
 }
 
 struct Repeated {

@@ -1,4 +1,4 @@
-//! Rules about numbers: MAC702, MAC710, MAC718.
+//! Rules about numbers: MAC702, MAC703, MAC704, MAC710, MAC718.
 #include "tests/rules/raised.hpp"
 
 #include <gmock/gmock.h>
@@ -6,6 +6,7 @@
 namespace maclint {
 namespace {
 
+using test::judged;
 using test::lines_raised;
 using test::messages_raised;
 using test::path_raised;
@@ -27,7 +28,75 @@ TEST(DivisionByZero, OfALiteralOrAStoredZeroIsReported) {
 TEST(DivisionByZero, ThatOneOfTwoPathsEscapesIsNotCertain) {
     EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\nIF[#2EQ1]THEN#1=3\n#5=#2/#1\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\nIF[#1EQ0]GOTO9\n#5=#2/#1\nN9 M99\n"), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC702", "O9001\n#5=#2/#1\n#6=#2/#3003\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC702", "O9001\n#6=#2/#3003\nM99\n"), IsEmpty());
+}
+
+TEST(DivisionByZero, ByAnArgumentThatNothingChecksIsANote) {
+    EXPECT_THAT(judged("MAC702", "O9001\n#5=#2/#1\nM99\n"), ElementsAre("note 2"));
+    EXPECT_THAT(judged("MAC702", "O9001\n#5=#2/[2*ABS[#1]]\nM99\n"), ElementsAre("note 2"));
+    EXPECT_THAT(judged("MAC702", "O9001\n#5=#2/#1\n#6=#3/#1\nM99\n"), ElementsAre("note 2"));
+    EXPECT_THAT(judged("MAC702", "O9001\n#5=#2/[#1-#3]\nM99\n"), IsEmpty()); // nobody means these to differ
+    EXPECT_THAT(judged("MAC702", "O9001\n#5=#2/[#1*#1+1]\nM99\n"), IsEmpty());
+}
+
+TEST(DivisionByZero, ByAVariableOfAllProgramsIsANoteUnlessSomebodySetsItOrItIsKept) {
+    EXPECT_THAT(judged("MAC702", "O9001\n#5=#2/#101\nM99\n"), ElementsAre("note 2"));
+    EXPECT_THAT(judged("MAC702", "O9001\n#5=#2/#501\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC702", "O1\n#101=2.\nG65 P9001 B1.\nM30\nO9001\n#5=#2/#101\nM99\n"), IsEmpty());
+}
+
+TEST(DivisionByZero, IsAWarningWhereACallShowsIt) {
+    const std::string macro = "O9001\n#5=#2/[#1-#3]\nX#5\nM99\n";
+    EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A2. B1. C2.\nM30\n" + macro), ElementsAre("warning 5"));
+    EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A2. B1. C1.\nM30\n" + macro), IsEmpty());
+    EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A2. B1. C#1\nM30\n" + macro), IsEmpty());
+    EXPECT_THAT(
+        messages_raised("MAC702", "O1\nG65 P9001 B1. A1.\nG65 P9001 B1.\nM30\nO9001\n#5=#2/#1\nM99\n"),
+        ElementsAre(AllOf(HasSubstr("line 3 of O1"), HasSubstr("leaves out #1 (A)"))));
+    EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A0 B1.\nM30\nO9001\nIF[#2GT5]GOTO9\n#5=#2/#1\nN9 M99\n"),
+                ElementsAre("note 6")); // B may lead around it
+}
+
+TEST(DivisionByZero, ByWhatIsCheckedBeforeIsNone) {
+    for (const std::string_view check : {"IF[#1EQ0]GOTO9", "IF[ABS[#1]LT0.1]GOTO9", "IF[#1LE0]GOTO9",
+                                         "IF[[#1*#2]EQ0]GOTO9", "IF[#1LT#3]GOTO9"})
+        EXPECT_THAT(judged("MAC702", "O9001\n" + std::string(check) + "\n#5=#2/#1\nN9 M99\n"), IsEmpty())
+            << check;
+    EXPECT_THAT(judged("MAC702", "O9001\n#5=#2/#1\nIF[#1EQ0]GOTO9\nN9 M99\n"), ElementsAre("note 2"));
+}
+
+TEST(DivisionByZero, IsNotPreventedByAnotherCheck) {
+    const std::string alarm = "M99\nN9 #3000=1\n";
+    EXPECT_THAT(judged("MAC702", "O9001\nIF[#1EQ#0]GOTO9\n#5=#2/#1\n" + alarm), ElementsAre("warning 3"));
+    EXPECT_THAT(judged("MAC702", "O9001\nIF[#1LT0]GOTO9\n#5=#2/#1\n" + alarm), ElementsAre("warning 3"));
+    EXPECT_THAT(judged("MAC702", "O9001\nIF[#3EQ#0]GOTO9\n#5=#2/#1\n" + alarm), ElementsAre("warning 3"));
+    EXPECT_THAT(judged("MAC702", "O9001\nIF[#1EQ#0]THEN#1=4.\n#5=#2/#1\nM99\n"), ElementsAre("warning 3"));
+    EXPECT_THAT(judged("MAC702", "O9001\n#1=4.\nG65P9002\n#5=#2/#1\nM99\n"), IsEmpty());
+}
+
+TEST(DomainError, OfANegativeNumberIsAnError) {
+    EXPECT_THAT(judged("MAC703", "O9001\n#1=-4.\nX[SQRT[#1]]\nM99\n"), ElementsAre("error 3"));
+    EXPECT_THAT(judged("MAC703", "O9001\nX[ACOS[1.5]]\nY[ASIN[1]]\nM99\n"), ElementsAre("error 2"));
+    EXPECT_THAT(judged("MAC703", "O9001\nIF[#1GE0]GOTO9\nX[SQRT[#1]]\nN9 M99\n"), ElementsAre("error 3"));
+    EXPECT_THAT(judged("MAC703", "O9001\nX[SQRT[#1*#1+#2*#2]]\nM99\n"), IsEmpty());
+}
+
+TEST(DomainError, OfADifferenceOfArgumentsThatNothingComparesIsANote) {
+    const std::string root = "#5=SQRT[#18*#18-#23*#23]\nM99\n";
+    EXPECT_THAT(judged("MAC703", "O9001\n" + root), ElementsAre("note 2"));
+    EXPECT_THAT(judged("MAC703", "O9001\nIF[#23GT#18]THEN#3000=1\n" + root), IsEmpty());
+    EXPECT_THAT(judged("MAC703", "O9001\nIF[#24LT1]THEN#3000=1\n" + root), ElementsAre("warning 3"));
+    EXPECT_THAT(judged("MAC703", "O1\nG65 P9001 R1. W2.\nM30\nO9001\n" + root), ElementsAre("warning 5"));
+    EXPECT_THAT(judged("MAC703", "O9001\n#5=SQRT[#18*#18-#5003]\nM99\n"), IsEmpty());
+}
+
+TEST(TangentOfARightAngle, IsCertainOrOneThatAnArgumentMakes) {
+    EXPECT_THAT(judged("MAC704", "O9001\n#1=90.\n#5=TAN[#1]\n#6=TAN[-270]\n#7=TAN[180]\nM99\n"),
+                ElementsAre("warning 3", "warning 4"));
+    EXPECT_THAT(judged("MAC704", "O9001\n#5=TAN[90-#1]\nM99\n"), ElementsAre("note 2"));
+    EXPECT_THAT(judged("MAC704", "O9001\n#5=TAN[45-#1]\n#6=TAN[#1]\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC704", "O1\nG65 P9001 A90.\nM30\nO9001\n#5=TAN[#1]\nM99\n"),
+                ElementsAre("warning 5"));
 }
 
 TEST(DivisionByZero, OfOneStoreIsOneFinding) {

@@ -3,6 +3,8 @@
 
 #include "tests/support/analysed.hpp"
 
+#include <array>
+
 namespace maclint::test {
 namespace {
 
@@ -29,10 +31,11 @@ std::vector<std::string> messages_raised(std::string_view code, std::string text
 }
 
 std::vector<std::string> judged(std::string_view code, const std::string& text) {
+    constexpr std::array names{"note ", "warning ", "error "};
     const auto workspace = analyse_fanuc(text);
     std::vector<std::string> out;
     for (const Finding& finding : run_rules(*workspace, {{find_rule(code)}}, 1))
-        out.push_back((finding.severity == Severity::note ? "note " : "warning ") +
+        out.push_back(names.at(static_cast<std::size_t>(finding.severity)) +
                       std::to_string(finding.source->position(finding.span.begin).line));
     return out;
 }

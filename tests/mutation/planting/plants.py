@@ -84,6 +84,13 @@ KINDS = {kind.name: kind for kind in [
     *table('variables', ERROR, [
         ('null-assigned', 'MAC201', '#0 is assigned'),
     ]),
+    *table('numbers', ERROR, [
+        ('divisor-zero', 'MAC702', 'a number by which a block divides is 0'),
+        ('root-negative', 'MAC703', 'the root of a number with the wrong sign'),
+    ]),
+    *table('numbers', WARNING, [
+        ('tangent-right-angle', 'MAC704', 'TAN[90.]'),
+    ]),
     *table('modal', WARNING, [
         ('mode-left', 'MAC501', 'the G code that puts a modal group back is gone'),
         ('feed-left', 'MAC503', 'the F word that puts the feed back is gone'),

@@ -4,7 +4,7 @@ from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, spelling
+from . import dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_numbers, fanuc_variables, spelling
 from .callers import NEEDS, Callers
 from .plants import NOTE, WARNING, Plant
 
@@ -78,7 +78,7 @@ class Corpus:
         callers = Callers([program for other in self.neighbours[path] for program in fanuc.programs_of(self.files[other].lines)])
         for program in fanuc.programs_of(lines):
             found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program, numbers, callers.by_number), *fanuc_conditions.plants(program),
-                     *fanuc_variables.plants(program), *fanuc_modal.plants(program, lines),
+                     *fanuc_variables.plants(program), *fanuc_numbers.plants(program), *fanuc_modal.plants(program, lines),
                      *fanuc_calls.plants(program, numbers, callers), *spelling.plants(program, lines)]
             for kind, edits, harmless in found:
                 if kind in NEEDS and not harmless and callers.none_is_hurt(kind, program.number):

@@ -1,0 +1,58 @@
+//! Operands for which an operation has no value, and that a program may be given.
+#pragma once
+
+#include "analyzer/dataflow/facts/application.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint::queries {
+
+/// Why an operation may have no value.
+struct OperandRisk {
+    enum class Evidence : std::uint8_t {
+        passed,         ///< a call passes such a value
+        left_out,       ///< a call leaves the variable out, and it counts as 0
+        lets_zero_pass, ///< the program checks the variable with `check`, which lets 0 pass
+        asked_vacancy,  ///< the program asks whether the variable is there, and for nothing else
+        others_checked, ///< the program checks `other`, and not this variable
+        unchecked,      ///< nothing checks the variable
+    } evidence;
+    Variable variable;                           ///< that decides the operand
+    const Caller* call;                          ///< of `passed` and `left_out`
+    std::optional<Variable> other;               ///< of `others_checked`
+    const dataflow::Comparison* check = nullptr; ///< of `lets_zero_pass`
+};
+
+/// Looks at one program; what it compares is gathered once.
+class OperandRisks {
+  public:
+    explicit OperandRisks(const ProgramAnalysis& analysis);
+
+    /// The risk of a division, a root, a tangent, a logarithm, an arc sine or cosine, of which the last
+    /// operand decides whether it has a value; nothing where it has one, or nobody can tell. What the program
+    /// compares counts as checked, unless it only stops at values that do no harm and goes on with 0.
+    [[nodiscard]] std::optional<OperandRisk> risk_of(const dataflow::Application& application) const;
+
+  private:
+    /// A variable whose value at the start, or what is calculated from it, is compared.
+    struct Check {
+        Variable variable;
+        const dataflow::Comparison* comparison;
+    };
+    [[nodiscard]] std::optional<OperandRisk> shown_by_call(const dataflow::Application& application) const;
+    [[nodiscard]] bool may_be_anything(Variable variable) const;
+    [[nodiscard]] std::optional<OperandRisk> risk_of_root(const dataflow::Value& operand) const;
+    [[nodiscard]] OperandRisk unchecked(Variable variable) const;
+    [[nodiscard]] bool lets_zero_pass(const Check& check) const;
+    [[nodiscard]] std::optional<Variable> checked_beside(Variable variable) const;
+
+    const ProgramAnalysis& analysis_;
+    std::vector<Check> checks_;
+    std::vector<Variable> asked_;   ///< whether it was passed
+    std::vector<Variable> guarded_; ///< arguments without which, or with a wrong value, the program stops
+};
+
+} // namespace maclint::queries
