@@ -52,7 +52,7 @@ bool has_only_defaults(const ProgramAnalysis& analysis, Variable variable, flow:
            std::ranges::none_of(
                facts.all<dataflow::Clobber>(),
                [&](const dataflow::Clobber& clobber) { return clobber.may_change(variable); }) &&
-           !assigned_on_every_path(analysis, variable, node);
+           WithoutAssignment(analysis).leads_to(variable, node);
 }
 
 void collect_zeros(const ProgramAnalysis& analysis, SymbolId id, int depth, std::vector<Variable>& zeros) {
