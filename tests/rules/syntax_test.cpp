@@ -54,7 +54,7 @@ std::string first_message(std::string_view text) {
 TEST(OneSyntaxError, TheSameUnknownWordIsToldOnceWithItsOtherLines) {
     const std::string text = "O1\nIF[#100LTE1]GOTO9\nG0X1.\nIF[#101LTE1]GOTO9\nIF[#102LTE1]GOTO9\nN9M30\n";
     EXPECT_THAT(told(text), ElementsAre("2: error MAC118 +4 +5"));
-    EXPECT_THAT(first_message(text), EndsWith(" The same in 2 more places: lines 4 and 5."));
+    EXPECT_THAT(first_message(text), EndsWith(" The same in 2 more places: lines 4 and 5. Write 'LE'."));
 }
 
 TEST(OneMissingNumber, IsToldOnceAProgramWithTheOthers) {
@@ -74,7 +74,7 @@ TEST(OneSyntaxError, ManyLinesAreCountedButNotAllNamed) {
     std::string text = "O1\n";
     for (int i = 0; i < 9; ++i) text += "#1=ABS(#2)\n";
     EXPECT_THAT(first_message(text + "M30\n"),
-                EndsWith(" The same in 8 more places: lines 3, 4, 5, 6, 7, 8 …"));
+                EndsWith(" The same in 8 more places: lines 3, 4, 5, 6, 7, 8 … Write '[#2]'."));
 }
 
 TEST(OneSyntaxError, APlaceThatACommentAllowsIsNoRepeat) {
