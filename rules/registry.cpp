@@ -24,9 +24,11 @@
     RULE(assignment_to_null_variable)           /* MAC201 */ \
     RULE(uninitialised_local)                   /* MAC209 */ \
     RULE(argument_not_passed)                   /* MAC210 */ \
+    RULE(crossed_axes)                          /* MAC215 */ \
     RULE(zero_test_misses_vacant)               /* MAC220 */ \
     RULE(vacant_in_relational_comparison)       /* MAC221 */ \
     RULE(vacancy_lost_in_arithmetic)            /* MAC222 */ \
+    RULE(unchecked_offset_number)               /* MAC225 */ \
     RULE(vacancy_test_never_true)               /* MAC228 */ \
     RULE(jump_target_missing)                   /* MAC301 */ \
     RULE(jump_into_loop)                        /* MAC303 */ \
@@ -49,6 +51,7 @@
     RULE(recursive_call)                        /* MAC412 */ \
     RULE(g66_not_cancelled)                     /* MAC413 */ \
     RULE(missing_m99)                           /* MAC456 */ \
+    RULE(end_in_subprogram)                     /* MAC457 */ \
     RULE(duplicate_sequence_number)             /* MAC462 */ \
     RULE(modal_state_not_restored)              /* MAC501 */ \
     RULE(compensation_or_transform_left_active) /* MAC502 */ \
@@ -60,8 +63,10 @@
     RULE(single_block_suppression_not_restored) /* MAC515 */ \
     RULE(saved_after_change)                    /* MAC517 */ \
     RULE(modal_state_forced)                    /* MAC518 */ \
+    RULE(offset_not_restored)                   /* MAC519 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
     RULE(modal_code_as_number)                  /* MAC574 */ \
+    RULE(position_read_ahead)                   /* MAC605 */ \
     RULE(bracket_depth)                         /* MAC701 */ \
     RULE(division_by_zero)                      /* MAC702 */ \
     RULE(domain_error)                          /* MAC703 */ \

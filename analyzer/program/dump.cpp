@@ -197,7 +197,9 @@ std::string describe(const Program& program, const Effect& effect) {
                 return text;
             },
             [](Motion motion) { return std::string(motion.without_feed ? "rapid move" : "move"); },
-            [](Synchronise) { return std::string("synchronise"); },
+            [](Synchronise stop) {
+                return std::string(stop.from_here_on ? "synchronise from here on" : "synchronise");
+            },
             [&](const Stop& what) {
                 static constexpr std::string_view kinds[] = {"alarm", "pause", "end", "restart"};
                 return std::string(kinds[static_cast<std::size_t>(what.kind)]) + optional(" ", what.number);

@@ -150,7 +150,10 @@ struct EvaluateWords {
 struct Motion {
     bool without_feed = false; ///< at rapid traverse, whatever the motion mode is
 };
-struct Synchronise {}; ///< look-ahead stops here
+/// Look-ahead stops here.
+struct Synchronise {
+    bool from_here_on = false; ///< and is limited until further notice
+};
 struct Stop {
     enum class Kind : std::uint8_t {
         alarm,  ///< #3000

@@ -111,6 +111,7 @@ enum class RestorePolicy : std::uint8_t {
                ///< end: MAC502
     value,     ///< feed or speed: MAC503
     motion,    ///< the motion mode itself: MAC504
+    offset,    ///< from where positions count, tool length and work offset: MAC519
     suppression, ///< single block, feed hold, override switched off: MAC515
     modal_call,  ///< a macro called after every move: MAC413
     own_rule,    ///< a rule of its own speaks of it, found by the group's role
@@ -189,6 +190,8 @@ struct VariableRange {
     bool is_code = false;       ///< a modal code, of which group is not known
     bool may_be_vacant = false; ///< of machine values: there may be none, as of a probe that touched nothing
     std::optional<double> last_number = {}; ///< of machine values: whole numbers from 0 to this
+    bool where_axes_are =
+        false; ///< the position of an axis, even while it moves: `first` is that of the first
 };
 
 /// What programmers mean by an index of which too little is known. An assumption: no control enforces it.

@@ -73,9 +73,13 @@ class Search {
         return control_.groups[group_].restore_policy == RestorePolicy::value;
     }
 
-    /// Of values and the motion mode the caller is looked for that loses its own.
+    [[nodiscard]] bool is_offset() const {
+        return control_.groups[group_].restore_policy == RestorePolicy::offset;
+    }
+
+    /// Of values, offsets and the motion mode the caller is looked for that loses its own.
     [[nodiscard]] bool is_settled() const {
-        const bool asks_for_own = is_value() || is_motion();
+        const bool asks_for_own = is_value() || is_motion() || is_offset();
         return result_.matters && (!asks_for_own || result_.own_is_lost || result_.gives_feed);
     }
 
@@ -124,13 +128,14 @@ class Search {
     }
 
     /// Whether the program set the group itself before the call, and to something else than is left: a value
-    /// unless it is known to be the same, the motion mode where it is known to be another.
+    /// unless it is known to be the same, the motion mode and offsets where it is known to be another.
     [[nodiscard]] bool has_own(const ProgramAnalysis& program, flow::NodeId call) const {
-        if (!is_value() && !is_motion()) return false;
+        const bool is_code = is_motion() || is_offset();
+        if (!is_value() && !is_code) return false;
         const auto settings = last_settings_before(program, call, group_);
         const auto is_left = [&](double setting) {
             return std::ranges::any_of(left_.parts, [&](const dataflow::ModalPart& part) {
-                return code_of(callee_, part).value_or(is_motion() ? setting : setting + 1) == setting;
+                return code_of(callee_, part).value_or(is_code ? setting : setting + 1) == setting;
             });
         };
         return !settings.empty() && std::ranges::all_of(settings, [&](const std::optional<double>& setting) {

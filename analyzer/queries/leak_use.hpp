@@ -12,8 +12,8 @@ struct LeakUse {
     bool matters = false;
     const ProgramAnalysis* program = nullptr; ///< whose block it is; nullptr when no block is known
     Span block = {};                          ///< the first block found that moves so
-    /// The caller set the group itself before the call: that is what it loses. Of the motion mode, only
-    /// where each of its codes is another than what is left.
+    /// The caller set the group itself before the call: that is what it loses. Of the motion mode and of
+    /// offsets, only where each of its codes is another than what is left.
     bool own_is_lost = false;
     bool gives_feed = false; ///< of the motion mode: the block states a feed
 };

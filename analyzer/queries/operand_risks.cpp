@@ -137,9 +137,11 @@ OperandRisks::OperandRisks(const ProgramAnalysis& analysis)
     }
 }
 
-std::optional<OperandRisk> OperandRisks::risk_of(const Application& application) const {
+std::optional<OperandRisk> OperandRisks::risk_of(const Application& application) {
+    constexpr int most_looks = 8; // the paths to the first few tell enough
     const Value& operand = application.right;
-    if (!may_fail(application.operation, operand)) return std::nullopt;
+    if (!may_fail(application.operation, operand) || ++looks_[operand.symbol] > most_looks)
+        return std::nullopt;
     if (const auto shown = shown_by_call(application)) return shown;
     if (application.operation == Operation::square_root) return risk_of_root(operand);
     const auto variables = harmful_zeros(analysis_, application.operation, operand);
@@ -173,6 +175,21 @@ std::optional<OperandRisk> OperandRisks::risk_of_root(const Value& operand) cons
     return unchecked(variables.front());
 }
 
+std::optional<OperandRisk> OperandRisks::risk_of_argument(const dataflow::Read& read) const {
+    const Symbol& symbol = analysis_.data().table().symbols[read.value.symbol];
+    const bool is_as_passed =
+        symbol.kind == Symbol::Kind::entry && symbol.a == dataflow::key_of(read.variable);
+    if (!is_as_passed || !analysis_.program().is_formal(read.variable) || analysis_.is_main() ||
+        contains(asked_, read.variable) ||
+        std::ranges::find(checks_, read.variable, &Check::variable) != checks_.end())
+        return std::nullopt;
+    if (const Caller* caller = find_caller_without(analysis_, read.variable);
+        caller != nullptr && is_on_every_path(analysis_, read.node))
+        return OperandRisk{OperandRisk::Evidence::left_out, read.variable, caller, {}};
+    if (!analysis_.callers().empty()) return std::nullopt;
+    return unchecked(read.variable);
+}
+
 OperandRisk OperandRisks::unchecked(Variable variable) const {
     using Evidence = OperandRisk::Evidence;
     if (contains(asked_, variable)) return OperandRisk{Evidence::asked_vacancy, variable, nullptr, {}};
@@ -184,8 +201,7 @@ OperandRisk OperandRisks::unchecked(Variable variable) const {
 std::optional<OperandRisk> OperandRisks::shown_by_call(const Application& application) const {
     const Value& operand = application.right;
     const GivenVariables given = given_variables(analysis_, operand);
-    if (!given.closed || given.variables.empty() || !is_on_every_path(analysis_, application.node))
-        return std::nullopt;
+    if (!given.closed || given.variables.empty()) return std::nullopt;
     for (const Caller& caller : analysis_.callers()) {
         const ProgramAnalysis& calling = calling_program(analysis_, caller);
         const auto node = calling.graph().node_of(caller.effect);
@@ -196,6 +212,7 @@ std::optional<OperandRisk> OperandRisks::shown_by_call(const Application& applic
         if (!passed || !fails(application.operation, passed->number) || !operand.can_be(passed->number))
             continue;
         if (passed->left_out && contains(asked_, *passed->left_out)) continue; // it does not come here
+        if (!is_on_every_path(analysis_, application.node)) return std::nullopt;
         return OperandRisk{passed->left_out ? OperandRisk::Evidence::left_out : OperandRisk::Evidence::passed,
                            passed->left_out.value_or(given.variables.front()),
                            &caller,

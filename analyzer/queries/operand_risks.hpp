@@ -1,11 +1,13 @@
-//! Operands for which an operation has no value, and that a program may be given.
+//! Operands for which an operation has no value, and arguments that nothing checks.
 #pragma once
 
 #include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace maclint::queries {
@@ -34,7 +36,11 @@ class OperandRisks {
     /// The risk of a division, a root, a tangent, a logarithm, an arc sine or cosine, of which the last
     /// operand decides whether it has a value; nothing where it has one, or nobody can tell. What the program
     /// compares counts as checked, unless it only stops at values that do no harm and goes on with 0.
-    [[nodiscard]] std::optional<OperandRisk> risk_of(const dataflow::Application& application) const;
+    [[nodiscard]] std::optional<OperandRisk> risk_of(const dataflow::Application& application);
+
+    /// The risk that the argument which is read holds anything, or nothing: the program neither compares it
+    /// nor asks whether it was passed. Nothing where all known calls pass it.
+    [[nodiscard]] std::optional<OperandRisk> risk_of_argument(const dataflow::Read& read) const;
 
   private:
     /// A variable whose value at the start, or what is calculated from it, is compared.
@@ -51,7 +57,8 @@ class OperandRisks {
 
     const ProgramAnalysis& analysis_;
     std::vector<Check> checks_;
-    std::vector<Variable> asked_;   ///< whether it was passed
+    std::unordered_map<dataflow::SymbolId, int> looks_; ///< at a value: not again and again at one
+    std::vector<Variable> asked_;                       ///< whether it was passed
     std::vector<Variable> guarded_; ///< arguments without which, or with a wrong value, the program stops
 };
 

@@ -13,7 +13,7 @@ struct SourceRow {
 };
 
 // clang-format off
-constexpr std::array<SourceRow, 27> rows{{
+constexpr std::array<SourceRow, 28> rows{{
     {"SEED-001",
      "Joni Nieminen, Parametriohjelmointi FANUC 21i-MB -ohjauksessa, thesis, Tampere 2005: "
      "macro programming on a FANUC 21i-MB, with programs that were run on the machine. Lines "
@@ -36,6 +36,8 @@ constexpr std::array<SourceRow, 27> rows{{
      "NCT 99M/2000M, programmer's manual, the page of that number"},
     {"NCT-188",
      "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"MAN-AINANO",
+     "FANUC A-78962EN, 16i/18i/21i-TB additional manual, section 7, notes on using custom macros"},
     {"HAAS-LA",
      "Haas, mill operator's manual 96-8000, chapter on look-ahead in macros"},
     {"MITSU-326",

@@ -56,7 +56,7 @@ extern const Rule right_angle_tangent{
     .bad = {{"fanuc", R"nc(
 O9704(CHAMFER, Z DEPTH)
 #31=90.
-G90 G1 X[#26*TAN[#31]] F100.
+G90 G0 X[#26*TAN[#31]]
 M99
 )nc"},
             {"fanuc", R"nc(

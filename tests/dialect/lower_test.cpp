@@ -127,6 +127,9 @@ TEST(FanucWords, ThatAreNoTargetsDoNotMove) {
 
 TEST(FanucWords, ThatMoveOnTheirOwnAccordAlsoStopLookAhead) {
     EXPECT_EQ(lower("G91G28Z0"), "distance mode=91; rapid move; synchronise");
+    EXPECT_EQ(lower("G103P1"), "synchronise from here on");
+    EXPECT_EQ(lower("G103P0"), "synchronise");
+    EXPECT_EQ(lower("G103"), "synchronise");
     EXPECT_EQ(lower("G31Z-10.F100"), "feed=100; move; synchronise");
     EXPECT_EQ(lower("G53X0"), "move; synchronise");
 }

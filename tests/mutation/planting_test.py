@@ -170,6 +170,11 @@ class Variables(unittest.TestCase):
         self.assertEqual(planted(fanuc_variables.plants, 'O1\n#24=5\nG0X#24\nM99', 'assignment-removed'),
                          [([''], 'an argument may have set it')])
 
+    def test_two_blocks_for_two_axes(self):
+        self.assertEqual(planted(fanuc_variables.plants, 'O1\n#24=#5001+#24\n#25=#5002+#25\nM99', 'axes-crossed'),
+                         [(['#25=#5002+#24'], '')])
+        self.assertEqual(planted(fanuc_variables.plants, 'O1\n#24=#5001+#1\n#25=#5002+#1\nM99', 'axes-crossed'), [])
+
     def test_one_case_of_two(self):
         cases = 'O1\nIF[#1EQ1]GOTO1\n#33=2\nGOTO2\nN1#33=3\nN2G0X#33\nM99'
         self.assertEqual(planted(fanuc_variables.plants, cases, 'case-removed'), [([''], ''), (['N1'], '')])
@@ -188,6 +193,11 @@ class Calls(unittest.TestCase):
         programs = [program(text) for text in texts]
         return [(edit.apply(texts[0].split('\n'), edits), harmless)
                 for name, edits, harmless in fanuc_calls.plants(programs[0], {1, 2}, Callers(programs)) if name == kind]
+
+    def test_a_return_that_becomes_an_end(self):
+        called = 'O2\nG0Z5.\nM99'
+        self.assertEqual(self.plants('return-ends', called, 'O1\nM98P2\nG0X1.\nM30'), [({2: 'M30'}, '')])
+        self.assertEqual(self.plants('return-ends', called, 'O1\nM98P2\nM30'), [({2: 'M30'}, 'nothing follows the call')])
 
     def test_a_letter_that_the_callee_reckons_with(self):
         self.assertEqual(self.plants('letter-left-out', self.MAIN, 'O2\nG0Z[#26+5.]\nM99'), [({1: 'G65P2X1.'}, '')])

@@ -229,5 +229,16 @@ TEST(SequenceNumber, OfSeveralBlocksInOneProgramIsOneFinding) {
     EXPECT_THAT(lines_raised("MAC462", thrice), ElementsAre(4));
 }
 
+TEST(EndInSubprogram, OfAProgramThatNeverReturns) {
+    const auto ends = [](const std::string& main, const std::string& called) {
+        return test::judged("MAC457", "O1\n" + main + "M30\nO9001\n" + called);
+    };
+    EXPECT_THAT(ends("M98P9001\nG0X1.\n", "G0Z5.\nM30\n"), ElementsAre("warning 7"));
+    EXPECT_THAT(ends("G65P9001A1.\nG0X1.\n", "IF[#1EQ1]GOTO1\nM02\nN1M30\n"), ElementsAre("warning 7"));
+    EXPECT_THAT(ends("M98P9001\nG0X1.\n", "IF[#1EQ1]GOTO1\nM30\nN1M99\n"), IsEmpty());
+    EXPECT_THAT(ends("G0X1.\nM98P9001\n", "G0Z5.\nM30\n"), IsEmpty()); // nothing is left out
+    EXPECT_THAT(ends("G0X1.\n", "G0Z5.\nM30\n"), IsEmpty());
+}
+
 } // namespace
 } // namespace maclint

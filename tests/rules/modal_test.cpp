@@ -363,6 +363,25 @@ TEST(SpeedLeak, BesideAnOrientationMayBeAnAngle) {
     EXPECT_THAT(judged("MAC503", "O9001\nM19 S[#1*2]\nG0 X#24\nM99\n"), IsEmpty());
 }
 
+TEST(OffsetLeft, ToACallerThatHasSetItsOwnAndMovesOn) {
+    const std::string macro = "O9001\nG54\nG0X#24\nM99\n";
+    EXPECT_THAT(judged("MAC519", "O1\nG55G0X0\nG65P9001X1.\nX5.\nM30\n" + macro), ElementsAre("warning 7"));
+    EXPECT_THAT(judged("MAC519", "O1\nG55G0X0\nG65P9001X1.\nG56X5.\nM30\n" + macro), IsEmpty());
+    EXPECT_THAT(judged("MAC519", "O1\nG54G0X0\nG65P9001X1.\nX5.\nM30\n" + macro), IsEmpty()); // the same
+    EXPECT_THAT(judged("MAC519", "O1\nG65P9001X1.\nX5.\nM30\n" + macro), IsEmpty()); // it has none of its own
+    EXPECT_THAT(judged("MAC519", macro), IsEmpty());
+    EXPECT_THAT(
+        judged("MAC519", "O1\nG55G0X0\nG65P9001X1.\nX5.\nM30\nO9001\n#1=#4014\nG54\nG0X#24\nG#1\nM99\n"),
+        IsEmpty());
+}
+
+TEST(OffsetLeft, OfATool) {
+    const std::string macro = "O9001\nG49\nG53Z0\nM99\n";
+    EXPECT_THAT(judged("MAC519", "O1\nG43H1Z50.\nM98P9001\nG0Z2.\nM30\n" + macro), ElementsAre("warning 7"));
+    EXPECT_THAT(judged("MAC519", "O1\nG43H1Z50.\nM98P9001\nG0X2.\nG43H2Z2.\nM30\n" + macro), IsEmpty());
+    EXPECT_THAT(judged("MAC519", "O1\nG49\nM98P9001\nG0Z2.\nM30\nO9001\nG43H1Z5.\nM99\n"), IsEmpty());
+}
+
 TEST(MotionMode, LeftAtRapidMattersToABlockWithAFeed) {
     const std::string up = "O9001\nG0 Z9.\nM99\n";
     const auto after_call = [&](const std::string& block) {

@@ -1,4 +1,4 @@
-//! Rules about vacant variables: MAC209, MAC220, MAC221, MAC222, MAC228.
+//! Rules about vacant variables: MAC209, MAC220, MAC225, MAC221, MAC222, MAC228.
 #include "tests/rules/raised.hpp"
 
 #include <gmock/gmock.h>
@@ -6,6 +6,7 @@
 namespace maclint {
 namespace {
 
+using test::judged;
 using test::lines_raised;
 using test::messages_raised;
 using test::path_raised;
@@ -254,6 +255,22 @@ TEST(TestOfAnOverwrittenVariable, IsNoneOfAVariableThatNoTableKnows) {
     EXPECT_THAT(lines_raised("MAC228", "O9001\n#24=#9123\nIF[#24EQ#0]GOTO9\nG0X#24\nN9M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC228", "O9001\n#24=#4120\nIF[#24EQ#0]GOTO9\nG0X#24\nN9M99\n"),
                 ElementsAre(3));
+}
+
+TEST(OffsetNumber, ThatNothingChecksIsANote) {
+    EXPECT_THAT(judged("MAC225", "O9001\n#30=#[13000+#7]\nX#30\nM99\n"), ElementsAre("note 2"));
+    EXPECT_THAT(judged("MAC225", "O9001\n#[2000+#7]=1.\nM99\n"), ElementsAre("note 2"));
+    EXPECT_THAT(judged("MAC225", "O9001\n#30=#[100+#7]\nX#30\nM99\n"), IsEmpty()); // no offset
+    EXPECT_THAT(judged("MAC225", "O9001\nIF[#7GT99]GOTO9\n#30=#[13000+#7]\nX#30\nN9M99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC225", "O9001\nIF[#7EQ#0]THEN#7=1\n#30=#[13000+#7]\nX#30\nM99\n"), IsEmpty());
+}
+
+TEST(OffsetNumber, IsAWarningWhereACallLeavesItOutOrOtherArgumentsAreChecked) {
+    const std::string macro = "O9001\nIF[#2EQ1]GOTO1\nN1#30=#[13000+#7]\nX#30\nM99\n";
+    EXPECT_THAT(judged("MAC225", "O1\nG65P9001B1.D1\nG65P9001B1.\nM30\n" + macro), ElementsAre("warning 7"));
+    EXPECT_THAT(judged("MAC225", "O1\nG65P9001B1.D1\nM30\n" + macro), IsEmpty());
+    EXPECT_THAT(judged("MAC225", "O9001\nIF[#2EQ#0]THEN#3000=1\n#30=#[13000+#7]\nX#30\nM99\n"),
+                ElementsAre("warning 3"));
 }
 
 } // namespace

@@ -13,6 +13,7 @@ namespace {
 constexpr std::uint8_t own = own_effect;
 constexpr std::uint8_t sync = synchronises;
 constexpr std::uint8_t rapid = without_feed;
+constexpr std::uint8_t limit = limits_ahead;
 constexpr auto mill = Machine::mill;
 constexpr auto lathe = Machine::lathe;
 constexpr auto both = std::nullopt;
@@ -59,7 +60,7 @@ constexpr CodeFact facts[] = {
     {'G',  92.1, both,  no_axes,                   "T: coordinate system preset"},
     {'G', 100,   both,  no_axes,                   "T: Haas, mirror image off, axis words name axes"},
     {'G', 101,   both,  no_axes,                   "T: Haas, mirror image on, axis words name axes"},
-    {'G', 103,   both,  own | sync | no_words,     "HAAS-LA: limits look-ahead"},
+    {'G', 103,   both,  own | sync | no_words | limit, "HAAS-LA: P limits look-ahead, G103 and P0 end that"},
     {'G', 136,   both,  own | sync,                "T: Haas, work offset centre measurement (skip)"},
     {'G', 187,   both,  no_words,                  "T: Haas, smoothness: P and E are its own"},
     {'M',   0,   both,  own | sync,                "MAN-AINANO"},

@@ -20,6 +20,7 @@ enum Trait : std::uint8_t {
     limits_speed = 1 << 4, ///< S beside it is a limit, not the speed
     without_feed = 1 << 5, ///< moves at rapid traverse, whatever the motion mode is
     may_call = 1 << 6,     ///< no table knows it: it may call a macro with the words beside it as arguments
+    limits_ahead = 1 << 7, ///< with a P, look-ahead is limited from here on
 };
 
 /// One row of the code table.

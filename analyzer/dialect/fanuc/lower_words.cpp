@@ -168,7 +168,12 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
     else
         builder_->add_values(computed_, span);
     if (moves && (traits & (no_axes | no_words)) == 0) effect({Motion{(traits & without_feed) != 0}, span});
-    if ((traits & synchronises) != 0) effect({Synchronise{}, span});
+    if ((traits & synchronises) != 0) {
+        const bool limited = std::ranges::any_of(words, [](const NcWord& word) {
+            return word.letter == 'P' && !word.comma && word.literal.value_or(1) > 0;
+        });
+        effect({Synchronise{(traits & limits_ahead) != 0 && limited}, span});
+    }
     for (const NcWord& word : words) {
         const bool lathe_tool = word.letter == 'T' && codes_.tool_changes_at_once;
         if (lathe_tool && !word.comma && word.value && !own_words)

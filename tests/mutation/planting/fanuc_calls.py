@@ -18,6 +18,7 @@ def plants(program, numbers, callers):
     """`numbers`: programs that are there, of all files that are read together."""
     yield from left_out_letters(program, callers)
     yield from alarms_removed(program)
+    yield from returns_that_end(program, callers)
     for index, block in enumerate(program.blocks):
         reason = unreached(program, index)
         call, number = CALL.search(block.code), NUMBER_CALLED.search(block.code)
@@ -77,6 +78,20 @@ def reads_arguments(program):
             return True
         stored |= set(block.stores)
     return False
+
+
+def returns_that_end(program, callers):
+    """M30 for the only M99 of a program that others call."""
+    known = list(callers.of(program.number)) if program.number else []
+    returns = [block for block in program.blocks if RETURN.search(block.code)]
+    if not known or len(returns) != 1 or re.search(r'M\s*0*99\s*P', returns[0].code):
+        return
+    ends = re.compile(RETURN.pattern + '|' + PROGRAM_END.pattern)
+    goes_on = any(not ends.search(caller.blocks[after].code) for caller, at in known for after in caller.successors[at])
+    reason = '' if goes_on else 'nothing follows the call'
+    if program.blocks[-1] is not returns[0]:
+        reason = reason or 'blocks after it may return, too'
+    yield 'return-ends', put(returns[0], RETURN.search(returns[0].code).span(), 'M30'), reason
 
 
 def alarms_removed(program):

@@ -9,6 +9,7 @@ from .flow import live_uses, tests_vacancy, unreached, uses, vacant_uses, variab
 def plants(program):
     yield from removed_assignments(program)
     yield from wrong_variables(program)
+    yield from crossed_axes(program)
     for block in program.blocks:
         store = STORE.search(block.code)
         if store and int(store.group(1)) < 34:
@@ -127,3 +128,20 @@ def typing_error(number, free):
     text = str(number)
     alike = [text[::-1], text + '0', *(text[:-1] + digit for digit in '0123456789')]
     return next((int(new) for new in alike if int(new) in free), max(free))
+
+
+NUMBER = re.compile(r'\d+(?:\.\d*)?')
+
+
+def crossed_axes(program):
+    """`#25=#5002+#25` after `#24=#5001+#24` takes #24."""
+    for first, second in zip(program.blocks, program.blocks[1:]):
+        numbers = [NUMBER.findall(block.code) for block in (first, second)]
+        alike = NUMBER.sub('0', first.code).strip() == NUMBER.sub('0', second.code).strip()
+        if not alike or not second.stores or not re.match(r'\s*#\s*\d+\s*=', second.code) or len(numbers[0]) < 3:
+            continue
+        pairs = [(float(a), float(b)) for a, b in zip(*numbers)]
+        own = [match for match in VARIABLE.finditer(second.code) if int(match.group(1)) == second.stores[0]][1:]
+        follows = all(b - a in (0, 1) for a, b in pairs) and any(a > 5000 and b - a == 1 for a, b in pairs)
+        if follows and pairs[0][1] - pairs[0][0] == 1 and len(own) == 1 and all(a != pairs[0][1] for a, b in pairs):
+            yield 'axes-crossed', put(second, own[0].span(1), str(second.stores[0] - 1)), ''

@@ -80,6 +80,7 @@ KINDS = {kind.name: kind for kind in [
         ('assignment-removed', 'MAC209', 'the only assignment of a variable is gone'),
         ('case-removed', 'MAC209', 'the assignment of one case is gone'),
         ('wrong-variable', 'MAC209', 'a word takes a variable that nothing sets'),
+        ('axes-crossed', 'MAC215', 'of two blocks for two axes one takes the variable of the other'),
     ]),
     *table('variables', ERROR, [
         ('null-assigned', 'MAC201', '#0 is assigned'),
@@ -115,6 +116,7 @@ KINDS = {kind.name: kind for kind in [
     *table('calls', WARNING, [
         ('modal-call-left', 'MAC413', 'G67 is gone'),
         ('letter-left-out', 'MAC210 MAC209', 'the only call of a program leaves out a letter that it reckons with and never tests'),
+        ('return-ends', 'MAC457', 'M30 where M99 was, in a program that another one calls'),
     ]),
     *table('spelling', ERROR, [
         ('bracket-unclosed', 'MAC117 MAC121 MAC118', 'a ] is gone'),

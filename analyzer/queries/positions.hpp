@@ -1,0 +1,37 @@
+//! Positions that a program reads, and whether the axes have come to them by then.
+#pragma once
+
+#include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint::queries {
+
+/// A machine value that tells where an axis is.
+struct PositionRead {
+    ExpressionId expression;
+    flow::NodeId node;
+    std::int32_t axis; ///< from 0 on
+    bool subtracted;
+};
+
+/// The positions that decide the expression, which is evaluated at the effect: read there, or before and
+/// stored in a variable since. Two of one axis of which one is taken from the other are none: they differ by
+/// an offset, wherever the axis is.
+[[nodiscard]] std::vector<PositionRead> positions_in(const ProgramAnalysis& analysis, EffectId effect,
+                                                     ExpressionId expression);
+
+/// A move that the control may still be making when it computes what stands in a node.
+struct UnfinishedMove {
+    flow::NodeId node;
+    Span span;
+};
+
+/// The nearest such move: no block that stops look-ahead lies between, no call, and no M code, which a
+/// parameter of the control may have made one that does. Nothing in a program that limits look-ahead.
+[[nodiscard]] std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& analysis,
+                                                                   flow::NodeId node);
+
+} // namespace maclint::queries

@@ -1,0 +1,62 @@
+//! MAC215: of two statements alike for two axes one takes the variable of the other.
+#include "analyzer/queries/sibling_statements.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule crossed_axes{
+    .code = "MAC215",
+    .name = "copy-paste-asymmetry",
+    .summary = "Of two statements alike for two axes, one takes the variable of the other axis",
+    .why = "A block was copied for the next axis and one variable in it left as it was: the axis goes to a "
+           "place "
+           "that the other one decides.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .messages = {{"crossed",
+                  "Axes crossed: '{0}' is made of {1}, where '{2}' beside it is made of its own {3}.",
+                  "Take {4}, or say in a comment why not."}},
+    .bad = {{"fanuc", R"nc(
+O9215(POINT FROM WHERE THE TOOL IS)
+#24=#5001+#24
+#25=#5002+#24
+G0 X#24 Y#25
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9215(POINT FROM WHERE THE TOOL IS)
+#24=#5001+#24
+#25=#5002+#25
+#21=#5001+#24
+#22=#5002+#24
+G0 X[#24+#21] Y[#25+#22]
+M99
+)nc"}},
+    .sources = {"SEED-001:706"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const queries::CrossedStatements& crossed : queries::find_crossed_statements(program)) {
+        const Span span = program.expressions[crossed.operand].span;
+        const std::string meant = program.spell(crossed.meant);
+        Finding& finding =
+            reporter.report({analysis, crossed.effect}, span, "crossed",
+                            {quoted(program, program.effects[crossed.effect].span), quoted(program, span),
+                             quoted(program, program.effects[crossed.sibling].span),
+                             program.spell(crossed.siblings_own), meant});
+        finding.related.push_back(related_at_effect(analysis, crossed.sibling, "the statement beside it"));
+        finding.offer({"Take " + meant, Applicability::unsafe, {{analysis.source(), span, meant}}});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

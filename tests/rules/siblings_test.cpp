@@ -1,0 +1,44 @@
+//! Rules that compare statements with their neighbours: MAC215.
+#include "tests/rules/raised.hpp"
+
+#include <gmock/gmock.h>
+
+namespace maclint {
+namespace {
+
+using test::lines_raised;
+using test::messages_raised;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::vector<std::uint32_t> crossed(const std::string& blocks) {
+    return lines_raised("MAC215", "O9001\n" + blocks + "M99\n");
+}
+
+TEST(CrossedAxes, OfTwoStatementsOneTakesTheVariableOfTheOther) {
+    EXPECT_THAT(crossed("#24=#5001+#24\n#25=#5002+#24\n"), ElementsAre(3));
+    EXPECT_THAT(crossed("#24=#5001+#25\n#25=#5002+#25\n"), ElementsAre(2));
+    EXPECT_THAT(crossed("#24=#5001+#24\n#25=#5002+#25\n#26=#5003+#25\n"), ElementsAre(4));
+    EXPECT_THAT(crossed("#101=[#5041-#101]*#1\n#102=[#5042-#101]*#1\n"), ElementsAre(3));
+    EXPECT_THAT(crossed("#24=#24*#1\n#25=#24*#2\n"), ElementsAre(3));
+    EXPECT_THAT(messages_raised("MAC215", "O9001\n#24=#5001+#24\n#25=#5002+#24\nM99\n"),
+                ElementsAre(AllOf(HasSubstr("'#25=#5002+#24'"), HasSubstr("Take #25"))));
+}
+
+TEST(CrossedAxes, AreNoneWhereEveryNumberFollows) {
+    EXPECT_THAT(crossed("#24=#5001+#24\n#25=#5002+#25\n"), IsEmpty());
+    EXPECT_THAT(crossed("#24=#5001+#1\n#25=#5002+#1\n"), IsEmpty());
+    EXPECT_THAT(crossed("#24=#5001+#25\n#25=#5002+#24\n"), IsEmpty()); // an exchange
+    EXPECT_THAT(crossed("#24=#24+#1\n#25=#24+#1\n"), IsEmpty());       // nothing tells the axis
+}
+
+TEST(CrossedAxes, AreNoSums) {
+    EXPECT_THAT(crossed("#101=#101+#501\n#102=#101+#502\n"), IsEmpty());
+    EXPECT_THAT(crossed("#24=#5001+#24\nG0X#24\n#25=#5002+#24\n"), IsEmpty());
+    EXPECT_THAT(crossed("#24=#5001+#24\n#26=#5003+#24\n"), IsEmpty());
+}
+
+} // namespace
+} // namespace maclint
