@@ -181,8 +181,8 @@ TEST(InescapableCycles, NameTheExitsThatAreNeverTaken) {
 }
 
 TEST(InescapableCycles, AreNotEndedByAStopBeforeThem) {
-    EXPECT_THAT(inescapable("O1\n#3006=1(WAIT)\nIF[#1EQ#0]THEN#3000=1(NO)\nN1#1=#1+1\nGOTO1\nM30\n"),
-                IsEmpty());
+    EXPECT_THAT(inescapable("O1\n#3006=1(WAIT)\nIF[#10EQ#0]THEN#3000=1(NO)\nN1#10=#10+1\nGOTO1\nM30\n"),
+                IsEmpty()); // no call passes #10
     EXPECT_THAT(inescapable("O1\n#3006=1(WAIT)\nN1#1=#1+1\nGOTO1\nM30\n"), ElementsAre(Lines(3, 4)));
     EXPECT_THAT(inescapable("O1\nIF[#500EQ1]THEN#3000=1(NO)\nN1#1=#1+1\nGOTO1\nM30\n"),
                 ElementsAre(Lines(3, 4)));
