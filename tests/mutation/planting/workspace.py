@@ -4,7 +4,8 @@ from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_variables, spelling
+from . import (dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_forms, fanuc_jumps, fanuc_loops, fanuc_modal,
+               fanuc_variables, spelling)
 from .callers import NEEDS, Callers
 from .plants import NOTE, WARNING, Plant
 
@@ -79,7 +80,8 @@ class Corpus:
         for program in fanuc.programs_of(lines):
             found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program, numbers), *fanuc_conditions.plants(program),
                      *fanuc_variables.plants(program), *fanuc_modal.plants(program, lines),
-                     *fanuc_calls.plants(program, numbers, callers), *spelling.plants(program, lines)]
+                     *fanuc_calls.plants(program, numbers, callers), *spelling.plants(program, lines),
+                     *fanuc_forms.plants(program, lines)]
             for kind, edits, harmless in found:
                 if kind in NEEDS and not harmless and callers.none_is_hurt(kind, program.number):
                     harmless = 'its callers say the mode anew before they need it'
