@@ -15,6 +15,8 @@
     RULE(oversized_block)                       /* MAC004 */ \
     RULE(other_control)                         /* MAC005 */ \
     RULE(unterminated_comment)                  /* MAC102 */ \
+    RULE(letter_o_for_zero)                     /* MAC106 */ \
+    RULE(address_without_value)                 /* MAC109 */ \
     RULE(parenthesis_as_bracket)                /* MAC116 */ \
     RULE(bracket_mismatch)                      /* MAC117 */ \
     RULE(unknown_keyword)                       /* MAC118 */ \
@@ -22,6 +24,7 @@
     RULE(unreadable_block)                      /* MAC121 */ \
     RULE(unreached_text)                        /* MAC122 */ \
     RULE(assignment_to_null_variable)           /* MAC201 */ \
+    RULE(double_hash)                           /* MAC206 */ \
     RULE(uninitialised_local)                   /* MAC209 */ \
     RULE(argument_not_passed)                   /* MAC210 */ \
     RULE(crossed_axes)                          /* MAC215 */ \
@@ -32,6 +35,8 @@
     RULE(vacancy_test_never_true)               /* MAC228 */ \
     RULE(jump_target_missing)                   /* MAC301 */ \
     RULE(jump_into_loop)                        /* MAC303 */ \
+    RULE(goto_number_format)                    /* MAC305 */ \
+    RULE(goto_extra_words)                      /* MAC307 */ \
     RULE(while_without_do)                      /* MAC311 */ \
     RULE(do_without_end)                        /* MAC312 */ \
     RULE(end_without_do)                        /* MAC313 */ \
@@ -42,6 +47,12 @@
     RULE(do_without_while)                      /* MAC318 */ \
     RULE(infinite_loop_unchanged)               /* MAC319 */ \
     RULE(infinite_loop_step)                    /* MAC320 */ \
+    RULE(if_without_brackets)                   /* MAC324 */ \
+    RULE(if_without_then)                       /* MAC325 */ \
+    RULE(then_multiple_statements)              /* MAC326 */ \
+    RULE(then_nc_statement)                     /* MAC327 */ \
+    RULE(logic_outside_condition)               /* MAC329 */ \
+    RULE(macro_and_nc_same_block)               /* MAC332 */ \
     RULE(m99_p_missing_label)                   /* MAC333 */ \
     RULE(endless_jump_loop)                     /* MAC336 */ \
     RULE(call_without_program_number)           /* MAC401 */ \
@@ -71,8 +82,11 @@
     RULE(division_by_zero)                      /* MAC702 */ \
     RULE(domain_error)                          /* MAC703 */ \
     RULE(right_angle_tangent)                   /* MAC704 */ \
+    RULE(function_needs_bracket)                /* MAC706 */ \
+    RULE(boolean_in_variable)                   /* MAC709 */ \
     RULE(float_equality)                        /* MAC710 */ \
     RULE(float_loop_counter)                    /* MAC711 */ \
+    RULE(double_operator)                       /* MAC716 */ \
     RULE(constant_condition)                    /* MAC718 */ \
     RULE(block_must_be_alone)                    /* DIN008 */ \
     RULE(unit_unbalanced)                        /* DIN015 */ \

@@ -29,11 +29,40 @@ std::string reason_of(const SyntaxError& error) {
     case SyntaxErrorKind::nested_comment:
     case SyntaxErrorKind::parenthesis_as_bracket:
     case SyntaxErrorKind::symbolic_comparison:
+    case SyntaxErrorKind::letter_in_jump:
+    case SyntaxErrorKind::words_after_jump:
+    case SyntaxErrorKind::condition_without_brackets:
+    case SyntaxErrorKind::consequence_without_then:
+    case SyntaxErrorKind::words_after_then:
+    case SyntaxErrorKind::more_after_then:
+    case SyntaxErrorKind::logic_outside_brackets:
+    case SyntaxErrorKind::words_beside_statement:
+    case SyntaxErrorKind::statement_beside_statement:
+    case SyntaxErrorKind::function_without_brackets:
+    case SyntaxErrorKind::comparison_as_value:
     case SyntaxErrorKind::oversized_block: return "";
     case SyntaxErrorKind::bracket_mismatch: return error.cure;
     case SyntaxErrorKind::unreadable: return error.cure.empty() ? without_digits(error.subject) : error.cure;
     default: return in_capitals(error.subject);
     }
+}
+
+std::string_view message_for(const SyntaxError& error, const Reporter& reporter,
+                             const SyntaxMessages& messages) {
+    if (error.answer == Answer::stops_if_assumed && reporter.has_message(messages.elsewhere))
+        return messages.elsewhere;
+    if (error.answer == Answer::unknown && reporter.has_message(messages.unknown)) return messages.unknown;
+    const bool cure = !error.cure.empty() && reporter.has_message(messages.with_cure);
+    return cure ? messages.with_cure : messages.without;
+}
+
+void offer_remedy(const ProgramFile& file, const SyntaxError& error, Finding& finding) {
+    const Remedy& remedy = error.remedy;
+    if (remedy.changes.empty()) return;
+    Fix fix{std::string(remedy.title), remedy.certain ? Applicability::safe : Applicability::unsafe, {}};
+    for (const TextChange& change : remedy.changes)
+        fix.edits.push_back({file.source, change.span, std::string(change.text)});
+    finding.offer(std::move(fix));
 }
 
 } // namespace
@@ -46,14 +75,18 @@ std::string same_cause(const ProgramFile& file, const SyntaxError& error) {
            reason_of(error);
 }
 
-void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter& reporter) {
+void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter& reporter,
+                         const SyntaxMessages& messages) {
     for (const SyntaxError& error : file.syntax_errors) {
         if (error.kind != kind) continue;
-        const bool cure = !error.cure.empty() && reporter.has_message("cure");
-        reporter
-            .report({file, error.span}, error.span, cure ? "cure" : "plain",
-                    {to_utf8(error.subject, detect_encoding(error.subject)), error.cure})
-            .same_cause = same_cause(file, error);
+        Finding& finding = reporter.report(
+            {file, error.span}, error.span, message_for(error, reporter, messages),
+            {to_utf8(error.subject, detect_encoding(error.subject)), error.cure, error.elsewhere});
+        if (error.answer == Answer::stops_if_assumed) finding.severity = Severity::warning;
+        if (error.answer == Answer::unknown) finding.severity = Severity::note;
+        if (finding.severity != Severity::error) finding.alarm = {};
+        finding.same_cause = same_cause(file, error);
+        offer_remedy(file, error, finding);
     }
 }
 

@@ -7,10 +7,19 @@
 
 namespace maclint {
 
-/// One finding for every syntax error of the kind: the message "cure" where a cure is known and the rule has
-/// it, otherwise "plain"; their arguments are the offending text and the cure. Errors with the same reason in
-/// one program have one cause.
-void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter& reporter);
+/// The messages of a rule for its syntax errors, by their ids.
+struct SyntaxMessages {
+    std::string_view with_cure = "cure";      ///< where a cure is known
+    std::string_view without = "plain";       ///< else, or where the rule has no such message
+    std::string_view elsewhere = "elsewhere"; ///< where another control of the family takes it: a warning
+    std::string_view unknown = "unknown";     ///< where no document tells: a note
+};
+
+/// One finding for every syntax error of the kind; the arguments of its message are the offending text, the
+/// cure, and the names of the controls that take it. Errors with the same reason in one program have one
+/// cause.
+void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter& reporter,
+                         const SyntaxMessages& messages = {});
 
 /// For Finding::same_cause.
 [[nodiscard]] std::string same_cause(const ProgramFile& file, const SyntaxError& error);

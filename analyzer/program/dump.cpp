@@ -145,6 +145,23 @@ std::string_view name_of(SyntaxErrorKind syntax_error) {
                                                  "bare-remark",
                                                  "point-in-variable-number",
                                                  "fraction-in-variable-number",
+                                                 "letter-o",
+                                                 "letter-o-or-jump",
+                                                 "missing-value",
+                                                 "double-sharp",
+                                                 "letter-in-jump",
+                                                 "words-after-jump",
+                                                 "condition-without-brackets",
+                                                 "condition-alone",
+                                                 "consequence-without-then",
+                                                 "words-after-then",
+                                                 "more-after-then",
+                                                 "logic-outside-brackets",
+                                                 "words-beside-statement",
+                                                 "statement-beside-statement",
+                                                 "function-without-brackets",
+                                                 "comparison-as-value",
+                                                 "sign-after-sign",
                                                  "unreadable"};
     static_assert(std::size(names) == static_cast<std::size_t>(SyntaxErrorKind::unreadable) + 1);
     return names[static_cast<std::size_t>(syntax_error)];

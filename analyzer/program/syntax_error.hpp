@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace maclint {
 
@@ -31,7 +33,44 @@ enum class SyntaxErrorKind : std::uint8_t {
     bare_remark,              ///< text after a sign that begins a remark elsewhere; cure: the sign in quotes
     point_in_variable_number, ///< `#504.`; cure: the variable without it
     fraction_in_variable_number, ///< `#30003.036`
+    letter_o,                    ///< `GO1`: the letter for the figure 0; cure: the word with the figure
+    letter_o_or_jump,            ///< `GO5` alone in its block, which may be a GOTO that lacks its TO
+    missing_value,               ///< subject: the address without a number
+    double_sharp,                ///< `##1`; cure: `#[#1]`
+    letter_in_jump,              ///< `GOTO N5`; cure: the number alone
+    words_after_jump,            ///< `GOTO5 G0`; subject: what stands after it
+    condition_without_brackets,  ///< cure: the condition in [ ]
+    condition_alone,             ///< an IF that nothing follows
+    consequence_without_then,    ///< `IF[#1EQ2]#3=4`; cure: the consequence as it has to be
+    words_after_then,            ///< subject: the words
+    more_after_then,             ///< subject: what stands after the one statement
+    logic_outside_brackets,      ///< `IF[#1EQ2]AND[#3EQ4]`; cure: the whole in [ ]
+    words_beside_statement,      ///< `G90 #1=5`; subject: what stands second
+    statement_beside_statement,  ///< `#1=5 #2=6`; subject: what stands second
+    function_without_brackets,   ///< `SIN 30`; cure: with brackets
+    comparison_as_value,         ///< `#1=#2 EQ 5`; subject: the comparison
+    sign_after_sign,             ///< `#2--#3`; cure: with brackets
     unreadable,                  ///< nothing more exact is known; cure: what was expected
+};
+
+/// What is known of how the control answers a syntax error.
+enum class Answer : std::uint8_t {
+    stops,
+    stops_if_assumed, ///< nobody named the control: the one that is assumed stops, another one does not
+    unknown,          ///< no document tells
+};
+
+/// Replace the bytes of `span` by `text`.
+struct TextChange {
+    Span span;
+    std::string_view text; ///< ASCII, of static lifetime
+};
+
+/// What takes the syntax error out of the text.
+struct Remedy {
+    std::string_view title; ///< an instruction without its full stop
+    bool certain = true;    ///< nothing else can have been meant
+    std::vector<TextChange> changes = {};
 };
 
 struct SyntaxError {
@@ -39,6 +78,9 @@ struct SyntaxError {
     Span span;
     std::string subject; ///< the offending text, UTF-8
     std::string cure;    ///< what to write instead, in the user's words; may be empty
+    Answer answer = Answer::stops;
+    std::string elsewhere = {}; ///< `stops_if_assumed`: names of the controls that take it
+    Remedy remedy = {};
 };
 
 } // namespace maclint

@@ -13,7 +13,7 @@ struct SourceRow {
 };
 
 // clang-format off
-constexpr std::array<SourceRow, 28> rows{{
+constexpr std::array<SourceRow, 30> rows{{
     {"SEED-001",
      "Joni Nieminen, Parametriohjelmointi FANUC 21i-MB -ohjauksessa, thesis, Tampere 2005: "
      "macro programming on a FANUC 21i-MB, with programs that were run on the machine. Lines "
@@ -28,6 +28,8 @@ constexpr std::array<SourceRow, 28> rows{{
      "FANUC Series 16i/18i/160i/180i-PB, operator's manual B-63684EN/01, page 278"},
     {"MAN-16C287",
      "FANUC Series 16/18/160/180-C for lathe, operator's manual, page 287"},
+    {"NCT-9",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
     {"NCT-171",
      "NCT 99M/2000M, programmer's manual, the page of that number"},
     {"NCT-173",
@@ -40,6 +42,8 @@ constexpr std::array<SourceRow, 28> rows{{
      "FANUC A-78962EN, 16i/18i/21i-TB additional manual, section 7, notes on using custom macros"},
     {"HAAS-LA",
      "Haas, mill operator's manual 96-8000, chapter on look-ahead in macros"},
+    {"HAAS-118",
+     "Haas, mill operator's manual 96-8000, page 118: expressions of macros"},
     {"MITSU-326",
      "Mitsubishi M700V, programming manual, page 326"},
     {"RW-9",

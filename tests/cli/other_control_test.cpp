@@ -118,6 +118,8 @@ std::string control_shown_by(const std::string& text) {
 TEST(ControlMarks, OneCertainOrTwoDifferentOnesNameAHaas) {
     EXPECT_EQ(control_shown_by("O1\nIF[#30003.036EQ1]GOTO2\nN2M30\n"), "haas");
     EXPECT_EQ(control_shown_by("O1(POST FOR HAAS NGC)\nG0X1.\nM30\n"), "haas");
+    EXPECT_EQ(control_shown_by("O1(CONTROLLER: HAAS LEGACY)\nG0X1.\nM30\n"), "haas");
+    EXPECT_EQ(control_shown_by("O1(HAAS SETUP, MODEL 3 CONTROLS)\nG0X1.\nM30\n"), "");
     EXPECT_EQ(control_shown_by("O1\nG103 P1\nM97 P100\nM30\n"), "haas");
 }
 

@@ -229,7 +229,7 @@ TEST(FanucSyntaxErrors, OpenCommentSwallowsWhatFollows) {
 TEST(FanucSyntaxErrors, CommentsThatAreNoBracketsPass) {
     EXPECT_EQ(lower("#1=5(DEPTH)"), "#1 := 5");
     EXPECT_EQ(lower("#1=#2+(STEP)5"), "#1 := add(#2, 5)");
-    EXPECT_EQ(lower("T (TOOL 5)M6"), "synchronise; tool change");
+    EXPECT_EQ(lower("T (TOOL 5)M6"), "synchronise; tool change\n! missing-value 'T'");
 }
 
 TEST(FanucSyntaxErrors, BracketsBeyondTheLimitOfTheControl) {

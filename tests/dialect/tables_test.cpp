@@ -59,6 +59,16 @@ TEST(Controls, HaveWhatTheirLanguageHas) {
     }
 }
 
+TEST(Controls, OfTheFamilyHaveAColumnInTheTableOfForms) {
+    using fanuc::Reading;
+    for (const ControlModel& control : fanuc::fanuc_controls())
+        EXPECT_EQ(fanuc::reading_of(control, SyntaxErrorKind::letter_o), Reading::stops) << control.name;
+    EXPECT_EQ(fanuc::reading_of(*find_control("fanuc-16i-lathe"), SyntaxErrorKind::words_after_then),
+              Reading::stops);
+    EXPECT_EQ(fanuc::controls_that_take(SyntaxErrorKind::consequence_without_then), "nct or haas");
+    EXPECT_EQ(fanuc::controls_that_take(SyntaxErrorKind::double_sharp), "");
+}
+
 TEST(Controls, VariableRangesAreSortedAndDoNotOverlap) {
     for (const ControlModel* control : controls()) {
         for (const VariableFamily& family : control->families) {

@@ -4,7 +4,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from planting import dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_numbers, fanuc_variables, report
+from planting import (dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_forms, fanuc_jumps, fanuc_loops, fanuc_modal,
+                      fanuc_numbers, fanuc_variables, report)
 from planting.callers import Callers
 from planting.judge import Judge
 from planting.plants import KINDS, Plant
@@ -245,6 +246,31 @@ class Modal(unittest.TestCase):
     def test_a_call_in_between_makes_a_leftover_unknown(self):
         self.assertEqual(self.plants('cancel-removed', 'O2\nG41D1\nM98P7\nG40\nM99'), [])
         self.assertEqual(self.plants('cancel-removed', 'O2\nG41D1\nG1X1.\nG40\nM99'), [([''], '')])
+
+
+class Forms(unittest.TestCase):
+    @staticmethod
+    def plants(kind, text):
+        return planted(lambda read: fanuc_forms.plants(read, text.split('\n')), text, kind)
+
+    def test_what_is_missing(self):
+        self.assertEqual(self.plants('value-lost', 'O1\nG1X5.Y10.\nM30'), [(['G1XY10.'], '')])
+        self.assertEqual(self.plants('double-sharp', 'O1\n#[#1]=5\nM30'), [(['##1=5'], '')])
+        self.assertEqual(self.plants('condition-open', 'O1\nIF[#1EQ2]GOTO5\nN5M30'), [(['IF #1EQ2 GOTO5'], '')])
+        self.assertEqual(self.plants('logic-outside', 'O1\nIF[[#1EQ2]AND[#3EQ4]]GOTO5\nN5M30'),
+                         [(['IF [#1EQ2]AND[#3EQ4] GOTO5'], '')])
+        self.assertEqual(self.plants('then-removed', 'O1\nIF[#1EQ2]THEN #3=4\nM30'), [(['IF[#1EQ2]#3=4'], '')])
+        self.assertEqual(self.plants('function-open', 'O1\n#1=SIN[#2]*3\nM30'), [(['#1=SIN #2*3'], '')])
+
+    def test_what_is_too_much(self):
+        self.assertEqual(self.plants('jump-letter', 'O1\nGOTO 5\nN5M30'), [(['GOTO N5'], '')])
+        self.assertEqual(self.plants('jump-and-words', 'O1\nGOTO5\nN5M30'), [(['GOTO5 M8'], '')])
+        self.assertEqual(self.plants('sign-doubled', 'O1\n#1=#2+#3\nM30'), [(['#1=#2++#3'], '')])
+        self.assertEqual(self.plants('line-end-lost', 'O1\n#1=5\nG0X#1\nM30'), [(['#1=5 G0X#1', ''], '')])
+
+    def test_another_maker_may_take_it(self):
+        self.assertEqual(self.plants('jump-letter', 'O1(HAAS VF2)\nGOTO5\nN5M30')[0][1],
+                         'the control of another maker may take it')
 
 
 class DinPlus(unittest.TestCase):

@@ -43,6 +43,9 @@ bool local_program(const Line& line) { return line.is_plain() && code_with(line,
 bool tool_data(const Line& line) { return line.code().find("#8550") != std::string_view::npos; }
 bool next_generation(const Line& line) { return holds_word(line.comment(), "NGC"); }
 bool maker(const Line& line) { return holds_word(line.comment(), "HAAS"); }
+bool says_its_control(const Line& line) {
+    return maker(line) && (holds_word(line.comment(), "CONTROLLER") || holds_word(line.comment(), "CONTROL"));
+}
 
 struct Mark {
     std::string_view control;
@@ -62,6 +65,7 @@ constexpr Mark marks[] = {
     {"haas", 1, tool_data,          "#8550",                       "T: Haas macro variables, individual tool data"},
     {"haas", 1, next_generation,    "'NGC' in a remark",           "T: Haas Next Generation Control"},
     {"haas", 1, maker,              "'HAAS' in a remark",          "T: the maker's name"},
+    {"haas", 1, says_its_control,   "a remark that names the control", "T"},
 };
 // clang-format on
 

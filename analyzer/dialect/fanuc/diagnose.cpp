@@ -5,6 +5,7 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/kinds.hpp"
+#include "analyzer/dialect/fanuc/letter_o.hpp"
 #include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
@@ -40,6 +41,7 @@ class ErrorExplainer {
 
     [[nodiscard]] std::optional<SyntaxError> parenthesis_as_bracket() const;
     [[nodiscard]] std::optional<SyntaxError> bracket_mismatch() const;
+    [[nodiscard]] std::optional<SyntaxError> letter_o() const { return find_letter_o(text_, tokens_); }
     [[nodiscard]] std::optional<SyntaxError> unknown_keyword() const;
     [[nodiscard]] std::optional<SyntaxError> symbolic_comparison() const;
     [[nodiscard]] std::optional<SyntaxError> missing_value() const;
@@ -54,6 +56,8 @@ class ErrorExplainer {
     [[nodiscard]] std::string last_keyword(const Token& token) const;
     [[nodiscard]] bool wants_value(const Token& token) const;
     [[nodiscard]] bool gives_value(const Token* token) const;
+    /// `XY10.`: two addresses, of which the first has no value.
+    [[nodiscard]] bool lacks_value(const Token& token, const Token* next) const;
     [[nodiscard]] bool looks_like_expression(const Token& comment) const;
     [[nodiscard]] bool is_known(const Token& token, const Token* next, int depth) const;
     [[nodiscard]] bool has_word(std::string_view keyword) const;
@@ -112,6 +116,14 @@ bool ErrorExplainer::wants_value(const Token& token) const {
     }
     default: return false;
     }
+}
+
+bool ErrorExplainer::lacks_value(const Token& token, const Token* next) const {
+    const std::string word = capitals(token);
+    const auto is_address = [](char c) { return c >= 'A' && c <= 'Z' && c != 'N' && c != 'O'; };
+    return word.size() == 2 && std::ranges::all_of(word, is_address) && !is_keyword(word) &&
+           next != nullptr && (next->kind == TokenKind::number || next->kind == TokenKind::variable) &&
+           token.span.end == next->span.begin;
 }
 
 bool ErrorExplainer::gives_value(const Token* token) const {
@@ -276,13 +288,20 @@ std::optional<SyntaxError> ErrorExplainer::symbolic_comparison() const {
 }
 
 std::optional<SyntaxError> ErrorExplainer::missing_value() const {
+    int depth = 0;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
         const Token& token = tokens_[i];
         const Token* next = at(i + 1);
+        if (token.kind == TokenKind::open) ++depth;
+        if (token.kind == TokenKind::close) --depth;
         if (next != nullptr && next->kind == TokenKind::comment) next = at(i + 2);
         if (text(token) == "/" && marks_skip(i, next)) continue;
         if (token.kind == TokenKind::letters) {
             if (begins_free_text(token)) return std::nullopt;
+            const bool named = i > 0 && tokens_[i - 1].kind == TokenKind::sharp;
+            if (depth == 0 && !named && lacks_value(token, next))
+                return make(SyntaxErrorKind::missing_value, {token.span.begin, token.span.begin + 1},
+                            text(token).substr(0, 1), "");
             const std::string word = last_keyword(token);
             std::string expected;
             if (word == "GOTO" && !gives_value(next)) expected = "a sequence number after 'GOTO'";
@@ -408,7 +427,7 @@ std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const ErrorExplainer explainer(text, block);
     for (const auto cause :
          {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::parenthesis_as_bracket,
-          &ErrorExplainer::bracket_mismatch, &ErrorExplainer::unknown_keyword,
+          &ErrorExplainer::bracket_mismatch, &ErrorExplainer::letter_o, &ErrorExplainer::unknown_keyword,
           &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value})
         if (std::optional<SyntaxError> found = (explainer.*cause)()) return found;
     return std::nullopt;

@@ -88,4 +88,17 @@ const GrammarNumbers& grammar_numbers() {
     return numbers;
 }
 
+bool is_word(Kind kind) {
+    switch (kind) {
+    case Kind::literal_word:
+    case Kind::word:
+    case Kind::comma_word:
+    case Kind::empty_word:
+    case Kind::malformed_word:
+    case Kind::letter_o_word:
+    case Kind::program_name: return true;
+    default: return false;
+    }
+}
+
 } // namespace maclint::fanuc

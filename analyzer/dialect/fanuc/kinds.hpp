@@ -113,6 +113,9 @@ struct GrammarNumbers {
 /// A comment.
 [[nodiscard]] inline bool is_remark(const syntax::Node& node) { return kind_of(node) == Kind::comment; }
 
+/// An address with what belongs to it, or `<NAME>`.
+[[nodiscard]] bool is_word(Kind kind);
+
 [[nodiscard]] inline Field field_of(const syntax::Node& node) {
     static const GrammarNumbers& numbers = grammar_numbers();
     return node.field < numbers.fields.size() ? numbers.fields[node.field] : Field::none;

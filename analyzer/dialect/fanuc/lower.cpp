@@ -1,6 +1,5 @@
 //! Lowering of blocks and macro statements.
 #include "analyzer/dialect/fanuc/diagnose.hpp"
-#include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
@@ -9,19 +8,6 @@
 
 namespace maclint::fanuc {
 namespace {
-
-bool is_word(Kind kind) {
-    switch (kind) {
-    case Kind::literal_word:
-    case Kind::word:
-    case Kind::comma_word:
-    case Kind::empty_word:
-    case Kind::malformed_word:
-    case Kind::letter_o_word:
-    case Kind::program_name: return true;
-    default: return false;
-    }
-}
 
 /// Nodes at the head of a block that stand before what it does.
 bool is_head(Kind kind) {
@@ -51,14 +37,15 @@ std::optional<std::int64_t> number_of_variable(std::string_view written) {
 void BlockLowering::lower(const syntax::Tree& tree, Span block, ProgramBuilder& builder) {
     begin_block(tree, block, builder);
     depth_reported_ = false;
+    comparison_reported_ = false;
     const Node* node = nullptr;
     for_each_child(tree.nodes.front(), [&](const Node& child) {
         if (kind_of(child) == Kind::block) node = &child;
     });
     if (node == nullptr) return;
-    check_tokens();
     items_.clear();
     for_each_child(*node, [this](const Node& child) { items_.push_back(&child); });
+    check_tokens();
     Block lowered{};
     const std::span<const Node* const> content = take_head(lowered, items_);
     if (!content.empty() && kind_of(*content.front()) == Kind::bare_value) { // alarm 004
@@ -67,6 +54,7 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, ProgramBuilder& 
         else
             report(SyntaxErrorKind::unreadable, span(*content.front()), "an address before the number");
     }
+    check_row(content);
     lower_items(content);
     end_block(lowered);
 }
@@ -185,20 +173,19 @@ void BlockLowering::store_numbered(std::int64_t number, Span target, ExpressionI
 void BlockLowering::lower_goto(const Node& node) {
     const Node* target = child(node, Field::target);
     if (target == nullptr) return;
+    if (kind_of(*target) == Kind::label) check_label(*target);
     effect({Jump{lower_expression(*target)}, span(node)});
 }
 
 void BlockLowering::lower_if(const Node& node) {
     const Node* condition = child(node, Field::condition);
     if (condition == nullptr) return;
-    const ExpressionId test = lower_expression(*condition);
+    const ExpressionId test = lower_condition(*condition);
     Nodes consequences;
     for_each_child(node, [&](const Node& part) {
         if (field_of(part) == Field::consequence) consequences.push_back(&part);
     });
-    if (consequences.empty() && child(node, Field::then) != nullptr)
-        syntax_errors_.push_back(
-            {SyntaxErrorKind::missing_construct, span(node), "THEN", std::string(in_place_of_block_if)});
+    check_consequences(node, consequences);
     const std::size_t first = builder_->effect_count();
     lower_items(consequences);
     guard(test, first, span(node));
@@ -208,7 +195,7 @@ void BlockLowering::lower_while(const Node& node) {
     const Node* condition = child(node, Field::condition);
     const Node* loop = child(node, Field::loop);
     RegionMark mark{RegionKind::while_loop, RegionMark::Part::open, std::nullopt, std::nullopt};
-    if (condition != nullptr) mark.condition = lower_expression(*condition);
+    if (condition != nullptr) mark.condition = lower_condition(*condition);
     if (loop != nullptr)
         mark.number = loop_number(*loop);
     else
@@ -244,98 +231,6 @@ const syntax::Node* BlockLowering::child(const Node& node, Field field) const {
         if (field_of(tree_->nodes[i]) == field && kind_of(tree_->nodes[i]) != Kind::comment)
             return &tree_->nodes[i];
     return nullptr;
-}
-
-/// What is wrong with single nodes of a block that the parser could read. Nearly all blocks are sound, and
-/// one look at their nodes shows it.
-void BlockLowering::check_tokens() {
-    bool has_foreign_words = false;
-    bool has_empty_words = false;
-    int brackets = 0;
-    for (const Node& node : tree_->nodes) {
-        switch (kind_of(node)) {
-        case Kind::symbolic_operator:
-        case Kind::foreign_keyword: has_foreign_words = true; break;
-        case Kind::empty_word: has_empty_words = true; break;
-        case Kind::variable: check_number_of(node); break;
-        case Kind::malformed_word: // alarms 006 and 007
-            report(SyntaxErrorKind::unreadable, span(node),
-                   "a number with at most one sign and one decimal point");
-            break;
-        case Kind::computed_sequence_number: // [1.3]
-            report(SyntaxErrorKind::unreadable, span(node), "the digits of a sequence number");
-            break;
-        case Kind::computed_program_number: // [1.2]
-            report(SyntaxErrorKind::unreadable, span(node), "the digits of a program number");
-            break;
-        case Kind::double_sharp: // [2.3]
-            if (const Node* index = child(node, Field::index))
-                report(SyntaxErrorKind::unreadable, span(node), "'#[" + std::string(text(*index)) + "]'");
-            break;
-        case Kind::bracket:
-        case Kind::argument_list:
-        case Kind::condition: ++brackets; break;
-        default: break;
-        }
-    }
-    if (has_foreign_words) check_words();
-    if (brackets > program_->control->limits.bracket_levels) check_depth(tree_->nodes.front(), 0);
-    if (has_empty_words) check_parenthesis_for_value();
-}
-
-/// `#504.`, `#30003.036`
-void BlockLowering::check_number_of(const Node& variable) {
-    const std::string_view written = text(variable);
-    const std::size_t point = written.find('.');
-    if (point == std::string_view::npos) return;
-    if (point + 1 == written.size())
-        report(SyntaxErrorKind::point_in_variable_number, span(variable),
-               std::string(written.substr(0, point)));
-    else if (!has_variables_with_decimals(*program_->control))
-        report(SyntaxErrorKind::fraction_in_variable_number, span(variable), "");
-}
-
-/// Operators and keywords of other languages.
-void BlockLowering::check_words() {
-    std::vector<bool> in_condition(tree_->nodes.size(), false);
-    for (std::size_t i = 0; i < tree_->nodes.size(); ++i) {
-        const Node& node = tree_->nodes[i];
-        const Kind kind = kind_of(node);
-        const bool here = in_condition[i] || kind == Kind::condition || kind == Kind::compound_condition ||
-                          kind == Kind::unbracketed_condition;
-        for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_->nodes[c].next_sibling)
-            in_condition[c] = here;
-        if (kind == Kind::symbolic_operator && here)
-            report(SyntaxErrorKind::symbolic_comparison, span(node),
-                   std::string(comparison_word(text(node))));
-        else if (kind == Kind::symbolic_operator) // [3: comparisons give no value]
-            report(SyntaxErrorKind::unreadable, span(node),
-                   "a calculation, because only IF and WHILE compare");
-        else if (kind == Kind::foreign_keyword)
-            syntax_errors_.push_back(unknown_word(program_->text, span(node)));
-    }
-}
-
-/// `X(#1+2)`: an address without value, and a comment that would make one. Such a block parses.
-void BlockLowering::check_parenthesis_for_value() {
-    if (std::optional<SyntaxError> found = find_parenthesis_as_bracket(program_->text, block_))
-        syntax_errors_.push_back(std::move(*found));
-}
-
-/// Reports the first bracket of the block that opens one level too many.
-void BlockLowering::check_depth(const Node& node, int depth) {
-    if (depth_reported_) return;
-    const Kind kind = kind_of(node);
-    if (kind == Kind::bracket || kind == Kind::argument_list || kind == Kind::condition) {
-        if (++depth > program_->control->limits.bracket_levels) {
-            depth_reported_ = true;
-            const Offset begin = span(node).begin;
-            report(SyntaxErrorKind::bracket_depth, {begin, begin + 1}, "");
-            return;
-        }
-    }
-    for (syntax::NodeIndex i = node.first_child; i != syntax::no_node; i = tree_->nodes[i].next_sibling)
-        check_depth(tree_->nodes[i], depth);
 }
 
 } // namespace maclint::fanuc

@@ -104,6 +104,15 @@ ExpressionId BlockLowering::lower_expression(const Node& node) {
     return lowered;
 }
 
+/// Of IF and WHILE.
+ExpressionId BlockLowering::lower_condition(const Node& node) {
+    check_condition(node);
+    in_condition_ = true;
+    const ExpressionId id = lower_expression(node);
+    in_condition_ = false;
+    return id;
+}
+
 ExpressionId BlockLowering::load_numbered(std::int64_t number, Span span) {
     const VariableRange* range = program_->control->families[numbered].find(number);
     if (range == nullptr) return add({LoadAt{numbered, literal(static_cast<double>(number), span)}, span});
@@ -137,6 +146,7 @@ ExpressionId BlockLowering::lower_unary(const Node& node) {
     const Node* sign = child(node, Field::operation);
     const Node* operand = child(node, Field::operand);
     if (sign == nullptr || operand == nullptr) return unreadable(span(node));
+    check_sign(*operand);
     const ExpressionId value = lower_expression(*operand);
     const std::string name = upper_text(*sign);
     if (name == "NOT") {
@@ -154,6 +164,7 @@ ExpressionId BlockLowering::lower_binary(const Node& node) {
     if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
     const std::array operands{lower_expression(*left), lower_expression(*right)};
     Operation operation = find(operators, upper_text(*sign));
+    if (operation == Operation::add || operation == Operation::subtract) check_sign(*right);
     if (kind_of(node) == Kind::compound_condition || is_logical(operands[0]) || is_logical(operands[1]))
         operation = between_conditions(operation);
     return apply(operation, operands, span(node));
@@ -167,6 +178,7 @@ ExpressionId BlockLowering::lower_comparison(const Node& node) {
     if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
     const std::array operands{lower_expression(*left), lower_expression(*right)};
     const std::string_view word = comparison_word(text(*sign));
+    if (word.empty() && !in_condition_) check_comparison(node);
     const Operation operation = find(comparisons, word.empty() ? upper_text(*sign) : word);
     if (operation == Operation::equal || operation == Operation::not_equal) {
         const auto is_null = [&](ExpressionId id) {
@@ -184,6 +196,8 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     const Node* argument = child(node, Field::argument);
     if (name == nullptr || argument == nullptr) return unreadable(span(node));
     std::vector<ExpressionId> operands;
+    if (kind_of(*argument) != Kind::argument_list && kind_of(*argument) != Kind::bracket)
+        check_argument(*name, *argument);
     if (kind_of(*argument) == Kind::argument_list) {
         for_each_child(*argument,
                        [&](const Node& operand) { operands.push_back(lower_expression(operand)); });

@@ -70,6 +70,7 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
         word.value = unreadable(span(*inner));
     } else if (const Node* value = child(*inner, Field::value)) {
         incremental = child(*inner, Field::incremental) != nullptr;
+        if (incremental) check_increment({span(*inner).begin, span(*inner).begin + 1});
         word.value = lower_expression(*value);
     }
     if (word.value) word.literal = literal_value(*word.value);
@@ -107,8 +108,7 @@ void BlockLowering::lower_macro_call(std::span<const NcWord> words, Span span) {
         if (word.letter == 0) call.program = Text{this->span(*word.node)};
     }
     call.arguments = arguments_from(words.subspan(1));
-    if (std::holds_alternative<std::monostate>(call.program))
-        report(SyntaxErrorKind::call_without_program, this->span(*code.node), "P");
+    if (std::holds_alternative<std::monostate>(call.program)) report_missing_program(code, words);
     effect({call, span});
 }
 
@@ -255,8 +255,18 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
         lower_local_call(*label, span);
         return;
     }
-    if (!names_program) report(SyntaxErrorKind::call_without_program, this->span(*code.node), "P");
+    if (!names_program) report_missing_program(code, words);
     effect({call, span});
+}
+
+/// At the P, where one stands there without its number.
+void BlockLowering::report_missing_program(const NcWord& code, std::span<const NcWord> words) {
+    const auto empty = std::ranges::find_if(
+        words, [](const NcWord& word) { return word.letter == 'P' && !word.comma && !word.value; });
+    Span place = span(*code.node);
+    if (empty != words.end()) place = {span(*empty->node).begin, span(*empty->node).begin + 1};
+    syntax_errors_.push_back(
+        {SyntaxErrorKind::call_without_program, place, std::string(text(*code.node)), "P"});
 }
 
 /// `G52 X0 Y0 Z0` ends the shift; any other value may begin one.

@@ -60,6 +60,7 @@ class BlockLowering : private TreeLowering {
     void lower_possible_call(std::span<const NcWord> words, Span span);
     void lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span);
     void lower_subprogram_call(CallKindId kind, const NcWord& code, std::span<const NcWord> words, Span span);
+    void report_missing_program(const NcWord& code, std::span<const NcWord> words);
     void lower_local_call(ExpressionId label, Span span);
     [[nodiscard]] bool holds_repeats(const NcWord& program) const;
     [[nodiscard]] Slice arguments_from(std::span<const NcWord> words);
@@ -67,6 +68,7 @@ class BlockLowering : private TreeLowering {
 
     // ---- expressions (lower_expressions.cpp)
     ExpressionId lower_expression(const Node& node);
+    ExpressionId lower_condition(const Node& node);
     ExpressionId lower_binary(const Node& node);
     ExpressionId lower_comparison(const Node& node);
     ExpressionId lower_unary(const Node& node);
@@ -79,12 +81,26 @@ class BlockLowering : private TreeLowering {
     // ---- the tree
     [[nodiscard]] const Node* child(const Node& node, Field field) const;
 
-    // ---- what is wrong with it
+    // ---- what is wrong with single nodes (lower_checks.cpp)
     void check_tokens();
     void check_words();
     void check_number_of(const Node& variable);
     void check_depth(const Node& node, int depth);
-    void check_parenthesis_for_value();
+    void check_empty_word(const Node& word);
+    void check_letter_o(const Node& word);
+    [[nodiscard]] bool may_be_jump(const Node& word) const;
+    void check_double_sharp(const Node& variable);
+
+    // ---- ways of writing that not every control takes (lower_forms.cpp)
+    void refuse(SyntaxErrorKind form, Span span, std::string cure, Remedy remedy = {});
+    void check_row(std::span<const Node* const> items);
+    void check_consequences(const Node& if_statement, std::span<const Node* const> consequences);
+    void check_condition(const Node& condition);
+    void check_label(const Node& label);
+    void check_argument(const Node& function, const Node& argument);
+    void check_sign(const Node& operand);
+    void check_comparison(const Node& comparison);
+    void check_increment(Span address);
 
     const CodeTable& codes_;
     Nodes items_;               ///< of the block
@@ -92,6 +108,8 @@ class BlockLowering : private TreeLowering {
     std::vector<ExpressionId> computed_;
     std::vector<Argument> arguments_;
     bool depth_reported_ = false;
+    bool comparison_reported_ = false;
+    bool in_condition_ = false; ///< of IF or WHILE
 };
 
 } // namespace maclint::fanuc

@@ -1,12 +1,14 @@
 //! The controls of the Fanuc family: limits, variables, modal groups and calls.
 #pragma once
 
+#include "analyzer/program/syntax_error.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -51,5 +53,21 @@ constexpr std::array<std::int32_t, 26> local_of_letter{1, 2, 3, 7, 8, 9, 0, 11, 
 [[nodiscard]] bool program_word_holds_repeats(const ControlModel& control);
 /// Whether `#30003.036` is a variable.
 [[nodiscard]] bool has_variables_with_decimals(const ControlModel& control);
+/// Whether an I between address and value makes it incremental: `ZI5`.
+[[nodiscard]] bool has_incremental_words(const ControlModel& control);
+/// "nct"
+[[nodiscard]] std::string controls_with_incremental_words();
+
+/// What a control makes of a way of writing that not every control of the family takes.
+enum class Reading : std::uint8_t {
+    takes,
+    stops,
+    unknown,  ///< no document tells
+    doubtful, ///< no document tells, and it can hardly be meant
+};
+/// `form` is one that stands in the table of forms.
+[[nodiscard]] Reading reading_of(const ControlModel& control, SyntaxErrorKind form);
+/// "haas": the controls that take the form, for the text of a message; empty: none.
+[[nodiscard]] std::string controls_that_take(SyntaxErrorKind form);
 
 } // namespace maclint::fanuc

@@ -4,7 +4,8 @@ from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_jumps, fanuc_loops, fanuc_modal, fanuc_numbers, fanuc_variables, spelling
+from . import (dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_forms, fanuc_jumps, fanuc_loops, fanuc_modal,
+               fanuc_numbers, fanuc_variables, spelling)
 from .callers import NEEDS, Callers
 from .plants import NOTE, WARNING, Plant
 
@@ -77,9 +78,10 @@ class Corpus:
         numbers = {name for other in self.neighbours[path] for name in self.names(self.files[other])}
         callers = Callers([program for other in self.neighbours[path] for program in fanuc.programs_of(self.files[other].lines)])
         for program in fanuc.programs_of(lines):
-            found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program, numbers, callers.by_number), *fanuc_conditions.plants(program),
-                     *fanuc_variables.plants(program), *fanuc_numbers.plants(program), *fanuc_modal.plants(program, lines),
-                     *fanuc_calls.plants(program, numbers, callers), *spelling.plants(program, lines)]
+            found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program, numbers, callers.by_number),
+                     *fanuc_conditions.plants(program), *fanuc_variables.plants(program), *fanuc_numbers.plants(program),
+                     *fanuc_modal.plants(program, lines), *fanuc_calls.plants(program, numbers, callers),
+                     *spelling.plants(program, lines), *fanuc_forms.plants(program, lines)]
             for kind, edits, harmless in found:
                 if kind in NEEDS and not harmless and callers.none_is_hurt(kind, program.number):
                     harmless = 'its callers say the mode anew before they need it'

@@ -1,0 +1,146 @@
+//! What is wrong with single nodes of a block that the parser could read.
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/fanuc/diagnose.hpp"
+#include "analyzer/dialect/fanuc/keywords.hpp"
+#include "analyzer/dialect/fanuc/lexer.hpp"
+#include "analyzer/dialect/fanuc/lowering.hpp"
+#include "analyzer/dialect/fanuc/tables.hpp"
+
+#include <algorithm>
+
+namespace maclint::fanuc {
+/// Nearly all blocks are sound, and one look at their nodes shows it.
+void BlockLowering::check_tokens() {
+    bool has_foreign_words = false;
+    const Node* empty_word = nullptr;
+    int brackets = 0;
+    for (const Node& node : tree_->nodes) {
+        switch (kind_of(node)) {
+        case Kind::symbolic_operator:
+        case Kind::foreign_keyword: has_foreign_words = true; break;
+        case Kind::empty_word:
+            if (empty_word == nullptr) empty_word = &node;
+            break;
+        case Kind::letter_o_word: check_letter_o(node); break;
+        case Kind::variable: check_number_of(node); break;
+        case Kind::malformed_word: // alarms 006 and 007
+            report(SyntaxErrorKind::unreadable, span(node),
+                   "a number with at most one sign and one decimal point");
+            break;
+        case Kind::computed_sequence_number: // [1.3]
+            report(SyntaxErrorKind::unreadable, span(node), "the digits of a sequence number");
+            break;
+        case Kind::computed_program_number: // [1.2]
+            report(SyntaxErrorKind::unreadable, span(node), "the digits of a program number");
+            break;
+        case Kind::double_sharp: check_double_sharp(node); break;
+        case Kind::bracket:
+        case Kind::argument_list:
+        case Kind::condition: ++brackets; break;
+        default: break;
+        }
+    }
+    if (has_foreign_words) check_words();
+    if (brackets > program_->control->limits.bracket_levels) check_depth(tree_->nodes.front(), 0);
+    if (empty_word != nullptr) check_empty_word(*empty_word);
+}
+
+/// `#504.`, `#30003.036`
+void BlockLowering::check_number_of(const Node& variable) {
+    const std::string_view written = text(variable);
+    const std::size_t point = written.find('.');
+    if (point == std::string_view::npos) return;
+    if (point + 1 == written.size())
+        report(SyntaxErrorKind::point_in_variable_number, span(variable),
+               std::string(written.substr(0, point)));
+    else if (!has_variables_with_decimals(*program_->control))
+        report(SyntaxErrorKind::fraction_in_variable_number, span(variable), "");
+}
+
+/// Operators and keywords of other languages.
+void BlockLowering::check_words() {
+    std::vector<bool> in_condition(tree_->nodes.size(), false);
+    for (std::size_t i = 0; i < tree_->nodes.size(); ++i) {
+        const Node& node = tree_->nodes[i];
+        const Kind kind = kind_of(node);
+        const bool here = in_condition[i] || kind == Kind::condition || kind == Kind::compound_condition ||
+                          kind == Kind::unbracketed_condition;
+        for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_->nodes[c].next_sibling)
+            in_condition[c] = here;
+        if (kind == Kind::symbolic_operator && here)
+            report(SyntaxErrorKind::symbolic_comparison, span(node),
+                   std::string(comparison_word(text(node))));
+        else if (kind == Kind::symbolic_operator) // [3: comparisons give no value]
+            report(SyntaxErrorKind::unreadable, span(node),
+                   "a calculation, because only IF and WHILE compare");
+        else if (kind == Kind::foreign_keyword)
+            syntax_errors_.push_back(unknown_word(program_->text, span(node)));
+    }
+}
+
+/// The first address without a value; in `X(#1+2)` a comment is meant to be one.
+void BlockLowering::check_empty_word(const Node& word) {
+    if (std::optional<SyntaxError> found = find_parenthesis_as_bracket(program_->text, block_)) {
+        syntax_errors_.push_back(std::move(*found));
+        return;
+    }
+    Span address = span(word);
+    while (is_blank(program_->text[address.end - 1])) --address.end;
+    refuse(SyntaxErrorKind::missing_value, address, "");
+}
+
+/// `GO1`, `XO`: the letter O where a figure 0 belongs.
+void BlockLowering::check_letter_o(const Node& word) {
+    const Span all = span(word);
+    const std::string_view written = text(word);
+    std::string mended(written);
+    Remedy remedy{"Write the figure 0 for the letter O", !may_be_jump(word)};
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        if (to_capital(written[i]) != 'O') continue;
+        mended[i] = '0';
+        const Offset at = all.begin + static_cast<Offset>(i);
+        remedy.changes.push_back({{at, at + 1}, "0"});
+    }
+    const SyntaxErrorKind kind =
+        remedy.certain ? SyntaxErrorKind::letter_o : SyntaxErrorKind::letter_o_or_jump;
+    refuse(kind, all, std::move(mended), std::move(remedy));
+}
+
+/// `GO5` alone in its block.
+bool BlockLowering::may_be_jump(const Node& word) const {
+    const auto other = std::ranges::find_if(items_, [&](const Node* item) {
+        return item != &word && kind_of(*item) != Kind::sequence_number && kind_of(*item) != Kind::skip;
+    });
+    const std::string_view written = text(word);
+    return other == items_.end() && written.size() > 2 && in_capitals(written.substr(0, 2)) == "GO" &&
+           std::ranges::all_of(written.substr(2), is_digit);
+}
+
+/// [2.3]
+void BlockLowering::check_double_sharp(const Node& variable) {
+    const Node* index = child(variable, Field::index);
+    if (index == nullptr) return;
+    const Span inner = span(*index);
+    refuse(SyntaxErrorKind::double_sharp, span(variable), "#[" + std::string(text(*index)) + "]",
+           {"Put the inner variable in [ ]",
+            true,
+            {{{inner.begin, inner.begin}, "["}, {{inner.end, inner.end}, "]"}}});
+}
+
+/// Reports the first bracket of the block that opens one level too many.
+void BlockLowering::check_depth(const Node& node, int depth) {
+    if (depth_reported_) return;
+    const Kind kind = kind_of(node);
+    if (kind == Kind::bracket || kind == Kind::argument_list || kind == Kind::condition) {
+        if (++depth > program_->control->limits.bracket_levels) {
+            depth_reported_ = true;
+            const Offset begin = span(node).begin;
+            report(SyntaxErrorKind::bracket_depth, {begin, begin + 1}, "");
+            return;
+        }
+    }
+    for (syntax::NodeIndex i = node.first_child; i != syntax::no_node; i = tree_->nodes[i].next_sibling)
+        check_depth(tree_->nodes[i], depth);
+}
+
+} // namespace maclint::fanuc

@@ -1,0 +1,175 @@
+//! Ways of writing that not every control of the family takes: what stands beside what in a block, and what
+//! conditions and calculations leave out.
+#include "analyzer/dialect/fanuc/keywords.hpp"
+#include "analyzer/dialect/fanuc/lowering.hpp"
+#include "analyzer/dialect/fanuc/tables.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace maclint::fanuc {
+namespace {
+
+/// A longer cure says no more than the words around it.
+constexpr std::size_t longest_cure = 60;
+
+bool is_statement(Kind kind) {
+    switch (kind) {
+    case Kind::assignment:
+    case Kind::goto_statement:
+    case Kind::if_statement:
+    case Kind::while_statement:
+    case Kind::do_statement:
+    case Kind::end_statement: return true;
+    default: return false;
+    }
+}
+
+/// G65, G66, G66.1: a macro call is a statement, too [6].
+bool calls_macro(std::string_view word) {
+    return !word.empty() && (word.front() == 'G' || word.front() == 'g') &&
+           (word.ends_with("65") || word.ends_with("66") || word.ends_with("66.1"));
+}
+
+Span at(Offset place) { return {place, place}; }
+
+} // namespace
+
+/// The control's table of forms has the last word.
+void BlockLowering::refuse(SyntaxErrorKind form, Span span, std::string cure, Remedy remedy) {
+    const ControlModel& control = *program_->control;
+    const Reading reading = reading_of(control, form);
+    if (reading == Reading::takes || reading == Reading::unknown) return;
+    SyntaxError error{form, span, std::string(program_->slice(span)), std::move(cure)};
+    if (error.cure.size() > longest_cure) error.cure.clear();
+    if (control.assumed) error.elsewhere = controls_that_take(form);
+    if (reading == Reading::doubtful)
+        error.answer = Answer::unknown;
+    else if (!error.elsewhere.empty())
+        error.answer = Answer::stops_if_assumed;
+    error.remedy = std::move(remedy);
+    syntax_errors_.push_back(std::move(error));
+}
+
+/// Words and statements that stand in one block, or behind one IF.
+void BlockLowering::check_row(std::span<const Node* const> items) {
+    const Node* first = nullptr;
+    const Node* second = nullptr;
+    for (const Node* item : items) {
+        const Kind kind = kind_of(*item);
+        // A word of another language has been told; what stands behind a '/' may be left out.
+        if (kind == Kind::foreign_keyword || kind == Kind::skip) return;
+        if (!is_statement(kind) && !is_word(kind)) continue;
+        if (first == nullptr)
+            first = item;
+        else if (second == nullptr && (is_statement(kind) || is_statement(kind_of(*first))))
+            second = item;
+    }
+    if (second == nullptr) return;
+    const bool first_is_statement = is_statement(kind_of(*first));
+    const Span rest = join(span(*second), span(*items.back()));
+    if (kind_of(*first) == Kind::goto_statement)
+        refuse(SyntaxErrorKind::words_after_jump, rest, "");
+    else if (first_is_statement && is_statement(kind_of(*second)))
+        refuse(SyntaxErrorKind::statement_beside_statement, rest, "");
+    else
+        refuse(SyntaxErrorKind::words_beside_statement, rest, "");
+}
+
+/// [4: IF takes a GOTO, or THEN and one statement]
+void BlockLowering::check_consequences(const Node& if_statement, std::span<const Node* const> consequences) {
+    const bool has_then = child(if_statement, Field::then) != nullptr;
+    const Span whole = span(if_statement);
+    if (consequences.empty()) {
+        if (has_then)
+            syntax_errors_.push_back(
+                {SyntaxErrorKind::missing_construct, whole, "THEN", std::string(in_place_of_block_if)});
+        else
+            refuse(SyntaxErrorKind::condition_alone, whole, "");
+        return;
+    }
+    const Kind first = kind_of(*consequences.front());
+    const bool foreign = std::ranges::any_of(
+        consequences, [](const Node* node) { return kind_of(*node) == Kind::foreign_keyword; });
+    if (foreign || (!is_statement(first) && !is_word(first))) return;
+    const Span rest = join(span(*consequences.front()), span(*consequences.back()));
+    if (first == Kind::goto_statement || first == Kind::if_statement) {
+        check_row(consequences);
+    } else if (!has_then) {
+        const bool assigns = first == Kind::assignment;
+        refuse(SyntaxErrorKind::consequence_without_then, rest,
+               assigns ? "THEN " + std::string(program_->slice(rest)) : std::string(),
+               assigns ? Remedy{"Write THEN before it", true, {{at(rest.begin), "THEN "}}} : Remedy{});
+    } else if (is_word(first)) {
+        if (!calls_macro(text(*consequences.front()))) refuse(SyntaxErrorKind::words_after_then, rest, "");
+    } else if (consequences.size() > 1) {
+        const Span more{span(*consequences[1]).begin, rest.end};
+        refuse(SyntaxErrorKind::more_after_then, more, "");
+    }
+}
+
+/// The condition of an IF or a WHILE.
+void BlockLowering::check_condition(const Node& condition) {
+    const Kind kind = kind_of(condition);
+    if (kind != Kind::unbracketed_condition && kind != Kind::compound_condition) return;
+    const Span all = span(condition);
+    const bool open = kind == Kind::compound_condition;
+    refuse(open ? SyntaxErrorKind::logic_outside_brackets : SyntaxErrorKind::condition_without_brackets, all,
+           "[" + std::string(text(condition)) + "]",
+           {"Put the whole condition in [ ]", true, {{at(all.begin), "["}, {at(all.end), "]"}}});
+}
+
+/// `GOTO N5`
+void BlockLowering::check_label(const Node& label) {
+    const Span all = span(label);
+    const std::string_view written = text(label);
+    const std::string_view digits = written.substr(written.find_first_of("0123456789"));
+    refuse(
+        SyntaxErrorKind::letter_in_jump, all, std::string(digits),
+        {"Leave only the number", true, {{{all.begin, all.end - static_cast<Offset>(digits.size())}, ""}}});
+}
+
+/// `SIN 30`, `ABS#2`. Only where nothing goes on behind it is it certain what belongs to the function.
+void BlockLowering::check_argument(const Node& function, const Node& argument) {
+    const Span operand = span(argument);
+    const std::string_view text = program_->text.substr(0, block_.end);
+    const std::size_t next = text.find_first_not_of(" \t", operand.end);
+    const bool ends = next == std::string_view::npos || text[next] == ']' || text[next] == '(';
+    refuse(SyntaxErrorKind::function_without_brackets, join(span(function), operand),
+           std::string(this->text(function)) + "[" + std::string(this->text(argument)) + "]",
+           {"Put the argument in [ ]", ends, {{at(operand.begin), "["}, {at(operand.end), "]"}}});
+}
+
+/// `#2--#3`: behind a sign, an operand that begins with one.
+void BlockLowering::check_sign(const Node& operand) {
+    const Node* signed_one = &operand;
+    while (kind_of(*signed_one) == Kind::binary) {
+        const Node* left = child(*signed_one, Field::left);
+        if (left == nullptr) return;
+        signed_one = left;
+    }
+    const Node* sign = kind_of(*signed_one) == Kind::unary ? child(*signed_one, Field::operation) : nullptr;
+    if (sign == nullptr || (text(*sign) != "+" && text(*sign) != "-")) return;
+    const Span all = span(*signed_one);
+    refuse(SyntaxErrorKind::sign_after_sign, all, "[" + std::string(text(*signed_one)) + "]",
+           {"Put the second sign and its value in [ ]", false, {{at(all.begin), "["}, {at(all.end), "]"}}});
+}
+
+/// [3: comparisons give no value]. Of several in a block the first one is told.
+void BlockLowering::check_comparison(const Node& comparison) {
+    if (comparison_reported_) return;
+    comparison_reported_ = true;
+    refuse(SyntaxErrorKind::comparison_as_value, span(comparison), "");
+}
+
+/// `ZI5`: where the I makes no increment, the Z has no value.
+void BlockLowering::check_increment(Span address) {
+    const ControlModel& control = *program_->control;
+    if (has_incremental_words(control)) return;
+    refuse(SyntaxErrorKind::missing_value, address, "");
+    if (!control.assumed) return;
+    syntax_errors_.back().answer = Answer::stops_if_assumed;
+    syntax_errors_.back().elsewhere = controls_with_incremental_words();
+}
+
+} // namespace maclint::fanuc
