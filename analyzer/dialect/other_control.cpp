@@ -41,7 +41,8 @@ bool makes_no_sense(const SyntaxError& error) {
 /// Whether the words in it are code: those of remarks may be any.
 bool is_code(const SyntaxError& error) {
     return error.kind == SyntaxErrorKind::unknown_keyword || error.kind == SyntaxErrorKind::unreadable ||
-           error.kind == SyntaxErrorKind::missing_construct;
+           error.kind == SyntaxErrorKind::missing_construct || error.kind == SyntaxErrorKind::missing_value ||
+           error.kind == SyntaxErrorKind::letter_o;
 }
 
 std::string_view line_at(std::string_view text, Offset place) {
