@@ -22,6 +22,7 @@ std::optional<Edges> find_path(Finding& finding, const ProgramAnalysis& analysis
                                flow::NodeId to) {
     execution::PathFound found = queries::path_on_from(analysis, from, to);
     if (!found.path) finding.proof = found.gave_up ? std::max(finding.proof, Proof::gave_up) : Proof::no_path;
+    if (found.gave_up && found.visits == 0) return Edges{}; // no more searches, nor steps that explain
     return std::move(found.path);
 }
 
@@ -34,16 +35,7 @@ void add_steps(std::vector<RelatedLocation>& to_list, const ProgramAnalysis& ana
 
 void add_path(Finding& finding, std::vector<RelatedLocation>& to_list, const ProgramAnalysis& analysis,
               flow::NodeId from, flow::NodeId to) {
-<<<<<<< HEAD
-    const execution::PathFound found = queries::path_on_from(analysis, from, to);
-    if (!found.path) finding.proof = found.gave_up ? std::max(finding.proof, Proof::gave_up) : Proof::no_path;
-    if (from == to || (found.gave_up && found.visits == 0)) return; // no more searches, nor steps
-    for (RelatedLocation& step :
-         found.path ? steps_along(analysis, *found.path) : path_between(analysis, from, to))
-        to_list.push_back(std::move(step));
-=======
     add_steps(to_list, analysis, find_path(finding, analysis, from, to), from, to);
->>>>>>> cbb47eb9ba1d995becc7857ed2ec75d391162d9e
 }
 
 } // namespace
