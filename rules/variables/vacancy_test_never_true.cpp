@@ -105,8 +105,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
     }
     Finding& finding = reporter.report({analysis, comparison}, span, id, std::move(words));
     if (!keeper && !is_defect(analysis, comparison, variable)) finding.severity = Severity::note;
-    const std::string name = program.spell(variable);
-    const std::string ends = name + " is tested for vacancy";
+    const std::string name = program.spell(variable), ends = name + " is tested for vacancy";
     if (store != nullptr)
         trace(finding, analysis, store->node, {analysis.source(), set, name + " is set"}, comparison.node,
               ends);
@@ -115,14 +114,14 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    queries::WithoutAssignment without_assignment(analysis);
+    queries::WithoutAssignment unset(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (comparison.operation != Operation::is_vacant && comparison.operation != Operation::is_set)
             continue;
         if (comparison.left.vacancy != dataflow::Vacancy::set) continue;
         const auto variable = queries::plain_variable(analysis.program(), comparison.left_expression);
         if (variable && queries::may_hold_vacant(analysis.program(), *variable) &&
-            !without_assignment.leads_to(*variable, comparison.node))
+            !unset.leads_to(*variable, comparison.node))
             report(analysis, reporter, comparison, *variable);
     }
 }

@@ -120,7 +120,7 @@ TEST(FanucReader, CodeInNoOrderTakesUnderASecondAMegabyte) {
 TEST(FanucReader, GoodBlocksAfterNoiseAreReadAsEver) {
     std::string text;
     for (int i = 0; i < 200; ++i) text += "X=*]" + std::to_string(i) + "\n";
-    text += "Z0/M08\nXSIN[30]\nIF[#1EQ#0]GOTON10\nN10 DPRNT[X#1[53]*OUT*OF*RANGE]\n#1=#2/[3]\n";
+    text += "Z0/M08\nXSIN[30]\nIF[#1EQ#0]GOTO10\nN10 DPRNT[X#1[53]*OUT*OF*RANGE]\n#1=#2/[3]\n";
     EXPECT_EQ(read(text).syntax_errors.size(), 200U);
 }
 
@@ -140,7 +140,7 @@ TEST(FanucReader, RowsThatTheParserIsSlowOnAreNotParsed) {
 TEST(FanucReader, LongBlocksOfNamesAreRead) {
     for (const char* block : {"[#DEPTH]=[#MAXDEPTH]+[#STEPLEN]-[#FINEPASS]*[#STEPLEN]",
                               "IF[[#DEPTH]GT[#MAXDEPTH]]THEN[#DEPTH]=[#MAXDEPTH]",
-                              "IF[[#_ABSMT]EQ[#_ABSOT]]OR[[#A]EQ[#B]]OR[[#C]EQ[#_VERYLONGNAME]]GOTO#_TARGET"})
+                              "IF[[[#_ABSMT]EQ[#_ABSOT]]OR[[#A]EQ[#B]]OR[[#C]EQ[#_LONGNAME]]]GOTO#_TARGET"})
         EXPECT_EQ(test::read(std::string(block) + "\n").syntax_errors.size(), 0U) << block;
 }
 

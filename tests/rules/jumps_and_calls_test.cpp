@@ -72,12 +72,12 @@ TEST(EndlessJumps, ThatRepeatWhatTheReturnBehindThemWouldAreANote) {
     const auto judgement = [](const std::string& text) { return judged("MAC336", text); };
     EXPECT_THAT(judgement("O1\n#100=5.\nN10 G1 X#100 F500\nG1 X0\nGOTO10\nM99\n"), ElementsAre("note 5"));
     // a wait, a move before it, another end, arguments, a caller
-    EXPECT_THAT(judgement("O1\nN10 GOTO10\nM99\n"), ElementsAre("warning 2"));
-    EXPECT_THAT(judgement("O1\nG0 X5.\nN10 G1 X5. F500\nG1 X0\nGOTO10\nM99\n"), ElementsAre("warning 5"));
-    EXPECT_THAT(judgement("O1\nN10 G1 X5. F500\nG1 X0\nGOTO10\nM30\n"), ElementsAre("warning 4"));
-    EXPECT_THAT(judgement("O1\nN10 G1 X#24 F500\nG1 X0\nGOTO10\nM99\n"), ElementsAre("warning 4"));
+    EXPECT_THAT(judgement("O1\nN10 GOTO10\nM99\n"), ElementsAre("error 2"));
+    EXPECT_THAT(judgement("O1\nG0 X5.\nN10 G1 X5. F500\nG1 X0\nGOTO10\nM99\n"), ElementsAre("error 5"));
+    EXPECT_THAT(judgement("O1\nN10 G1 X5. F500\nG1 X0\nGOTO10\nM30\n"), ElementsAre("error 4"));
+    EXPECT_THAT(judgement("O1\nN10 G1 X#24 F500\nG1 X0\nGOTO10\nM99\n"), ElementsAre("error 4"));
     EXPECT_THAT(judgement("O1\nN10 G1 X5. F500\nG1 X0\nGOTO10\nM99\nO2\nM98P1\nM30\n"),
-                ElementsAre("warning 4"));
+                ElementsAre("error 4"));
 }
 
 TEST(CallDepth, CountsACallOfAProgramThatIsNotThere) {
