@@ -61,7 +61,7 @@ bool replace(const std::string& path, std::string_view text) {
     if (descriptor < 0) return false;
     const std::unique_ptr<std::FILE, Closer> file(fdopen(descriptor, "wb"));
     if (file && fchmod(descriptor, mode_for(path)) == 0 && write_all(file.get(), text) &&
-        std::rename(temporary.c_str(), path.c_str()) == 0)
+        fsync(descriptor) == 0 && std::rename(temporary.c_str(), path.c_str()) == 0)
         return true;
     const int error = errno;
     unlink(temporary.c_str());

@@ -190,8 +190,10 @@ struct VariableRange {
     bool is_code = false;       ///< a modal code, of which group is not known
     bool may_be_vacant = false; ///< of machine values: there may be none, as of a probe that touched nothing
     std::optional<double> last_number = {}; ///< of machine values: whole numbers from 0 to this
-    bool where_axes_are =
-        false; ///< the position of an axis, even while it moves: `first` is that of the first
+    /// The positions of the axes, even while they move, `first` that of the first axis: for each the
+    /// addresses that move it, blanks between the axes. Of more axes than stand here any address may. Empty:
+    /// no positions.
+    std::string_view positions_of = {};
 };
 
 /// What programmers mean by an index of which too little is known. An assumption: no control enforces it.

@@ -2,6 +2,7 @@
 #include "analyzer/queries/operand_risks.hpp"
 
 #include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/queries/callers.hpp"
@@ -9,6 +10,7 @@
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/passed_values.hpp"
 #include "analyzer/semantics/concrete.hpp"
+#include "analyzer/workspace/bind.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,6 +102,27 @@ bool is_set_by_others(const ProgramAnalysis& analysis, Variable variable) {
                std::ranges::any_of(facts.all<dataflow::Clobber>(), [&](const dataflow::Clobber& clobber) {
                    return clobber.may_change(variable);
                });
+    });
+}
+
+/// Whether the number that the call passes there is known to be another than 0.
+bool is_never_zero(const ProgramAnalysis& calling, EffectId call, ExpressionId passed) {
+    if (const auto* literal = std::get_if<Literal>(&calling.program().expressions[passed].node))
+        return literal->value != 0;
+    return std::ranges::any_of(calling.facts().at<dataflow::Read>(call), [&](const dataflow::Read& read) {
+        return read.expression == passed && !read.value.can_be(0);
+    });
+}
+
+/// Whether callers are known, and each passes another number than 0.
+bool is_never_passed_as_zero(const ProgramAnalysis& analysis, Variable variable) {
+    return !analysis.callers().empty() && std::ranges::all_of(analysis.callers(), [&](const Caller& caller) {
+        const ProgramAnalysis& calling = calling_program(analysis, caller);
+        const auto arguments = calling.program().arguments_of(call_of(calling.program(), caller.effect));
+        return std::ranges::any_of(arguments, [&](const Argument& argument) {
+            return bound_to(argument, &analysis.program()) == variable &&
+                   is_never_zero(calling, caller.effect, argument.value);
+        });
     });
 }
 
@@ -223,7 +246,8 @@ std::optional<OperandRisk> OperandRisks::shown_by_call(const Application& applic
 
 /// Whether the variable can be anything when the program begins.
 bool OperandRisks::may_be_anything(Variable variable) const {
-    if (analysis_.program().is_formal(variable)) return !analysis_.is_main();
+    if (analysis_.program().is_formal(variable))
+        return !analysis_.is_main() && !is_never_passed_as_zero(analysis_, variable);
     return analysis_.control().spaces[variable.space].scope == Scope::shared &&
            !is_set_by_others(analysis_, variable);
 }

@@ -15,6 +15,16 @@ using dataflow::SymbolId;
 
 constexpr int most_operations = 12; ///< that are followed, one in the other
 
+/// The addresses that move the axis; empty: any may.
+std::string_view addresses_of(std::string_view axes, std::int32_t axis) {
+    for (; axis > 0; --axis) {
+        const std::size_t blank = axes.find(' ');
+        if (blank == std::string_view::npos) return {};
+        axes.remove_prefix(blank + 1);
+    }
+    return axes.substr(0, axes.find(' '));
+}
+
 /// Gathers the positions in expressions and in what was calculated before.
 class Gather {
   public:
@@ -56,8 +66,9 @@ class Gather {
         const auto* machine = std::get_if<LoadMachine>(&program_.expressions[id].node);
         if (machine == nullptr) return false;
         const VariableRange* range = analysis_.control().families[machine->family].find(machine->number);
-        if (range == nullptr || !range->where_axes_are) return false;
-        found_.push_back({id, node, machine->number - range->first, subtracted});
+        if (range == nullptr || range->positions_of.empty()) return false;
+        const std::int32_t axis = machine->number - range->first;
+        found_.push_back({id, node, axis, addresses_of(range->positions_of, axis), subtracted});
         return true;
     }
 
@@ -97,13 +108,34 @@ struct Passed {
     std::optional<Span> move = {}; ///< the last one
 };
 
-Passed passed_at(const ProgramAnalysis& analysis, flow::NodeId id) {
+/// Whether one of the addresses stands in the blocks of the item.
+bool names_one_of(const Program& program, const Item& item, std::string_view addresses) {
+    const auto is_one = [&](std::string_view name) {
+        return name.size() == 1 && addresses.find(name.front()) != std::string_view::npos;
+    };
+    if (addresses.empty()) return true;
+    if (const auto* run = std::get_if<PlainRun>(&item)) {
+        const auto& names = program.plain_tables[run->tables]->names;
+        for (std::size_t id = 0; id < names.size(); ++id)
+            if (is_one(names[id]) && run->words.addresses.contains(static_cast<syntax::AddressId>(id)))
+                return true;
+        return false;
+    }
+    const auto* block = std::get_if<Block>(&item);
+    return block == nullptr ||
+           std::ranges::any_of(std::span(program.words).subspan(block->words.first, block->words.count),
+                               [&](const Word& word) { return is_one(word.address); });
+}
+
+/// Of moves only those count that one of the addresses stands beside.
+Passed passed_at(const ProgramAnalysis& analysis, flow::NodeId id, std::string_view addresses) {
     const Program& program = analysis.program();
     const flow::Node& node = analysis.graph().nodes[id];
     Passed passed;
     const auto machine_function = [](const Word& word) { return word.address == "M"; };
+    const bool moves_axis = names_one_of(program, program.items[node.item], addresses);
     for_each_block(program, node.stretch(), [&](const BlockView& block) {
-        if (block.moves) passed = {false, block.span};
+        if (block.moves && moves_axis) passed = {false, block.span};
     });
     if (const auto* run = std::get_if<PlainRun>(&program.items[node.item])) {
         const auto& names = program.plain_tables[run->tables]->names;
@@ -113,7 +145,7 @@ Passed passed_at(const ProgramAnalysis& analysis, flow::NodeId id) {
         return passed;
     }
     for (const Effect& effect : program.effects_in(node.effects))
-        if (std::holds_alternative<Motion>(effect.what)) passed.move = effect.span;
+        if (std::holds_alternative<Motion>(effect.what) && moves_axis) passed.move = effect.span;
     const auto effects = program.effects_in(node.effects);
     passed.ends_moves = std::ranges::any_of(effects, ends_moves);
     if (const auto* block = std::get_if<Block>(&program.items[node.item]))
@@ -133,14 +165,15 @@ std::vector<PositionRead> positions_in(const ProgramAnalysis& analysis, EffectId
     return gather.found();
 }
 
-std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& analysis, flow::NodeId node) {
+std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& analysis,
+                                                     const PositionRead& read) {
     std::optional<UnfinishedMove> found;
     if (limits_look_ahead(analysis.program())) return found;
     flow::walk<flow::Direction::backward>(
-        analysis.graph(), {node}, [&](flow::EdgeId edge, flow::NodeId from) {
+        analysis.graph(), {read.node}, [&](flow::EdgeId edge, flow::NodeId from) {
             if (found || !analysis.data().passable(edge) || !analysis.data().reached(from))
                 return flow::Step::refuse;
-            const Passed passed = passed_at(analysis, from);
+            const Passed passed = passed_at(analysis, from, read.addresses);
             if (passed.ends_moves) return flow::Step::end;
             if (passed.move) found = UnfinishedMove{from, *passed.move};
             return passed.move ? flow::Step::end : flow::Step::go_on;

@@ -13,7 +13,8 @@ namespace maclint::queries {
 struct PositionRead {
     ExpressionId expression;
     flow::NodeId node;
-    std::int32_t axis; ///< from 0 on
+    std::int32_t axis;          ///< from 0 on
+    std::string_view addresses; ///< that move it; empty: any may
     bool subtracted;
 };
 
@@ -29,9 +30,10 @@ struct UnfinishedMove {
     Span span;
 };
 
-/// The nearest such move: no block that stops look-ahead lies between, no call, and no M code, which a
-/// parameter of the control may have made one that does. Nothing in a program that limits look-ahead.
+/// The nearest such move of the axis that is read: no block that stops look-ahead lies between, no call, and
+/// no M code, which a parameter of the control may have made one that does. Nothing in a program that limits
+/// look-ahead.
 [[nodiscard]] std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& analysis,
-                                                                   flow::NodeId node);
+                                                                   const PositionRead& read);
 
 } // namespace maclint::queries

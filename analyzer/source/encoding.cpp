@@ -217,4 +217,27 @@ std::string printable(std::string_view utf8) {
     return out;
 }
 
+std::string printable_json(std::string_view json) {
+    constexpr char32_t first_of_two = 0x10000, high = 0xD800, low = 0xDC00, half = 0x400;
+    if (std::ranges::all_of(json, [](char c) { return c > '\0' && c < '\x7F'; })) return std::string(json);
+    std::string out;
+    out.reserve(json.size());
+    const auto append = [&](char32_t unit) {
+        out += "\\u";
+        append_hexadecimal(out, unit, 4);
+    };
+    for_each_character(json, [&](std::string_view sequence, char32_t character) {
+        // Line feeds between the values are layout; in strings they are escaped already.
+        if (character < U' ' || !needs_escape(character)) {
+            out += sequence;
+        } else if (character < first_of_two) {
+            append(character);
+        } else {
+            append(high + (character - first_of_two) / half);
+            append(low + (character - first_of_two) % half);
+        }
+    });
+    return out;
+}
+
 } // namespace maclint

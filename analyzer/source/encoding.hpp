@@ -38,4 +38,8 @@ struct Character {
 /// `\n`, `\x1B`, `\u{202E}`. Tabs stay. The result is valid UTF-8 even if the text is not.
 [[nodiscard]] std::string printable(std::string_view utf8);
 
+/// JSON text, valid UTF-8, with the same characters in its strings written as JSON has it: `\u009B`. It means
+/// the same afterwards.
+[[nodiscard]] std::string printable_json(std::string_view json);
+
 } // namespace maclint

@@ -75,6 +75,12 @@ std::optional<std::shared_ptr<const Configuration>> Settings::for_folder(const s
     if (fs::is_regular_file(candidate, ignored)) {
         const fs::path shown = candidate.lexically_proximate(absolute("."));
         found = load(shown.string());
+    } else if (fs::exists(fs::symlink_status(candidate, ignored))) {
+        notices_.push_back(
+            {NoticeKind::configuration, candidate.lexically_proximate(absolute(".")).string(),
+             "is a folder, a pipe or a link that leads nowhere. Put a configuration in its place, "
+             "or remove it."});
+        found = std::nullopt;
     } else if (at.has_relative_path()) {
         found = for_folder(at.parent_path().string());
     }

@@ -1,5 +1,6 @@
 //! The report as JSON of our own; docs/json.md describes it. Keys are added, never changed, within a version.
 #include "analyzer/dialect/dialect.hpp"
+#include "analyzer/source/encoding.hpp"
 #include "cli/report/report.hpp"
 #include "cli/suggest.hpp"
 
@@ -94,7 +95,7 @@ std::string write_json(const Report& report) {
                   {"not_shown", report.not_shown.size()},
                   {"exit_status", report.exit_status}}}};
     if (report.times) out["times"] = {{"begin", report.times->begin}, {"end", report.times->end}};
-    return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return printable_json(out.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 } // namespace maclint::cli

@@ -1,4 +1,5 @@
 //! The report as SARIF 2.1.0 (OASIS standard of 27 March 2020); section numbers below are its.
+#include "analyzer/source/encoding.hpp"
 #include "cli/report/fingerprint.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/rule_page.hpp"
@@ -415,7 +416,8 @@ class SarifWriter {
 } // namespace
 
 std::string write_sarif(const Report& report) {
-    return SarifWriter(report).write().dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return printable_json(SarifWriter(report).write().dump(2, ' ', false, Json::error_handler_t::replace)) +
+           "\n";
 }
 
 } // namespace maclint::cli

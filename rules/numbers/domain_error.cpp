@@ -39,17 +39,21 @@ extern const Rule domain_error{
           "Pass other values, or check them first."},
          {"left-out", "No result: '{0}' has none, as the call in line {3} of {4} leaves out {2}.",
           "Pass it, or check it first."},
-         {"lets-zero-pass", "No result possible: '{3}' lets {2} pass when it is 0, and '{0}' has none.",
+         {"lets-zero-pass",
+          "No result in some cases: '{3}' lets {2} pass when it is 0, and '{0}' stops the control then.",
           "Test it against 0, too."},
          {"asked-vacancy",
-          "No result possible: the program asks whether {2} was passed, not how large it is, and '{0}' "
-          "has none for some values.",
-          "Check the operand first."},
+          "No result in some cases: the program asks whether {2} was passed, not how large it is, and '{0}' "
+          "stops the control for some values.",
+          "Refuse these values first: the value in the brackets must fit the function."},
          {"others-checked",
-          "No result possible: the program checks {3}, not {2}, and '{0}' has none for some values.",
-          "Check the operand first."},
-         {"unchecked", "No result possible: nothing checks {2}, and '{0}' has none for some values.",
-          "Check the operand first."}},
+          "No result in some cases: the program checks {3}, not {2}, and '{0}' stops the control for some "
+          "values "
+          "of it.",
+          "Refuse these values first: the value in the brackets must fit the function."},
+         {"unchecked",
+          "No result in some cases: nothing checks {2}, and '{0}' stops the control for some values of it.",
+          "Refuse these values first: the value in the brackets must fit the function."}},
     .bad = {{"fanuc", R"nc(
 O9703(CHORD, R RADIUS)
 #31=-4.

@@ -76,7 +76,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     std::set<EffectId> conditions; // one condition, one finding
     const auto look_at = [&](EffectId effect, ExpressionId value, Span use, std::string_view message) {
         for (const queries::PositionRead& read : queries::positions_in(analysis, effect, value)) {
-            const auto move = queries::unfinished_move_before(analysis, read.node);
+            const auto move = queries::unfinished_move_before(analysis, read);
             if (!move || !said.insert(read.expression).second) continue;
             if (message == "compared" && !conditions.insert(effect).second) continue;
             const Span span = program.expressions[read.expression].span;

@@ -47,6 +47,36 @@ TEST_F(Executable, EndsWith0WithoutFindings) {
     EXPECT_THAT(finished.err, IsEmpty());
 }
 
+TEST_F(Executable, ReportsForProgramsHoldNothingThatSteersATerminal) {
+    // U+009B begins a control sequence, U+202E turns the text around, U+E0041 cannot be seen.
+    folder.write("O1.nc", "%\nO1\nGOTO9(\xC2\x9B"
+                          "31m \xE2\x80\xAE \x7F \xF3\xA0\x81\x81 gr\xC3\xBC\xC3\x9F)\nM30\n%\n");
+    const std::string sarif = run({"--format", "sarif"}).out;
+    for (const char* raw : {"\xC2\x9B", "\xE2\x80\xAE", "\x7F", "\xF3\xA0\x81\x81"})
+        EXPECT_THAT(sarif, testing::Not(HasSubstr(raw)));
+    EXPECT_THAT(sarif, HasSubstr("\\u009B31m \\u202E \\u007F \\uDB40\\uDC41 gr\xC3\xBC\xC3\x9F"));
+    const std::string name = "O\xC2\x9B"
+                             "2.nc";
+    folder.write(name, bad);
+    const std::string json = run({"--format", "json", name}).out;
+    EXPECT_THAT(json, testing::Not(HasSubstr("\xC2\x9B")));
+    EXPECT_THAT(json, HasSubstr("O\\u009B2.nc"));
+}
+
+TEST_F(Executable, AConfigurationThatIsNoFileIsAnError) {
+    folder.write("a/O1.nc", good);
+    folder.write("b/O1.nc", good);
+    fs::create_directories(folder.path() / "a/.maclint.json");
+    fs::create_symlink("nowhere", folder.path() / "b/.maclint.json");
+    for (const char* part : {"a", "b"}) {
+        const Finished finished = run({part});
+        EXPECT_EQ(finished.status, 2) << part;
+        EXPECT_THAT(finished.err,
+                    HasSubstr(std::string(part) + "/.maclint.json: is a folder, a pipe or a link"));
+    }
+    EXPECT_EQ(run({"--isolated", "a", "b"}).status, 0);
+}
+
 TEST_F(Executable, EndsWith1WithFindingsOnStandardOutput) {
     folder.write("O1001.nc", bad);
     const Finished finished = run({"O1001.nc"});

@@ -62,7 +62,7 @@ TEST(Suppression, OnlyTheFirstUnknownWordsGetProposals) {
     for (int i = 0; i < 12; ++i) words += " MAC30l";
     const auto result = lint_text(program("(MACLINT ALLOW" + words + ")", "", ""));
     const auto proposals = std::ranges::count_if(result.findings, [](const cli::FilteredFinding& filtered) {
-        return filtered.finding.message.find("MAC301") != std::string::npos &&
+        return filtered.finding.message().find("MAC301") != std::string::npos &&
                filtered.finding.rule->code == "MAC002";
     });
     EXPECT_EQ(proposals, 8);

@@ -57,6 +57,15 @@ TEST(DivisionByZero, IsAWarningWhereACallShowsIt) {
                 ElementsAre("note 6")); // B may lead around it
 }
 
+TEST(DivisionByZero, ThatNoCallPassesIsNone) {
+    const std::string macro = "O9001\n#5=#2/#1\nX#5\nM99\n";
+    EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A2. B1.\nM30\n" + macro), IsEmpty());
+    EXPECT_THAT(judged("MAC702", "O1\nIF[#500LE0]GOTO9\nG65 P9001 A#500 B1.\nN9M30\n" + macro), IsEmpty());
+    EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A#500 B1.\nM30\n" + macro), ElementsAre("note 5"));
+    EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A2. B1.\nG65 P9001 A#500 B1.\nM30\n" + macro),
+                ElementsAre("note 6"));
+}
+
 TEST(DivisionByZero, ByWhatIsCheckedBeforeIsNone) {
     for (const std::string_view check : {"IF[#1EQ0]GOTO9", "IF[ABS[#1]LT0.1]GOTO9", "IF[#1LE0]GOTO9",
                                          "IF[[#1*#2]EQ0]GOTO9", "IF[#1LT#3]GOTO9"})

@@ -53,9 +53,19 @@ TEST(PositionReadAhead, IsNoMoveOfTheCallerAndNoEndOfABlock) {
     EXPECT_THAT(early("G1X5.F100.\n#5221=#5001\n#5222=#5061\n"), IsEmpty());
 }
 
+TEST(PositionReadAhead, IsOfAnAxisThatMoves) {
+    // Touched in X, lifted in Z: X stands still.
+    EXPECT_THAT(early("G91G31X-20.F100.\nG90G0Z100.\n#5221=#5021\n"), IsEmpty());
+    EXPECT_THAT(early("G91G31X-20.F100.\nG90G0Z100.\n#5223=#5023\n"), ElementsAre(4));
+    EXPECT_THAT(early("G91G31X-20.F100.\nG91G0Z#1\n#5221=#5021\n"), IsEmpty());
+    EXPECT_THAT(early("G91G0X#2\nG91G0Z#1\n#5221=#5021\n"), ElementsAre(4)); // two moves may wait
+    EXPECT_THAT(early("G0U#2\n#5221=#5021\n"), ElementsAre(3));
+    EXPECT_THAT(early("G0X#2\n#5226=#5026\n"), ElementsAre(3)); // which axis the sixth is nobody knows
+}
+
 TEST(PositionReadAhead, IsNoDifferenceOfTwoCoordinateSystems) {
     EXPECT_THAT(early("G1X5.F100.\n#5221=#5021-#5041+#1\n"), IsEmpty());
-    EXPECT_THAT(early("G1X5.F100.\n#5221=#5021-#5042\n"), ElementsAre(3, 3));
+    EXPECT_THAT(early("G1X5.Y5.F100.\n#5221=#5021-#5042\n"), ElementsAre(3, 3));
 }
 
 TEST(PositionReadAhead, InALoopFollowsTheMoveOfTheRoundBefore) {

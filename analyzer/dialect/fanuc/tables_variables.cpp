@@ -52,6 +52,8 @@ std::vector<VariableSpace> variable_spaces() {
 
 VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optional<GroupId> group_twelve) {
     constexpr SpaceId here = spaces::machine;
+    // X, Y, Z of a mill, X, Z, Y of a lathe, with their incremental addresses.
+    constexpr std::string_view axes = "XU YVZW ZWYV";
     const GroupId feed = *group_with(ModalRole::feed, groups);
     const GroupId speed = *group_with(ModalRole::speed, groups);
     const GroupId single_block = *group_with(ModalRole::single_block, groups);
@@ -108,8 +110,8 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 4319,   4319,  modal,   here,             speed,        forbidden, false, "speed S of the block being executed",     "T; MITSU-331"});
     add({ 4320,   4999,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-389"});
     add({ 5000,   5020,  machine, here,             0,            forbidden, true,  "block end position",                      "SEED-001:1373"});
-    add({ 5021,   5040,  machine, here,             0,            forbidden, true,  "machine position",                        "SEED-001:1374; MAN-AINANO", false, false, false, {}, true});
-    add({ 5041,   5060,  machine, here,             0,            forbidden, true,  "work position",                           "SEED-001:1375; MAN-AINANO", false, false, false, {}, true});
+    add({ 5021,   5040,  machine, here,             0,            forbidden, true,  "machine position",                        "SEED-001:1374; MAN-AINANO", false, false, false, {}, axes});
+    add({ 5041,   5060,  machine, here,             0,            forbidden, true,  "work position",                           "SEED-001:1375; MAN-AINANO", false, false, false, {}, axes});
     add({ 5061,   5080,  machine, here,             0,            forbidden, true,  "skip position",                           "SEED-001:1376; NCT-183"});
     add({ 5081,   5100,  machine, here,             0,            forbidden, true,  "tool length offset in effect",            "SEED-001:1377; NCT-183"});
     add({ 5101,   5120,  machine, here,             0,            forbidden, true,  "servo deviation",                         "SEED-001:1378"});
