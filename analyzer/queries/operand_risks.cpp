@@ -182,6 +182,7 @@ std::optional<OperandRisk> OperandRisks::risk_of(const Application& application)
         if (std::ranges::any_of(checks_, stops_zero)) continue;
         if (passed != nullptr)
             return OperandRisk{OperandRisk::Evidence::lets_zero_pass, variable, nullptr, {}, passed};
+        if (is_never_passed_as_zero(analysis_, variable)) continue;
         return unchecked(variable);
     }
     return std::nullopt;
@@ -246,8 +247,7 @@ std::optional<OperandRisk> OperandRisks::shown_by_call(const Application& applic
 
 /// Whether the variable can be anything when the program begins.
 bool OperandRisks::may_be_anything(Variable variable) const {
-    if (analysis_.program().is_formal(variable))
-        return !analysis_.is_main() && !is_never_passed_as_zero(analysis_, variable);
+    if (analysis_.program().is_formal(variable)) return !analysis_.is_main();
     return analysis_.control().spaces[variable.space].scope == Scope::shared &&
            !is_set_by_others(analysis_, variable);
 }

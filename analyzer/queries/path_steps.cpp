@@ -72,7 +72,12 @@ Span span_of_step(const ProgramAnalysis& analysis, flow::EdgeId step) {
     const flow::Edge& edge = analysis.graph().edges[step];
     if (edge.condition) return analysis.program().expressions[*edge.condition].span;
     if (edge.jump) return analysis.program().effects[*edge.jump].span;
-    return analysis.graph().nodes[edge.from].part;
+    const auto& nodes = analysis.graph().nodes;
+    const flow::NodeId behind = edge.from + 1; // nodes of blocks stand in the order of the text
+    if (edge.kind == flow::EdgeKind::skip && behind < nodes.size() &&
+        nodes[behind].part.begin >= nodes[edge.from].part.end)
+        return nodes[behind].part;
+    return nodes[edge.from].part;
 }
 
 } // namespace maclint::queries

@@ -1,6 +1,7 @@
 //! MAC703: a function is given what it has no result for.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -30,8 +31,8 @@ extern const Rule domain_error{
     .severity = Severity::error,
     .severity_elsewhere = {{"dinplus", Severity::warning}},
     .precision = Precision::high,
-    .facts =
-        dataflow::facts<dataflow::Application, dataflow::Comparison, dataflow::Condition, dataflow::Store>(),
+    .facts = dataflow::facts<dataflow::Application, dataflow::Comparison, dataflow::Condition, dataflow::Read,
+                             dataflow::Store>(),
     .data_flow = true,
     .messages =
         {{"outside", "No result: '{0}' is given {1}, for which it has none.", "Correct the operand."},
@@ -47,9 +48,7 @@ extern const Rule domain_error{
           "stops the control for some values.",
           "Refuse these values first: the value in the brackets must fit the function."},
          {"others-checked",
-          "No result in some cases: the program checks {3}, not {2}, and '{0}' stops the control for some "
-          "values "
-          "of it.",
+          "No result in some cases: the program checks {3}, not {2}, and '{0}' stops it for some values.",
           "Refuse these values first: the value in the brackets must fit the function."},
          {"unchecked",
           "No result in some cases: nothing checks {2}, and '{0}' stops the control for some values of it.",

@@ -1,6 +1,7 @@
 //! MAC704: the tangent of a right angle.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/semantics/concrete.hpp"
@@ -26,8 +27,8 @@ extern const Rule right_angle_tangent{
            "0, with the tool where it happens to be.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts =
-        dataflow::facts<dataflow::Application, dataflow::Comparison, dataflow::Condition, dataflow::Store>(),
+    .facts = dataflow::facts<dataflow::Application, dataflow::Comparison, dataflow::Condition, dataflow::Read,
+                             dataflow::Store>(),
     .data_flow = true,
     .messages =
         {{"right-angle", "Tangent of a right angle: '{0}' has no value, its angle is {1}.",

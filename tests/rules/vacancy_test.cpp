@@ -20,6 +20,12 @@ TEST(UninitialisedLocal, IsReportedOnceWithTheProgramAsItsOrigin) {
     EXPECT_THAT(path_raised("MAC209", "O1\nG0 X#5\nM30\n"), ElementsAre(1, 2));
 }
 
+TEST(UninitialisedLocal, IsReportedWithTheBlockThatIsSkipped) {
+    EXPECT_THAT(path_raised("MAC209", "O1\nG0 Y#500\n/#5=1\nG0 X#5\nM30\n"), ElementsAre(1, 3, 4));
+    EXPECT_THAT(path_raised("MAC209", "O1\n/#5=1\nG0 X#5\nM30\n"), ElementsAre(1, 2, 3));
+    EXPECT_THAT(path_raised("MAC209", "O1\nG0 Y#500\n/#5=1\n/#6=1\nG0 X#5\nM30\n"), ElementsAre(1, 3, 5));
+}
+
 TEST(UninitialisedLocal, IsNotAnArgumentLetterOfAProgramThatIsCalled) {
     EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 X#24\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 X#24 Y#10\nM99\n"), ElementsAre(2));
