@@ -45,6 +45,10 @@ def loops(read):
     return fanuc_loops.plants(read, set())
 
 
+def conditions(read):
+    return fanuc_conditions.plants(read, set())
+
+
 class Reader(unittest.TestCase):
     def test_comments_are_blank_and_columns_stay(self):
         self.assertEqual(fanuc.code_of('g1 (x1.) y2.\r'), 'G1       Y2. ')
@@ -120,6 +124,11 @@ class Loops(unittest.TestCase):
         self.assertEqual(planted(loops, DRILL.replace('G81X', '#103=ABS(#24)\nG81X'), 'step-removed')[0][1],
                          'a block of the loop cannot be read')
 
+    def test_a_loop_that_the_control_does_not_enter_is_no_place(self):
+        refused = 'O1\nWHILE[#1LT5]DO5\n#1=#1+1\nEND5\nM30'
+        self.assertEqual(planted(loops, refused, 'end-removed'), [([''], 'the control stops at the DO before it')])
+        self.assertEqual(planted(loops, refused.replace('DO5', 'DO1').replace('END5', 'END1'), 'end-removed'), [([''], '')])
+
     def test_a_limit_that_the_machine_changes_is_no_place(self):
         waiting = 'O1\n#1=0\nWHILE[#1LT#3001]DO1\n#1=#1+1\nEND1\nM30'
         self.assertEqual(planted(loops, waiting, 'step-removed'), [([''], 'the machine changes what the condition reads')])
@@ -128,10 +137,10 @@ class Loops(unittest.TestCase):
 class Conditions(unittest.TestCase):
     @staticmethod
     def harmless(text):
-        return [reason for _, reason in planted(fanuc_conditions.plants, text, 'vacancy-as-zero')]
+        return [reason for _, reason in planted(conditions, text, 'vacancy-as-zero')]
 
     def test_a_vacancy_test_that_asks_for_0(self):
-        self.assertEqual(planted(fanuc_conditions.plants, 'O1\nIF[#24EQ#0]GOTO8\nG0X#24\nM99\nN8#3000=1', 'vacancy-as-zero'),
+        self.assertEqual(planted(conditions, 'O1\nIF[#24EQ#0]GOTO8\nG0X#24\nM99\nN8#3000=1', 'vacancy-as-zero'),
                          [(['IF[#24EQ0]GOTO8'], '')])
 
     def test_what_is_vacant_leaves_by_a_later_test(self):
@@ -143,7 +152,16 @@ class Conditions(unittest.TestCase):
         self.assertEqual(self.harmless(f'O1\nIF[#24EQ#0]GOTO8\nIF[#24GT10]GOTO8\n{end}'), [''])
         self.assertEqual(self.harmless(f'O1\nIF[#24EQ#0]GOTO8\nG0Y#24\nIF[#24LT10]GOTO8\n{end}'), [''])
 
+    def test_a_program_that_is_not_there_may_set_the_callers_locals(self):
+        calling = 'O1\nM98P7\nIF[#24EQ#0]GOTO8\nG0X[#24+1]\nM99\nN8#3000=1'
+        self.assertEqual(self.harmless(calling), ['a program that is not there and shares the locals is called before'])
+        found = [reason for kind, _, reason in fanuc_conditions.plants(program(calling), {7}) if kind == 'vacancy-as-zero']
+        self.assertEqual(found, [''])
+
     def test_a_comparison_alone_does_not_suffer(self):
+        self.assertEqual(self.harmless('O1\nIF[#24EQ#0]GOTO8\nIF[#5063LT#24]GOTO8\nM99\nN8#3000=1'),
+                         ['nothing calculates with the variable after the test'])
+        self.assertEqual(self.harmless('O1\nIF[#24EQ#0]GOTO8\nIF[#5063LT#24/2]GOTO8\nM99\nN8#3000=1'), [''])
         self.assertEqual(self.harmless('O1\nIF[#24EQ#0]GOTO8\nIF[#24EQ2]GOTO8\nM99\nN8#3000=1'),
                          ['nothing calculates with the variable after the test'])
 
@@ -170,6 +188,13 @@ class Variables(unittest.TestCase):
     def test_a_letter_may_bring_an_argument(self):
         self.assertEqual(planted(fanuc_variables.plants, 'O1\n#24=5\nG0X#24\nM99', 'assignment-removed'),
                          [([''], 'an argument may have set it')])
+
+    def test_a_program_without_arguments_may_share_its_callers_locals(self):
+        shared = 'the program takes no argument: M98 may call it, and its caller may have set the variable'
+        self.assertEqual(planted(fanuc_variables.plants, 'O1\n#33=5\nG0X#33\nM99', 'assignment-removed'), [([''], shared)])
+        self.assertEqual(planted(fanuc_variables.plants, 'O1\n#33=5\nG0X#33Z#26\nM99', 'assignment-removed'), [([''], '')])
+        self.assertEqual(planted(fanuc_variables.plants, 'O1\n#33=5\nG0X#33\nM30', 'assignment-removed'), [([''], '')])
+        self.assertEqual([harmless for _, harmless in planted(fanuc_variables.plants, 'O1\nG0X#101\nM99', 'wrong-variable')], [shared])
 
     def test_two_blocks_for_two_axes(self):
         self.assertEqual(planted(fanuc_variables.plants, 'O1\n#24=#5001+#24\n#25=#5002+#25\nM99', 'axes-crossed'),
@@ -200,6 +225,18 @@ class Calls(unittest.TestCase):
         self.assertEqual(self.plants('return-ends', called, 'O1\nM98P2\nG0X1.\nM30'), [({2: 'M30'}, '')])
         self.assertEqual(self.plants('return-ends', called, 'O1\nM98P2\nM30'), [({2: 'M30'}, 'nothing follows the call')])
 
+    def test_callers_that_may_be_of_another_control_are_none(self):
+        def reason(main, called, *others):
+            programs = [fanuc.programs_of(text.split('\n'), Path(folder))[0] for text, folder in
+                        [('O2\nG0Z5.\nM99', called), ('O1\nM98P2\nG0X1.\nM30', main), *others]]
+            return [harmless for kind, _, harmless in fanuc_calls.plants(programs[0], {1, 2}, Callers(programs)) if kind == 'return-ends']
+
+        unknown = ['another program has its number, or its callers stand in a folder beside it: nobody can tell']
+        self.assertEqual(reason('mill', 'mill'), [''])
+        self.assertEqual(reason('mill', 'mill/subs'), [''])
+        self.assertEqual(reason('mill', 'lathe'), unknown)
+        self.assertEqual(reason('mill', 'mill', ('O2\nG0Z9.\nM99', 'mill')), unknown)
+
     def test_a_letter_that_the_callee_reckons_with(self):
         self.assertEqual(self.plants('letter-left-out', self.MAIN, 'O2\nG0Z[#26+5.]\nM99'), [({1: 'G65P2X1.'}, '')])
 
@@ -211,7 +248,7 @@ class Calls(unittest.TestCase):
 
     def test_a_return_is_missed_where_something_says_that_it_belongs_there(self):
         main, macro, two = 'O2\nG0X1.\nM99', 'O2\nG0X#24\nM99', 'O2\nIF[#501EQ1]GOTO1\nM99\nN1G0X1.\nM99'
-        harmless = 'nothing else says that the program is called: it has no caller, no argument, no other end'
+        harmless = 'nothing else says that the program is called: it has no caller of its control, no argument, no other end'
         self.assertEqual([reason for _, reason in self.plants('return-removed', main)], [harmless])
         self.assertEqual([reason for _, reason in self.plants('return-removed', main, 'O1\nM98P2\nM30')], [''])
         self.assertEqual([reason for _, reason in self.plants('return-removed', macro)], [''])
@@ -225,6 +262,11 @@ class Calls(unittest.TestCase):
         self.assertFalse(Callers([program(hurt), callee]).none_is_hurt('mode-left', 2))
         self.assertTrue(Callers([program(safe), callee]).none_is_hurt('mode-left', 2))
         self.assertFalse(Callers([callee]).none_is_hurt('mode-left', 2))
+
+    def test_a_move_to_the_reference_point_needs_no_feed(self):
+        callee = program('O2\nG1Z#26F#9\nM99')
+        self.assertTrue(Callers([program('O1\nG65P2\nG91G28Z0\nM30'), callee]).none_is_hurt('feed-left', 2))
+        self.assertFalse(Callers([program('O1\nG65P2\nG91Z5.\nM30'), callee]).none_is_hurt('feed-left', 2))
 
 
 class Modal(unittest.TestCase):
@@ -242,6 +284,10 @@ class Modal(unittest.TestCase):
 
     def test_what_is_saved_late_changes_places_with_the_change(self):
         self.assertEqual(self.plants('saved-late', 'O2\n#3=#4003\nG91\nG0Z1.\nG#3\nM99'), [(['G91', '#3=#4003'], '')])
+
+    def test_the_callers_motion_code_ends_a_cycle(self):
+        self.assertEqual(self.plants('cancel-removed', 'O2\n#1=#4001\nG81Z#26R#18\nG80\nG#1\nM99'), [])
+        self.assertEqual(self.plants('cancel-removed', 'O2\n#1=#4003\nG81Z#26R#18\nG80\nG#1\nM99'), [([''], '')])
 
     def test_a_call_in_between_makes_a_leftover_unknown(self):
         self.assertEqual(self.plants('cancel-removed', 'O2\nG41D1\nM98P7\nG40\nM99'), [])

@@ -5,6 +5,7 @@ from .fanuc import CALL, NUMBER_CALLED, PROGRAM_END, RETURN
 
 MOVES = re.compile(r'(?<![A-Z])[XYZABCUVW]\s*[-#\[\d.]')
 FEED_MOVES = re.compile(r'G\s*0*[123](?![\d.])|(?<![A-Z])[XYZ]\s*[-#\[\d.]')
+RAPID = re.compile(r'G\s*(?:28|30)(?![\d.])')  # whatever the feed is
 # For each class of leftovers: what says the mode anew, and what is hurt when nothing has.
 NEEDS = {
     'mode-left': (re.compile(r'G\s*(?:9[01]|1[789])(?![\d.])|G\s*#'), MOVES),
@@ -18,7 +19,9 @@ class Callers:
     """The programs of some files, by number."""
 
     def __init__(self, programs):
-        self.by_number = {program.number: program for program in programs if program.number is not None}
+        numbered = [program for program in programs if program.number is not None]
+        self.by_number = {program.number: program for program in numbered}
+        self.several = {program.number for program in numbered if self.by_number[program.number] is not program}
 
     def of(self, number):
         for program in self.by_number.values():
@@ -26,6 +29,14 @@ class Callers:
                 called = NUMBER_CALLED.search(block.code) if block.is_call else None
                 if called and int(called.group(1)) == number and index in program.reachable:
                     yield program, index
+
+    def of_one_control(self, called):
+        """Callers that surely mean this program: no other has its number, and none of the two folders stands beside the
+        other, as those of two machines do."""
+        for program, index in self.of(called.number) if called.number not in self.several else ():
+            folders = {program.folder, called.folder}
+            if len(folders) == 1 or any(folder in other.parents for folder in folders for other in folders):
+                yield program, index
 
     def none_is_hurt(self, kind, number):
         """Callers are known, and each says the mode anew before it needs it."""
@@ -47,7 +58,7 @@ class Callers:
                     return True
             elif anew.search(block.code):
                 continue
-            elif needs.search(block.code) and '=' not in block.code:
+            elif needs.search(block.code) and '=' not in block.code and not RAPID.search(block.code):
                 return True
             if depth and RETURN.search(block.code) and not PROGRAM_END.search(block.code):
                 outer = list(self.of(program.number)) if depth > 1 else []

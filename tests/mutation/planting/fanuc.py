@@ -4,6 +4,7 @@ It knows nothing of maclint, so that the two do not share their mistakes.
 """
 import re
 from dataclasses import dataclass, field
+from pathlib import Path
 
 ARGUMENTS = {1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26}
 OTHER_LOCALS = {10, 12, 14, 15, 16, *range(27, 34)}  # no letter passes them
@@ -105,8 +106,8 @@ def read_block(line, code):
 class Program:
     """One O number: its blocks, and where the control goes from each."""
 
-    def __init__(self, number, blocks):
-        self.number, self.blocks = number, blocks
+    def __init__(self, number, blocks, folder=Path()):
+        self.number, self.blocks, self.folder = number, blocks, folder
         self.labels = {}
         for index, block in enumerate(blocks):
             if block.label is not None:
@@ -181,19 +182,19 @@ class Program:
                     or RETURN.search(block.code) or ALARM.search(block.code) or PROGRAM_END.search(block.code))
 
 
-def programs_of(lines):
+def programs_of(lines, folder=Path()):
     """The programs of a file; lines before the first number belong to one without a number."""
     programs, number, blocks = [], None, []
     for line, text in enumerate(lines):
         code = code_of(text)
         start = START.match(code)
         if start:
-            programs.append(Program(number, blocks))
+            programs.append(Program(number, blocks, folder))
             number, blocks = int(start.group(1)), []
             code = ' ' * start.end() + code[start.end():]
         if code.strip() and not code.lstrip().startswith(('%', '&', '<')):
             blocks.append(read_block(line, code))
-    programs.append(Program(number, blocks))
+    programs.append(Program(number, blocks, folder))
     return [program for program in programs if program.blocks]
 
 

@@ -2,8 +2,8 @@
 import re
 
 from .edit import drop, put
-from .fanuc import ALARM, ARGUMENTS, CALL, NUMBER_CALLED, PROGRAM_END, RETURN, closing
-from .flow import unreached, variables_in
+from .fanuc import ALARM, CALL, NUMBER_CALLED, PROGRAM_END, RETURN, closing
+from .flow import reads_arguments, unreached, variables_in
 
 MODAL = re.compile(r'G\s*66(?:\.1)?(?![\d.])')
 CANCEL = re.compile(r'G\s*67(?![\d.])')
@@ -59,7 +59,7 @@ def returns_removed(program, callers):
         elif follows and all(RETURN.search(program.blocks[at].code) or PROGRAM_END.search(program.blocks[at].code) for at in ends):
             reason = reason or 'the control runs on into the end of the part'
         elif not is_meant_to_return(program, index, callers):
-            reason = reason or 'nothing else says that the program is called: it has no caller, no argument, no other end'
+            reason = reason or 'nothing else says that the program is called: it has no caller of its control, no argument, no other end'
         yield 'return-removed', put(block, back.span(), '') if block.code.strip() != back.group() else drop(block), reason
 
 
@@ -67,17 +67,7 @@ def is_meant_to_return(program, index, callers):
     """Whether a reader sees without the M99 at the index that the program must not run over its end."""
     ends = any(at != index and at in program.reachable and (RETURN.search(block.code) or PROGRAM_END.search(block.code))
                for at, block in enumerate(program.blocks))
-    return ends or any(True for _ in callers.of(program.number)) or reads_arguments(program)
-
-
-def reads_arguments(program):
-    """Whether a block reads what a letter passes, and no block above has set it."""
-    stored = set()
-    for block in program.blocks:
-        if any(variable in ARGUMENTS - stored for variable, _ in block.reads):
-            return True
-        stored |= set(block.stores)
-    return False
+    return ends or any(True for _ in callers.of_one_control(program)) or reads_arguments(program)
 
 
 def returns_that_end(program, callers):
@@ -91,6 +81,8 @@ def returns_that_end(program, callers):
     reason = '' if goes_on else 'nothing follows the call'
     if program.blocks[-1] is not returns[0]:
         reason = reason or 'blocks after it may return, too'
+    if not any(True for _ in callers.of_one_control(program)):
+        reason = reason or 'another program has its number, or its callers stand in a folder beside it: nobody can tell'
     yield 'return-ends', put(returns[0], RETURN.search(returns[0].code).span(), 'M30'), reason
 
 

@@ -2,7 +2,7 @@
 import re
 
 from .edit import put
-from .fanuc import ALARM, ARGUMENTS, OTHER_LOCALS
+from .fanuc import ALARM, ARGUMENTS, NUMBER_CALLED, OTHER_LOCALS
 from .flow import certainly_stores, live_uses, tests_vacancy, unreached, uses, variables_in
 
 VACANT = re.compile(r'\[\s*#\s*(\d+)\s*(EQ|NE)\s*(#\s*0)\s*\]')
@@ -13,8 +13,9 @@ GUARD = re.compile(r'IF\s*(\[\s*#\s*(\d+)\s*(\w\w)\s*(#?\s*\d+\.?\d*)\s*\])\s*(G
 DISTANCE = re.compile(r'\[\s*ABS\s*\[[^\[\]]*-[^\[\]]*\]\s*(LT|LE|GT|GE)\s*(\.\d+|0\.\d+)\s*\]')
 
 
-def plants(program):
-    yield from vacancy_tests(program)
+def plants(program, numbers):
+    """`numbers`: programs that are there."""
+    yield from vacancy_tests(program, numbers)
     yield from zero_tests(program)
     yield from repeated_guards(program)
     yield from symbols(program)
@@ -37,18 +38,28 @@ def not_vacant(program, index, variable):
     return ''
 
 
+def unknown_frame(program, index, numbers):
+    """An M98 on the way there of a program that is not there, which may set the caller's locals."""
+    for at, block in enumerate(program.blocks):
+        called = NUMBER_CALLED.search(block.code)
+        missing = block.uses_frame_of_caller and (called is None or int(called.group(1)) not in numbers)
+        if missing and at in program.reachable and index in program.reach(program.successors[at]):
+            return 'a program that is not there and shares the locals is called before'
+    return ''
+
+
 def tested_elsewhere(program, index, variable):
     """Another block looks whether the variable is vacant, so that this test may be passed at leisure."""
     return any(at != index and tests_vacancy(block, variable) for at, block in enumerate(program.blocks))
 
 
-def vacancy_tests(program):
+def vacancy_tests(program, numbers):
     for index, block in enumerate(program.blocks):
         test = VACANT.search(block.code)
         if not test:
             continue
         variable = int(test.group(1))
-        reason = unreached(program, index) or not_vacant(program, index, variable)
+        reason = unreached(program, index) or not_vacant(program, index, variable) or unknown_frame(program, index, numbers)
         reason = reason or ('the variable is tested elsewhere, too' if tested_elsewhere(program, index, variable) else '')
         used = [at for at in live_uses(program, index, variable) if calculates_with(program.blocks[at], variable)]
         useless = '' if used else 'nothing calculates with the variable after the test'
@@ -91,7 +102,7 @@ def calculates_with(block, variable):
     """Not in a comparison, where vacant is as good as 0 or told from it, nor in a line that is printed."""
     if not uses(block, variable) or 'DPRNT' in block.code:
         return False
-    compared = re.compile(rf'\[\s*#\s*0*{variable}\s*(?:EQ|NE|GT|LT|GE|LE)[^\[\]]*\]')
+    compared = re.compile(rf'\[\s*#\s*0*{variable}\s*(?:EQ|NE|GT|LT|GE|LE)[^\[\]]*\]|(?:EQ|NE|GT|LT|GE|LE)\s*#\s*0*{variable}\s*\]')
     return variable in variables_in(compared.sub('', block.code))
 
 

@@ -9,6 +9,7 @@ STEP = re.compile(r'#\s*(\d+)\s*=\s*(?:#\s*\1\s*(?P<sign>[+-])\s*(?P<by>#\s*\d+|
                   r'(?P<front>#\s*\d+|\d+\.?\d*)\s*\+\s*#\s*\1)\s*$')
 RELATION = re.compile(r'^\[\s*#\s*(\d+)\s*(LT|LE|GT|GE|NE)\s*(.*)\]$')
 UNREADABLE = re.compile(r'(?:ABS|SIN|COS|TAN|SQRT|FIX|FUP|ROUND)(?!\s*\[)')  # what a ( follows is blank here
+LEVELS = {1, 2, 3}
 UP, DOWN = {'LT', 'LE'}, {'GT', 'GE'}
 
 
@@ -24,12 +25,13 @@ def unpaired(program, start, end):
     first, last = program.blocks[start], program.blocks[end]
     number, do = END.search(last.code), DO.search(first.code)
     other = str(first.loop % 3 + 1)
-    yield 'end-wrong', put(last, number.span(1), other), ''
-    yield 'end-removed', put(last, number.span(), ''), ''
-    yield 'loop-number', put(first, do.span(1), '4') + put(last, number.span(1), '4'), ''
+    refused = '' if first.loop in LEVELS else 'the control stops at the DO before it'
+    yield 'end-wrong', put(last, number.span(1), other), refused
+    yield 'end-removed', put(last, number.span(), ''), refused
+    yield 'loop-number', put(first, do.span(1), '4') + put(last, number.span(1), '4'), refused
     if first.loop_condition:
-        yield 'do-removed', put(first, do.span(), ''), ''
-        yield 'while-removed', drop(first), ''
+        yield 'do-removed', put(first, do.span(), ''), refused
+        yield 'while-removed', drop(first), refused
 
 
 def step_of(program, start):

@@ -183,12 +183,18 @@ def words_left(program, letter, source, kind):
             yield kind, put(block, back.span(), ''), reason
 
 
+def motion_put_back(program):
+    """The G word with a copy of the caller's motion code, which ends a canned cycle as any code of its group does."""
+    copies = {str(variable) for _, variable, source, _ in saves(program) if source == '4001'}
+    return rf'G\s*#\s*0*(?:{"|".join(sorted(copies)) or "0"})(?!\d)'
+
+
 def cancels_removed(program):
     for cancel, start, also in CANCELS:
         if cancel in ('80', '69') and is_lathe(program):
             continue
         off, on = word('G', re.escape(cancel)), word('G', start.replace('.', r'\.'))
-        motion = word('G', also) if also else None
+        motion = re.compile(f'{word("G", also).pattern}|{motion_put_back(program)}') if also else None
 
         def change(without, off=off, on=on, motion=motion):
             def after(index, held):

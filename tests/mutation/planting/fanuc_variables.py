@@ -3,7 +3,7 @@ import re
 
 from .edit import put
 from .fanuc import ARGUMENTS, OTHER_LOCALS, STORE, VARIABLE
-from .flow import live_uses, tests_vacancy, unreached, uses, vacant_uses, variables_in
+from .flow import live_uses, may_share_locals, tests_vacancy, unreached, uses, vacant_uses, variables_in
 
 
 def plants(program):
@@ -41,6 +41,7 @@ def removed_assignments(program):
         yield kind, put(block, (begin, len(block.code.rstrip())), ''), reason
 
 
+SHARED = 'the program takes no argument: M98 may call it, and its caller may have set the variable'
 ONE_OF_MANY = 'another assignment comes before every use'
 
 
@@ -71,7 +72,7 @@ def why_it_is_not_missed(program, index, variable):
         return 'it is set only under a condition'
     if re.search(r'#\s*\[', ''.join(b.code for b in program.blocks)) and reads_through_index(program):
         return 'the program reads variables through an index'
-    return ''
+    return SHARED if may_share_locals(program) else ''
 
 
 def loop_sets_it_before(program, index, variable):
@@ -107,6 +108,7 @@ def wrong_variables(program):
     stored = {v for block in program.blocks for v in block.stores}
     if any(block.uses_frame_of_caller or block.stores_anywhere for block in program.blocks):
         return  # a local may come from elsewhere
+    shared = SHARED if may_share_locals(program) else ''
     mentioned = {v for block in program.blocks for v in variables_in(block.code)}
     free = locals_that_start_vacant(program) - stored - mentioned
     if not free:
@@ -119,7 +121,7 @@ def wrong_variables(program):
         if re.match(r'.*=\s*#\s*\d+\s*$', block.code.rstrip()):
             continue
         wrong = typing_error(int(read.group(1)), free)
-        reason = unreached(program, index)
+        reason = unreached(program, index) or shared
         yield 'wrong-variable', put(block, read.span(1), str(wrong)), reason
 
 

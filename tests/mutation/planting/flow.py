@@ -1,7 +1,7 @@
 """Questions about the paths of a Fanuc program."""
 import re
 
-from .fanuc import CALL, VARIABLE
+from .fanuc import ARGUMENTS, CALL, VARIABLE
 
 VACANCY_TEST = r'#\s*0*{0}\s*(?:EQ|NE)\s*#\s*0(?!\d)|#\s*0\s*(?:EQ|NE)\s*#\s*0*{0}(?!\d)'
 
@@ -9,6 +9,21 @@ VACANCY_TEST = r'#\s*0*{0}\s*(?:EQ|NE)\s*#\s*0(?!\d)|#\s*0\s*(?:EQ|NE)\s*#\s*0*{
 def unreached(program, index):
     """The reason why a place is none."""
     return '' if index in program.reachable else 'no path leads to this block'
+
+
+def reads_arguments(program):
+    """Whether a block reads what a letter passes, and no block above has set it."""
+    stored = set()
+    for block in program.blocks:
+        if any(variable in ARGUMENTS - stored for variable, _ in block.reads):
+            return True
+        stored |= set(block.stores)
+    return False
+
+
+def may_share_locals(program):
+    """Without arguments a program that returns may be called by M98, and see what its caller has set."""
+    return program.returns and not reads_arguments(program)
 
 
 def tests_vacancy(block, variable):

@@ -125,7 +125,7 @@ KINDS = {kind.name: kind for kind in [
         ('letter-for-zero', 'MAC106', 'O where 0 was'),
         ('decimal-comma', 'MAC121 MAC118', '1,5 for 1.5'),
         ('comment-unclosed', 'MAC102', 'the ) of a comment is gone'),
-        ('keyword', 'MAC118 MAC121', 'WHLIE, TEHN, EQU, G0TO'),
+        ('keyword', 'MAC118 MAC121 MAC106', 'WHLIE, TEHN, EQU, G0TO'),
     ]),
     *table('forms', ERROR, [
         ('value-lost', 'MAC109', 'the number of a word is gone'),

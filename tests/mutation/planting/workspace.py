@@ -76,10 +76,10 @@ class Corpus:
             return
         lines = file.lines
         numbers = {name for other in self.neighbours[path] for name in self.names(self.files[other])}
-        callers = Callers([program for other in self.neighbours[path] for program in fanuc.programs_of(self.files[other].lines)])
-        for program in fanuc.programs_of(lines):
+        callers = Callers([program for other in self.neighbours[path] for program in fanuc.programs_of(self.files[other].lines, other.parent)])
+        for program in fanuc.programs_of(lines, path.parent):
             found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program, numbers, callers.by_number),
-                     *fanuc_conditions.plants(program), *fanuc_variables.plants(program), *fanuc_numbers.plants(program),
+                     *fanuc_conditions.plants(program, numbers), *fanuc_variables.plants(program), *fanuc_numbers.plants(program),
                      *fanuc_modal.plants(program, lines), *fanuc_calls.plants(program, numbers, callers),
                      *spelling.plants(program, lines), *fanuc_forms.plants(program, lines)]
             for kind, edits, harmless in found:
