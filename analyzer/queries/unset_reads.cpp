@@ -75,9 +75,16 @@ bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
         [&](const dataflow::Store& store) { return store.variable == read.variable && store.step; });
 }
 
+/// Both sides of the node's condition can be taken. Else that it is always true, or never, says more.
+bool is_undecided(const ProgramAnalysis& analysis, flow::NodeId node) {
+    return std::ranges::all_of(analysis.graph().out[node],
+                               [&](flow::EdgeId edge) { return analysis.data().passable(edge); });
+}
+
 /// A letter of the call that the program has found vacant: only then does it come here.
 bool is_known_to_be_left_out(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    return read.value.vacancy == dataflow::Vacancy::vacant && read.use != dataflow::Use::comparison &&
+    return read.value.vacancy == dataflow::Vacancy::vacant &&
+           (read.use != dataflow::Use::comparison || is_undecided(analysis, read.node)) &&
            !analysis.data().is_vacant_at_entry(read.variable);
 }
 

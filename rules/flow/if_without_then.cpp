@@ -16,7 +16,7 @@ extern const Rule if_without_then{
            " at any other. Some makers take a statement without THEN.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .yields_to = "MAC122",
+    .yields_to = "MAC122 MAC118",
     .messages = {{"cure", "IF without THEN: the control stops at '{0}'.", "Write '{1}'."},
                  {"plain", "IF without THEN or GOTO: the control stops at '{0}'.",
                   "Let IF and GOTO jump over a block with it."},

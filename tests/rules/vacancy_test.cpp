@@ -191,9 +191,21 @@ TEST(UninitialisedLocal, ALetterThatIsUsedOnlyWhereItIsLeftOutIsTold) {
                 ElementsAre(3));
     EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#24EQ#0]GOTO9\nG0 X#24 Y#25\nM99\nN9 #3000=1\n"),
                 IsEmpty());
-    // Counted from there, passed on, or compared: a custom.
+    // Counted from there, or passed on: a custom.
     EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#24NE#0]GOTO9\n#24=#24+1\nN9 G0 X#24\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#24NE#0]GOTO9\nG65 P9003 X#24\nN9 M99\n"), IsEmpty());
+}
+
+TEST(UninitialisedLocal, ALetterThatIsComparedOnlyWhereItIsLeftOutIsTold) {
+    EXPECT_THAT(
+        lines_raised("MAC209", "O9002\nG0 X#24\nIF[#21NE#0]GOTO9\nIF[#5063LT#21]GOTO9\nG0 X0\nN9 M99\n"),
+        ElementsAre(4));
+    EXPECT_THAT(
+        lines_raised("MAC209", "O9002\nG0 X#24\nIF[#21EQ#0]GOTO9\nIF[#5063LT#21]GOTO9\nG0 X0\nN9 M99\n"),
+        IsEmpty());
+    // That the condition is always true says more.
+    EXPECT_THAT(lines_raised("MAC209", "O9002\nG0 X#24\nIF[#21NE#0]GOTO9\nIF[#21LT3]GOTO9\nG0 X0\nN9 M99\n"),
+                IsEmpty());
 }
 
 TEST(UninitialisedLocal, ManyTestsOfOneValueAreNotTooMany) {

@@ -122,8 +122,7 @@ bool ErrorExplainer::lacks_value(const Token& token, const Token* next) const {
     const std::string word = capitals(token);
     const auto is_address = [](char c) { return c >= 'A' && c <= 'Z' && c != 'N' && c != 'O'; };
     return word.size() == 2 && std::ranges::all_of(word, is_address) && !is_keyword(word) &&
-           next != nullptr && (next->kind == TokenKind::number || next->kind == TokenKind::variable) &&
-           token.span.end == next->span.begin;
+           gives_value(next) && next->kind != TokenKind::letters && token.span.end == next->span.begin;
 }
 
 bool ErrorExplainer::gives_value(const Token* token) const {

@@ -122,6 +122,15 @@ class LetterOFinder {
 
 } // namespace
 
+std::optional<Span> find_jump_with_zero(std::string_view text, Span word) {
+    constexpr std::string_view written = "G0TO";
+    constexpr Offset before = 2; // G0
+    if (word.begin < before) return std::nullopt;
+    const Offset begin = word.begin - before;
+    if (in_capitals(text.substr(begin, written.size())) != written) return std::nullopt;
+    return Span{begin, word.end};
+}
+
 std::optional<SyntaxError> find_letter_o(std::string_view text, std::span<const Token> tokens) {
     return LetterOFinder(text, tokens).find();
 }

@@ -13,4 +13,8 @@ namespace maclint::fanuc {
 /// `R1O.`, `AO`, `#1=O.5`, `IF[#1EQO]`: the first letter O of the tokens that can only be a figure 0.
 [[nodiscard]] std::optional<SyntaxError> find_letter_o(std::string_view text, std::span<const Token> tokens);
 
+/// `G0TO5`, when this is its word `TO5`: a GOTO with the figure 0 for its first O, or a tool with the letter
+/// O.
+[[nodiscard]] std::optional<Span> find_jump_with_zero(std::string_view text, Span word);
+
 } // namespace maclint::fanuc

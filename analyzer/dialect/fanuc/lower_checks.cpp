@@ -2,6 +2,7 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 #include "analyzer/dialect/fanuc/keywords.hpp"
+#include "analyzer/dialect/fanuc/letter_o.hpp"
 #include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
@@ -92,6 +93,13 @@ void BlockLowering::check_empty_word(const Node& word) {
 /// `GO1`, `XO`: the letter O where a figure 0 belongs.
 void BlockLowering::check_letter_o(const Node& word) {
     const Span all = span(word);
+    const std::optional<Span> jump = find_jump_with_zero(program_->text, all);
+    if (jump &&
+        std::ranges::any_of(items_, [&](const Node* item) { return kind_of(*item) == Kind::if_statement; })) {
+        const std::string_view number = program_->slice(*jump).substr(std::string_view("G0TO").size());
+        report(SyntaxErrorKind::unknown_keyword, *jump, "GOTO" + std::string(number));
+        return;
+    }
     const std::string_view written = text(word);
     std::string mended(written);
     Remedy remedy{"Write the figure 0 for the letter O", !may_be_jump(word)};
