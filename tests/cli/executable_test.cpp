@@ -167,7 +167,7 @@ std::string with_more_ways_than_are_tried() {
     std::string set, asked;
     for (int i = 10; i < 24; ++i) {
         const std::string n = std::to_string(i);
-        set += "IF[#6" + n + "EQ1]GOTO3" + n + "\n#" + n + "=1\nN3" + n + "\n";
+        for (const auto& piece : {"IF[#6" + n, "EQ1]GOTO3" + n, "\n#" + n, "=1\nN3" + n + "\n"}) set += piece;
         asked += "IF[#" + n + "EQ1]GOTO99\n";
     }
     return "%\nO1\nIF[#501EQ1]GOTO20\n#5=1\nN20\n" + set + asked +

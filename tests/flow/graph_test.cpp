@@ -55,8 +55,8 @@ TEST(Graph, CallsThatReturnAtManyLabelsShareANode) {
     for (int i = 0; i < 150; ++i) {
         const std::string label = std::to_string(1000 + i);
         calls += "M98P2\n";
-        labels += "N" + label + " #1=" + label + "\n";
-        returns += "IF[#100EQ" + label + "]GOTO" + label + "\n";
+        for (const auto& piece : {"N" + label, " #1=" + label + "\n"}) labels += piece;
+        for (const auto& piece : {"IF[#100EQ" + label, "]GOTO" + label + "\n"}) returns += piece;
     }
     std::string ends = "M99P1000\n";
     for (int i = 0; i < 150; ++i)

@@ -92,8 +92,9 @@ std::string many_cases() {
     std::string text;
     for (int i = 0; i < 14; ++i) {
         const std::string n = std::to_string(i);
-        text += "IF[#" + std::to_string(600 + i) + "EQ1]GOTO3" + n + "\n#" + std::to_string(10 + i) +
-                "=1\nN3" + n + "\n";
+        for (const auto& piece : {"IF[#" + std::to_string(600 + i), "EQ1]GOTO3" + n,
+                                  "\n#" + std::to_string(10 + i), "=1\nN3" + n + "\n"})
+            text += piece;
     }
     return text;
 }
