@@ -191,10 +191,12 @@ std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable>
     }
     if (!reads_modal_state_) return print;
     for (std::size_t i = 0; i < program_.control->groups.size(); ++i) {
-        const dataflow::ModalValue value =
-            states_.read(point.state, graph_.all_channels, static_cast<GroupId>(i));
-        for (const dataflow::ModalPart& part : value.parts) print = dataflow::mix(print, part.symbol);
-        print = dataflow::mix(print, value.unknown ? 1 : 0);
+        dataflow::for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
+            const dataflow::ModalValue& value =
+                states_.read(point.state, dataflow::ChannelGroup{channel, static_cast<GroupId>(i)});
+            for (const dataflow::ModalPart& part : value.parts) print = dataflow::mix(print, part.symbol);
+            print = dataflow::mix(print, value.unknown ? 1 : 0);
+        });
     }
     return print;
 }

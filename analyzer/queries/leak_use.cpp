@@ -2,6 +2,7 @@
 //! it.
 #include "analyzer/queries/leak_use.hpp"
 
+#include "analyzer/dataflow/domain/interner.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
@@ -11,8 +12,10 @@
 #include "analyzer/workspace/workspace.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
 #include <set>
-#include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -32,7 +35,16 @@ struct Point {
     std::uint32_t idle; ///< bit n: the n-th code under which nobody asks for the value is in force
     Channels channels;  ///< in which the group was left so; 0: all that run the program
     bool inside; ///< of a program that was called on the path: its return leads back to where we are anyway
-    bool own;    ///< the program that made the call had set the group itself
+    friend bool operator==(const Point&, const Point&) = default;
+};
+
+struct PointHash {
+    std::size_t operator()(const Point& point) const {
+        std::uint64_t hash = dataflow::side_by_side(point.program, point.node);
+        hash = dataflow::mix(hash, dataflow::side_by_side(point.first, point.call));
+        return dataflow::mix(hash, dataflow::side_by_side(point.idle, point.channels) ^
+                                       (std::uint64_t{point.inside} << 63U));
+    }
 };
 
 class Search {
@@ -85,9 +97,7 @@ class Search {
 
     void push(const Point& point) {
         // Two calls that lead to one node are two questions: the path from each may be open or closed.
-        const Visit key{point.program, point.node,     point.first,  point.call,
-                        point.idle,    point.channels, point.inside, point.own};
-        if (visited_.insert(key).second) stack_.push_back(point);
+        if (visited_.insert(point).second) stack_.push_back(point);
     }
 
     /// Of paths back to the callers of a program those with the same codes in force are the same: the callers
@@ -143,6 +153,13 @@ class Search {
         });
     }
 
+    /// Whether what the program has set itself is in force at the call, on a path that can be taken.
+    bool loses_own(const ProgramAnalysis& program, flow::NodeId call) {
+        const auto [known, fresh] = loses_own_.try_emplace({program.index(), call}, false);
+        if (fresh) known->second = has_own(program, call) && is_set_on_a_path_to(program, call, group_);
+        return known->second;
+    }
+
     /// Goes on after the call of the next caller.
     void ask_caller() {
         Returning& returning = waiting_.back();
@@ -155,8 +172,7 @@ class Search {
             result_.matters = true; // in a part that nothing executes
         else
             push({caller.program, *node, caller.effect + 1, *node, idle,
-                  at(caller.program).graph().channels_at(*node).running, false,
-                  has_own(at(caller.program), *node)});
+                  at(caller.program).graph().channels_at(*node).running, false});
     }
 
     void visit(Point point) {
@@ -171,7 +187,7 @@ class Search {
         for (const flow::EdgeId id : program.graph().out[point.node])
             if (program.data().passable(id))
                 push({point.program, program.graph().edges[id].to, 0, point.call, point.idle, point.channels,
-                      point.inside, point.own});
+                      point.inside});
         if (point.inside) return;
         for (const flow::Exit& exit : program.graph().exits)
             if (exit.node == point.node &&
@@ -236,8 +252,7 @@ class Search {
         if (!move.relies) return true;
         if (!point.inside && !can_follow(program, point.call, point.node)) return true;
         result_.matters = true;
-        const bool own_is_lost =
-            point.own && !point.inside && is_set_on_a_path_to(program, point.call, group_);
+        const bool own_is_lost = !point.inside && loses_own(program, point.call);
         if (result_.program == nullptr || own_is_lost || move.gives_feed)
             result_ = {true, &program, block, own_is_lost, move.gives_feed};
         return false;
@@ -249,7 +264,7 @@ class Search {
         const CallSite* site = program.call_at(id);
         if (site == nullptr || !site->target || site->in_cycle) return false;
         const ProgramAnalysis& callee = at(*site->target);
-        push({callee.index(), 0, 0, 0, point.idle, 0, true, point.own});
+        push({callee.index(), 0, 0, 0, point.idle, 0, true});
         point.idle = idle_after(callee, point.idle);
         return std::ranges::find(callee.summary().groups, group_, &dataflow::GroupChange::group) ==
                callee.summary().groups.end();
@@ -286,9 +301,8 @@ class Search {
     };
     std::vector<Returning> waiting_;
     std::set<std::pair<ProgramIndex, std::uint32_t>> returned_;
-    using Visit =
-        std::tuple<ProgramIndex, flow::NodeId, EffectId, flow::NodeId, std::uint32_t, Channels, bool, bool>;
-    std::set<Visit> visited_;
+    std::unordered_set<Point, PointHash> visited_;
+    std::map<std::pair<ProgramIndex, flow::NodeId>, bool> loses_own_; ///< by program and call
     LeakUse result_;
 };
 

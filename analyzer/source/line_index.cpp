@@ -1,4 +1,4 @@
-//! The sparse line index: one pass that leaves a checkpoint every 4 KiB, and counting from the nearest one.
+//! The sparse line index: one pass that leaves a checkpoint every KiB, and counting from the nearest one.
 #include "analyzer/source/line_index.hpp"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 namespace maclint {
 namespace {
 
-constexpr Offset checkpoint_distance = 4096;
+constexpr Offset checkpoint_distance = 1024;
 
 } // namespace
 

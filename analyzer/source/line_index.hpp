@@ -31,7 +31,7 @@ constexpr bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 /// `bytes[offset]` is CR or LF.
 [[nodiscard]] Offset after_line_end(std::string_view bytes, Offset offset);
 
-/// Knows the position of one byte in every 4 KiB and counts from there, so a text of 200 MB costs 0.8 MB
+/// Knows the position of one byte in every KiB and counts from there, so a text of 200 MB costs 3 MB
 /// more. The text must outlive the index.
 class LineIndex {
   public:

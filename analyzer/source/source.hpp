@@ -42,7 +42,7 @@ class Source {
     [[nodiscard]] Encoding encoding() const;
     [[nodiscard]] bool has_byte_order_mark() const;
 
-    /// Where `offset` is for a reader. Costs at most a look at 4 KiB once the lines have been counted.
+    /// Where `offset` is for a reader. Costs at most a look at 1 KiB once the lines have been counted.
     [[nodiscard]] Position position(Offset offset) const;
     /// Line ends plus one.
     [[nodiscard]] std::uint32_t line_count() const;

@@ -22,7 +22,7 @@ namespace {
 /// more than letting it go in between. Bytes.
 constexpr std::size_t long_text = 256UL * 1024;
 /// So many bytes of shorter texts are read once, too: with their programs they take ten times as much.
-constexpr std::size_t short_texts = 8UL * 1024 * 1024;
+constexpr std::size_t short_texts = 16UL * 1024 * 1024;
 
 /// A file after the first look at it.
 struct SeenFile {

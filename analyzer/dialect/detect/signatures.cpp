@@ -345,13 +345,13 @@ bool concerns(In in, const Line& line) {
 }
 
 /// The rows that look at the place; of those that look for a head, the ones that begin as the line does.
-std::span<const std::uint8_t> rows_for(In in, const Line& line) {
+std::span<const std::uint8_t> rows_for(const Index& index, In in, const Line& line) {
     const auto place = static_cast<std::size_t>(in);
-    const auto all = std::span(by_place().rows[place]).first(by_place().counts[place]);
+    const auto all = std::span(index.rows[place]).first(index.counts[place]);
     if (in != In::head) return all;
     if (line.code().empty()) return {};
     const std::size_t first = last_bits_of(line.code().front());
-    return all.subspan(by_place().heads[first], by_place().heads[first + 1] - by_place().heads[first]);
+    return all.subspan(index.heads[first], index.heads[first + 1] - index.heads[first]);
 }
 
 std::string spell(const Signature& signature) {
@@ -376,11 +376,12 @@ Evidence::Evidence(std::string_view extension)
 }
 
 void Evidence::add(const Line& line, std::size_t number) {
+    const Index& index = by_place();
     const std::uint64_t present = characters_of(line.whole());
     for (std::size_t place = 0; place < places; ++place) {
         if (!concerns(static_cast<In>(place), line)) continue;
-        for (const std::uint8_t row : rows_for(static_cast<In>(place), line)) {
-            if ((by_place().characters[row] & ~present) != 0) continue;
+        for (const std::uint8_t row : rows_for(index, static_cast<In>(place), line)) {
+            if ((index.characters[row] & ~present) != 0) continue;
             Sighting& sighting = sightings_[row];
             if (sighting.times == signatures[row].most || !holds(signatures[row], line)) continue;
             if (sighting.times++ == 0) sighting.line = static_cast<std::uint32_t>(number);

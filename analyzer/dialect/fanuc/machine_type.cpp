@@ -65,7 +65,7 @@ bool is_written_for_lathe(std::string_view text) {
     text = text.substr(0, looked_at);
     Signs signs;
     BlockWords block;
-    for (Offset at = 0; at < text.size();) {
+    for (Offset at = 0; at < text.size() && !signs.mill;) {
         const char c = text[at];
         if (c == '(') {
             at = after_comment(text, at);
