@@ -16,6 +16,17 @@ const dataflow::Store* store_of(const ProgramAnalysis& analysis, const dataflow:
     return stores.empty() ? nullptr : &stores.front();
 }
 
+const dataflow::Store* only_store_of(const ProgramAnalysis& analysis, Variable variable,
+                                     const dataflow::Value& value) {
+    if (const dataflow::Store* store = store_of(analysis, value)) return store;
+    if (analysis.data().table().symbols[value.symbol].kind != dataflow::Symbol::Kind::joined) return nullptr;
+    const auto stores = analysis.facts().all<dataflow::Store>();
+    const auto first = std::ranges::find(stores, variable, &dataflow::Store::variable);
+    const bool only =
+        first != stores.end() && std::ranges::count(stores, variable, &dataflow::Store::variable) == 1;
+    return only ? &*first : nullptr;
+}
+
 std::optional<CopySource> copy_source(const ProgramAnalysis& analysis, ExpressionId expression,
                                       const dataflow::Value& value) {
     constexpr int most_copies = 8;
@@ -28,8 +39,9 @@ std::optional<CopySource> copy_source(const ProgramAnalysis& analysis, Expressio
         if (const auto* machine = std::get_if<LoadMachine>(&node))
             return CopySource{
                 expression, {}, analysis.control().families[machine->family].find(machine->number)};
-        if (!std::holds_alternative<Load>(node)) return std::nullopt;
-        const dataflow::Store* store = store_of(analysis, now);
+        const auto* load = std::get_if<Load>(&node);
+        if (load == nullptr) return std::nullopt;
+        const dataflow::Store* store = only_store_of(analysis, load->variable, now);
         if (store == nullptr) return std::nullopt;
         expression = store->expression;
         now = store->value;

@@ -16,6 +16,11 @@ namespace maclint::queries {
 /// The assignment that made the value the content of its variable; nullptr when several may have.
 [[nodiscard]] const dataflow::Store* store_of(const ProgramAnalysis& analysis, const dataflow::Value& value);
 
+/// That assignment, or the only one that the program has for the variable where other paths lead around it:
+/// to a value that nobody here has stored.
+[[nodiscard]] const dataflow::Store* only_store_of(const ProgramAnalysis& analysis, Variable variable,
+                                                   const dataflow::Value& value);
+
 /// Where a plain copy began: `#3=#4019` after `F#3`.
 struct CopySource {
     ExpressionId expression;      ///< the modal or machine value that was read
@@ -23,7 +28,8 @@ struct CopySource {
     const VariableRange* range;   ///< of a machine value, or nullptr
 };
 
-/// What the expression, whose value is this, is a plain copy of; nothing for everything else.
+/// What the expression, whose value is this, is a plain copy of on the paths on which it is stored; nothing
+/// for everything else.
 [[nodiscard]] std::optional<CopySource> copy_source(const ProgramAnalysis& analysis, ExpressionId expression,
                                                     const dataflow::Value& value);
 

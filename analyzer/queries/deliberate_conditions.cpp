@@ -83,6 +83,7 @@ bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition,
         return false;
     if (sides.open) return false;
     if (!guard && settings_.is_all_that_is_read(condition.expression, condition.effect)) return true;
+    if (!guard && sides.vacant) return true; // MAC209's, or a case that is left over
     if (leaves_nothing_to_run(condition)) return false;
     if (only_clamps(analysis_, condition) || repeats_another(condition) || does_what_another_does(condition))
         return true;

@@ -1,10 +1,13 @@
 //! Compares what a program reads with what its callers pass.
 #include "analyzer/queries/missing_arguments.hpp"
 
+#include "analyzer/execution/path_search.hpp"
 #include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/exits.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/provoking_calls.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace maclint::queries {
 namespace {
@@ -51,16 +54,20 @@ std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analy
     if (callers.empty() || may_be_computed(analysis) ||
         !std::ranges::all_of(callers, [&](const Caller& caller) { return opens_locals(analysis, caller); }))
         return found;
+    std::optional<execution::PathSearch> search; // most programs have no such read
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         const bool known = std::ranges::any_of(
             found, [&](const MissingArgument& other) { return other.read->variable == read.variable; });
         if (known || read.use != dataflow::Use::arithmetic || !is_as_passed(analysis, read) ||
             std::ranges::find(formals, read.variable) == formals.end() || is_asked_for(analysis, read))
             continue;
-        if (std::ranges::none_of(
-                callers, [&](const Caller& caller) { return passes(analysis, caller, read.variable); }) &&
-            is_on_every_path(analysis, read.node))
-            found.push_back({&read, &callers.front()});
+        if (std::ranges::any_of(
+                callers, [&](const Caller& caller) { return passes(analysis, caller, read.variable); }))
+            continue;
+        if (!search) search.emplace(analysis);
+        const auto way = path_without_assignment(*search, analysis, read.variable, read.node);
+        const Caller* call = way.path ? call_that_leaves_out(analysis, read.variable, *way.path) : nullptr;
+        if (call != nullptr) found.push_back({&read, call});
     }
     return found;
 }

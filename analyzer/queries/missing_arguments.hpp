@@ -10,12 +10,12 @@ namespace maclint::queries {
 
 struct MissingArgument {
     const dataflow::Read* read; ///< the first that calculates with it
-    const Caller* call;         ///< that leaves it out, as all known ones do
+    const Caller* call;         ///< that leaves it out and goes there, as all known ones leave it out
 };
 
 /// One for each variable that a letter of a call reaches: all known callers open a set of locals for the
-/// program and leave it out, the program calculates with it as it was at the start on every path to an exit,
-/// and nowhere compares it, or a copy, with anything.
+/// program and leave it out, the program calculates with it as it was at the start on a path that one of them
+/// goes, and nowhere compares it, or a copy, with anything.
 [[nodiscard]] std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analysis);
 
 } // namespace maclint::queries

@@ -9,6 +9,7 @@
 #include "analyzer/queries/vacant_uses.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -75,31 +76,35 @@ bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
         [&](const dataflow::Store& store) { return store.variable == read.variable && store.step; });
 }
 
-/// Both sides of the node's condition can be taken. Else that it is always true, or never, says more.
-bool is_undecided(const ProgramAnalysis& analysis, flow::NodeId node) {
-    return std::ranges::all_of(analysis.graph().out[node],
-                               [&](flow::EdgeId edge) { return analysis.data().passable(edge); });
+/// The program has found that the variable is vacant, and only then comes here: no block has made it so.
+bool is_as_tested(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (read.value.vacancy != dataflow::Vacancy::vacant) return false;
+    if (is_as_at_entry(analysis, read)) return !analysis.data().is_vacant_at_entry(read.variable);
+    const dataflow::Store* store = store_of(analysis, read.value);
+    return read.value.vacancy_origin == 0 &&
+           (store == nullptr || store->value.vacancy != dataflow::Vacancy::vacant);
 }
 
-/// A letter of the call that the program has found vacant: only then does it come here.
-bool is_known_to_be_left_out(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    return read.value.vacancy == dataflow::Vacancy::vacant &&
-           (read.use != dataflow::Use::comparison || is_undecided(analysis, read.node)) &&
-           !analysis.data().is_vacant_at_entry(read.variable);
+/// Without arguments a called program may be one that shares its caller's locals.
+bool has_own_locals(const ProgramAnalysis& analysis) { return analysis.is_main() || analysis.is_macro(); }
+
+bool is_as_nothing_set_it(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    return has_own_locals(analysis) && is_as_at_entry(analysis, read) &&
+           analysis.data().is_vacant_at_entry(read.variable);
 }
 
 /// Whether the read uses what is not there: a test takes care of it. It is unknown whether a control still
 /// looks at what decides nothing any more, as after NDEF(…) OR.
 bool uses_unset(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    return read.use != dataflow::Use::vacancy_test && is_as_at_entry(analysis, read) &&
-           (analysis.data().is_vacant_at_entry(read.variable) || is_known_to_be_left_out(analysis, read)) &&
+    return read.use != dataflow::Use::vacancy_test &&
+           (is_as_nothing_set_it(analysis, read) || is_as_tested(analysis, read)) &&
            !asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node, read.variable) &&
            !may_be_a_test(analysis, read) && is_used(analysis, read);
 }
 
 Unset kind_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     if (read.value.vacancy != dataflow::Vacancy::vacant) return Unset::in_some_cases;
-    if (is_known_to_be_left_out(analysis, read)) return Unset::as_tested;
+    if (is_as_tested(analysis, read)) return Unset::as_tested;
     const auto& formals = analysis.control().formals;
     const bool formal = std::ranges::find(formals, read.variable) != formals.end();
     return formal && !analysis.is_main() ? Unset::as_argument : Unset::always;
@@ -162,8 +167,6 @@ bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect, 
 
 std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
     std::vector<UnsetReads> groups;
-    // Without arguments a called program may be one that shares its caller's locals.
-    if (!analysis.is_main() && !analysis.is_macro()) return groups;
     const std::vector<Variable> series = series_taken(analysis);
     std::vector<Attempts> attempts;
     WithoutAssignment without_assignment(analysis);
@@ -176,7 +179,9 @@ std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
         if (tried->some_failed && !without_assignment.leads_to(read.variable, read.node)) continue;
         ++tried->searches;
         if (!search) search.emplace(analysis);
-        execution::PathFound found = path_to_use(*search, analysis, read);
+        execution::PathFound found = is_as_at_entry(analysis, read)
+                                         ? path_to_use(*search, analysis, read)
+                                         : search->find(std::array{execution::Leg{read.node, {}}});
         // A path to a word has to lead on to an exit.
         if (!found.path && !found.gave_up && read.use != dataflow::Use::word) {
             without_assignment.exclude(read.variable, read.node);

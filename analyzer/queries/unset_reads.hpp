@@ -25,7 +25,8 @@ namespace maclint::queries {
 [[nodiscard]] bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect,
                                             ExpressionId expression);
 
-/// A read of a variable that is as it was when the program began, and that nothing can have set then.
+/// A read of a variable that is as it was when the program began, and that nothing can have set then, or that
+/// the program has found vacant.
 struct UnsetRead {
     const dataflow::Read* read;
     std::vector<flow::EdgeId> path; ///< to the read, around every assignment
@@ -34,7 +35,7 @@ struct UnsetRead {
 enum class Unset : std::uint8_t {
     always,        ///< by no path, and no argument stands for it
     as_argument,   ///< by no path, and no call passes it
-    as_tested,     ///< by no call that comes here: the program has found that it is vacant
+    as_tested,     ///< on no path that comes here: the program has found that it is vacant
     in_some_cases, ///< by some paths only
 };
 
@@ -48,7 +49,8 @@ struct UnsetReads {
 
 /// The first such read of each variable. Left out are reads that ask for the vacancy or stand beside a
 /// question for it, counting (#33=#33+1 takes vacant for 0), those that make no use of the value, and what
-/// repeated I, J and K of a call may set. None in a program that may share the variables of its caller.
+/// repeated I, J and K of a call may set. In a program that may share the variables of its caller only
+/// those which it has found vacant itself.
 [[nodiscard]] std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis);
 
 } // namespace maclint::queries

@@ -1,21 +1,40 @@
 //! Looks at what becomes of a value after its read.
 #include "analyzer/queries/vacant_uses.hpp"
 
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 
 #include <algorithm>
 #include <set>
+#include <variant>
 
 namespace maclint::queries {
 namespace {
 
+/// Whether the program ends in an alarm where the variable has a value.
+bool is_refused(const ProgramAnalysis& analysis, Variable variable) {
+    const auto comparisons = analysis.facts().all<dataflow::Comparison>();
+    return std::ranges::any_of(comparisons, [&](const dataflow::Comparison& test) {
+        const bool asks_for_value = test.operation == Operation::is_set;
+        if (!asks_for_value && test.operation != Operation::is_vacant) return false;
+        const auto* guarded = std::get_if<Guarded>(&analysis.program().effects[test.effect].what);
+        return guarded != nullptr && guarded->condition == test.expression &&
+               plain_variable(analysis.program(), test.left_expression) == variable &&
+               ends_in_alarm(analysis, test.node, asks_for_value);
+    });
+}
+
 /// Follows the value through the assignments that copy it; `seen` are effects that were looked at before.
 bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read, std::set<EffectId>& seen) {
     using dataflow::Use;
-    // In a program that nobody calls no letter can be meant.
+    // A letter may be left out on purpose, but not in a program that nobody calls, nor where the program
+    // refuses every value that it could pass on.
     if (read.use == Use::argument)
-        return analysis.is_main() && read.value.vacancy == dataflow::Vacancy::vacant;
+        return read.value.vacancy == dataflow::Vacancy::vacant &&
+               (analysis.is_main() || is_refused(analysis, read.variable));
     if (read.use != Use::copy && read.use != Use::arithmetic) return true;
     const auto stores = analysis.facts().at<dataflow::Store>(read.effect);
     if (stores.size() != 1) return true; // what it is made of is not known one by one

@@ -1,6 +1,7 @@
 //! MAC505: a word puts back a value that was saved from another kind of word.
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -82,7 +83,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Span span = program.effects[write.effect].span;
         const std::string text = quoted(program, span);
         const Span read = program.expressions[source->expression].span;
-        const dataflow::Store* store = queries::store_of(analysis, write.value);
+        const auto variable = queries::plain_variable(program, write.expression);
+        const dataflow::Store* store =
+            variable ? queries::only_store_of(analysis, *variable, write.value) : nullptr;
         const std::string line = line_number(analysis.file(), read.begin);
         Finding& finding = write.stated
                                ? reporter.report({analysis, write.effect}, span, "value",

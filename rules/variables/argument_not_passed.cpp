@@ -23,7 +23,7 @@ extern const Rule argument_not_passed{
     .precision = Precision::high,
     .needs = {Capability::vacancy},
     .yields_to = "MAC209",
-    .facts = dataflow::facts<dataflow::Read>(),
+    .facts = dataflow::facts<dataflow::Read, dataflow::Comparison, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"left-out",
                   "{0} is vacant here and counts as 0: the call in line {1} of {2} leaves it out. "

@@ -7,8 +7,6 @@
 #include "rules/trace.hpp"
 #include "rules/variables/unset_words.hpp"
 
-#include <algorithm>
-
 namespace maclint::rules {
 
 namespace {
@@ -100,9 +98,8 @@ std::string_view message_for(const ProgramAnalysis& analysis, const queries::Uns
     case queries::Unset::in_some_cases: break;
     }
     if (!vacant) return "undefined-some-paths";
-    return reads.missing.subjects.empty()  ? "some-paths"
-           : reads.missing.numbers.empty() ? "depends"
-                                           : "cases";
+    if (reads.missing.subjects.empty()) return "some-paths";
+    return reads.missing.numbers.empty() ? "depends" : "cases";
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
@@ -110,16 +107,18 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const dataflow::Read& read = *reads.first.read;
         const Span span = analysis.program().expressions[read.expression].span;
         const std::string name = as_written(analysis, read.expression);
+        const std::string subject = reads.others.empty() ? "Variable" : "Variables";
         Finding& finding =
             reporter.report({analysis, read}, span, message_for(analysis, reads),
-                            {names_of(analysis, reads), words_for_cases(analysis, reads.missing),
-                             reads.others.empty() ? "Variable" : "Variables"});
+                            {names_of(analysis, reads), words_for_cases(analysis, reads.missing), subject});
         for (const dataflow::Read* other : reads.others)
             finding.related.push_back({analysis.source(),
                                        analysis.program().expressions[other->expression].span,
                                        "the same is true of " + as_written(analysis, other->expression)});
-        finding.path.push_back(begin_of_vacancy(analysis, read.value.vacancy_origin, reads.first.path,
-                                                name + " has no value when the program begins"));
+        const dataflow::OriginId origin = read.value.vacancy_origin;
+        if (origin != 0)
+            finding.path.push_back(begin_of_vacancy(analysis, origin, reads.first.path,
+                                                    name + " has no value when the program begins"));
         for (RelatedLocation& step : steps_along(analysis, reads.first.path))
             finding.path.push_back(std::move(step));
         finding.path.push_back({analysis.source(), span, name + " is read"});

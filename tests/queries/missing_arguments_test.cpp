@@ -25,10 +25,13 @@ std::vector<std::int32_t> missing_in(const std::string& blocks,
     return numbers;
 }
 
-TEST(MissingArguments, AreCalculatedWithOnEveryPath) {
+TEST(MissingArguments, AreCalculatedWithOnAPathThatTheCallGoes) {
     EXPECT_THAT(missing_in("Z[#26+1.]\nM99\n"), ElementsAre(26));
     EXPECT_THAT(missing_in("#5=#26*2\n#6=#26*3\nM99\n"), ElementsAre(26));
     EXPECT_THAT(missing_in("IF[#1EQ1]GOTO5\nZ[#26+1.]\nN5M99\n"), IsEmpty()); // another argument chooses
+    EXPECT_THAT(missing_in("IF[#1EQ2]GOTO5\nZ[#26+1.]\nN5M99\n"), ElementsAre(26));
+    EXPECT_THAT(missing_in("IF[#2EQ#0]GOTO5\nZ[#26+1.]\nN5M99\n"), IsEmpty()); // B is left out, too
+    EXPECT_THAT(missing_in("IF[#500EQ0]GOTO5\nZ[#26+1.]\nN5M99\n"), ElementsAre(26));
     EXPECT_THAT(missing_in("IF[#1EQ1]GOTO5\nGOTO6\nN5#3000=1\nN6Z[#26+1.]\nM99\n"), ElementsAre(26));
 }
 

@@ -190,6 +190,14 @@ TEST(SavedValue, PutBackBeforeTheVariableIsUsedAgainIsFine) {
     EXPECT_THAT(lines_raised("MAC506", "O9001\n#1=#4109\nG1 X1 F50\nF#1\n#1=7\nG1 X2 F#1\nM99\n"), IsEmpty());
 }
 
+TEST(SavedValue, MayBeLeftOutOnAPath) {
+    const std::string skipped = "O9001\nIF[#1000EQ1]GOTO5\n";
+    EXPECT_THAT(lines_raised("MAC505", skipped + "#3=#4019\nN5 G1 X1 F#9\nF#3\nM99\n"), ElementsAre(5));
+    // Which of two is meant nobody knows.
+    EXPECT_THAT(lines_raised("MAC505", skipped + "#3=#4019\nGOTO6\nN5 #3=100.\nN6 G1 X1 F#9\nF#3\nM99\n"),
+                IsEmpty());
+}
+
 TEST(SavedValue, SavedAfterTheChangeIsTheProgramsOwn) {
     EXPECT_THAT(lines_raised("MAC517", "O9001\nG91\n#1=#4003\nG0 X1\nG#1\nM99\n"), ElementsAre(3));
     EXPECT_THAT(lines_raised("MAC501", "O9001\nG91\n#1=#4003\nG0 X1\nG#1\nM99\n"), IsEmpty());

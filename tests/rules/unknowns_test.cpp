@@ -31,6 +31,19 @@ TEST(StoreThroughAnIndex, FromABaseOrACommonVariableReachesNoLocal) {
         EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after(block)), IsEmpty()) << block;
 }
 
+TEST(StoreThroughAnIndex, ThatAnAssignmentGivesABaseReachesNoLocal) {
+    const auto with_index = [](std::string_view assignments) {
+        return set_on_one_path_after(std::string(assignments) + "\n#[#10]=0");
+    };
+    EXPECT_THAT(lines_raised("MAC209", with_index("#10=5221+[#3-54]*20")), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC209", with_index("#10=5221+#3\n#10=#10+20")), ElementsAre(7)); // a step
+    EXPECT_THAT(lines_raised("MAC209", with_index("#10=5221+#3\nIF[#3EQ1]THEN#10=7001+#4")), ElementsAre(7));
+    EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after("#10=95+#3\n#[#10+5]=0")), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC209", with_index("#10=99+#3")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", with_index("#10=5221+#3\nIF[#3EQ1]THEN#10=#4")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", with_index("#11=5221+#3\n#10=#3")), IsEmpty());
+}
+
 TEST(StoreThroughAnIndex, MayChangeCommonVariables) {
     const auto after = [](std::string_view block) {
         return "O9001\n#100=0\n" + std::string(block) + "\n#5=#2/#100\nM99\n";

@@ -203,9 +203,42 @@ TEST(UninitialisedLocal, ALetterThatIsComparedOnlyWhereItIsLeftOutIsTold) {
     EXPECT_THAT(
         lines_raised("MAC209", "O9002\nG0 X#24\nIF[#21EQ#0]GOTO9\nIF[#5063LT#21]GOTO9\nG0 X0\nN9 M99\n"),
         IsEmpty());
-    // That the condition is always true says more.
-    EXPECT_THAT(lines_raised("MAC209", "O9002\nG0 X#24\nIF[#21NE#0]GOTO9\nIF[#21LT3]GOTO9\nG0 X0\nN9 M99\n"),
+    // That the condition is therefore always true, or never, is the same cause.
+    for (const std::string test : {"IF[#21LT3]GOTO9", "IF[#21GT3]GOTO9", "IF[ABS[#143]GE#21]GOTO9"}) {
+        const std::string text = "O9002\nG0 X#24\nIF[#21NE#0]GOTO9\n" + test + "\nG0 X0\nN9 M99\n";
+        EXPECT_THAT(lines_raised("MAC209", text), ElementsAre(4)) << test;
+        EXPECT_THAT(lines_raised("MAC718", text), IsEmpty()) << test;
+    }
+    // A flag that another path sets is asked for, not used.
+    EXPECT_THAT(
+        lines_raised("MAC209", "O9002\nIF[#21NE#0]GOTO9\nIF[#21LT3]GOTO8\nG0 X0\nN8\n#21=1\nN9 M99\n"),
+        IsEmpty());
+}
+
+TEST(UninitialisedLocal, ThatOnlyVacantComesThroughATestIsKnownOfEveryVariable) {
+    // Locals that a subprogram shares with its caller, and what a store through an index may have changed.
+    EXPECT_THAT(lines_raised("MAC209", "O1\nM98 P2\nM30\nO2\nIF[#21NE#0]GOTO9\nG0 X[#21+1.]\nN9 M99\n"),
+                ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC209", "O9002\n#[#3]=0\nIF[#21NE#0]GOTO9\nG0 X[#21+1.]\nN9 M99\n"),
+                ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#500NE#0]GOTO9\nG0 X[#500+1.]\nN9 M99\n"), ElementsAre(3));
+    // Set vacant by the program itself, or found vacant and then set.
+    EXPECT_THAT(lines_raised("MAC209", "O9002\n#500=#0\nG0 X#500\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#500NE#0]GOTO9\n#500=2.\nG0 X[#500+1.]\nN9 M99\n"),
                 IsEmpty());
+}
+
+TEST(UninitialisedLocal, ALetterThatIsPassedOnWhereEveryValueIsRefusedIsTold) {
+    const auto passed_on = [](std::string_view test, std::string_view refused) {
+        return "O9002\nG0 X#24\n" + std::string(test) + "\nG65 P9003 D#7\nM99\nN9 " + std::string(refused) +
+               "\n";
+    };
+    EXPECT_THAT(lines_raised("MAC209", passed_on("IF[#7NE#0]GOTO9", "#3000=1(D)")), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC209", passed_on("IF[#7EQ#0]GOTO9", "#3000=1(D)")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", passed_on("IF[#7NE#0]GOTO9", "M99")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", passed_on("IF[#8NE#0]GOTO9", "#3000=1(E)")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#7EQ#0]GOTO1\n#3000=1\nN1 G65 P9003 D#7\nM99\n"),
+                ElementsAre(4));
 }
 
 TEST(UninitialisedLocal, ManyTestsOfOneValueAreNotTooMany) {

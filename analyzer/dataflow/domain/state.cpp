@@ -16,6 +16,13 @@ void add_part(ModalValue& value, const ModalPart& part) {
     value.parts.insert(position, part);
 }
 
+/// What is vacant has no number: the other says where the number comes from.
+OriginId joined_origin(const Value& a, const Value& b) {
+    if (a.origin == b.origin) return a.origin;
+    const bool a_vacant = a.vacancy == Vacancy::vacant, b_vacant = b.vacancy == Vacancy::vacant;
+    return a_vacant == b_vacant ? 0 : a_vacant ? b.origin : a.origin;
+}
+
 } // namespace
 
 States::States(const Program& program, EntryKnowledge knowledge)
@@ -203,7 +210,7 @@ Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t
     Value joined;
     joined.know(semantics::join(a, b));
     joined.symbol = a.symbol == b.symbol ? a.symbol : table_.symbols({Symbol::Kind::joined, key, node, 0});
-    joined.origin = a.origin == b.origin ? a.origin : 0;
+    joined.origin = joined_origin(a, b);
     joined.vacancy_origin =
         a.vacancy_origin != 0 && !is_entry_of(b.vacancy_origin, key) ? a.vacancy_origin : b.vacancy_origin;
     if (joined.vacancy_origin == 0) joined.vacancy_origin = a.vacancy_origin;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <variant>
 
 namespace maclint::dataflow {
 namespace {
@@ -13,6 +16,7 @@ struct Sum {
     bool subtracts = false; ///< something that is no number is taken away
     bool shared = false;    ///< a variable that all programs share is added
     int terms = 0;
+    std::vector<Variable> variables; ///< that are added
 };
 
 class SumReader {
@@ -42,29 +46,60 @@ class SumReader {
             return;
         }
         sum_.subtracts |= negative;
-        if (const auto* load = std::get_if<Load>(&node); load != nullptr && !negative)
+        if (const auto* load = std::get_if<Load>(&node); load != nullptr && !negative) {
             sum_.shared |= program_.control->spaces[load->variable.space].scope != Scope::frame;
+            sum_.variables.push_back(load->variable);
+        }
     }
 
     const Program& program_;
     Sum sum_;
 };
 
+std::pair<SpaceId, std::int32_t> key(Variable variable) { return {variable.space, variable.number}; }
+
 } // namespace
 
-IndexReach reach_of(const Program& program, FamilyId family, ExpressionId index,
-                    const semantics::Range& known) {
+IndexReach IndexReaches::of(FamilyId family, ExpressionId index, const semantics::Range& known) {
     IndexReach reach{known};
     if (std::isfinite(known.low) && std::isfinite(known.high)) return reach;
-    const IndexCustom& custom = program.control->families[family].custom;
-    const Sum sum = SumReader(program).read(index);
+    const IndexCustom& custom = program_.control->families[family].custom;
+    const Sum sum = SumReader(program_).read(index);
     if (sum.number >= custom.least_base) {
         reach.locals = false;
         reach.numbers.high = std::min(known.high, sum.number + custom.reach);
         if (!sum.subtracts) reach.numbers.low = std::max(known.low, sum.number);
     }
     if (custom.shared_points_to_shared && sum.shared && sum.terms > 1) reach.locals = false;
+    if (reach.locals && std::isfinite(custom.least_base))
+        reach.locals = std::ranges::none_of(sum.variables, [&](Variable variable) {
+            return sum.number + base_of(variable) >= custom.least_base;
+        });
     return reach;
+}
+
+double IndexReaches::base_of(Variable variable) {
+    if (!bases_) collect_bases();
+    const auto found = std::ranges::lower_bound(*bases_, key(variable), {},
+                                                [](const Base& base) { return key(base.variable); });
+    return found == bases_->end() || !(found->variable == variable) ? 0 : found->number;
+}
+
+/// #10=5221+[#4012-54]*20 and #10=#10+20 leave 5221 for #10.
+void IndexReaches::collect_bases() {
+    std::vector<Base> all;
+    for (const Effect& effect : program_.effects) {
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+        if (target == nullptr) continue;
+        const Sum sum = SumReader(program_).read(assign->value);
+        if (std::ranges::find(sum.variables, *target) == sum.variables.end())
+            all.push_back({*target, sum.number});
+    }
+    std::ranges::sort(all, {}, [](const Base& base) { return std::pair(key(base.variable), base.number); });
+    const auto twice = std::ranges::unique(all, {}, &Base::variable);
+    all.erase(twice.begin(), twice.end());
+    bases_ = std::move(all);
 }
 
 } // namespace maclint::dataflow

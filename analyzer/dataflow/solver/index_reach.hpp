@@ -4,6 +4,9 @@
 #include "analyzer/program/model.hpp"
 #include "analyzer/semantics/range.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace maclint::dataflow {
 
 /// The numbers that an index may be.
@@ -12,9 +15,28 @@ struct IndexReach {
     bool locals = true; ///< those of local variables, too
 };
 
-/// `known` is the range of the index. Where that has no end on one side, the custom of the family's
-/// programmers (IndexCustom) counts as well.
-[[nodiscard]] IndexReach reach_of(const Program& program, FamilyId family, ExpressionId index,
-                                  const semantics::Range& known);
+/// What the indices of one program reach.
+class IndexReaches {
+  public:
+    explicit IndexReaches(const Program& program)
+        : program_(program) {}
+
+    /// `known` is the range of the index. Where that has no end on one side, the custom of the family's
+    /// programmers (IndexCustom) counts as well.
+    [[nodiscard]] IndexReach of(FamilyId family, ExpressionId index, const semantics::Range& known);
+
+  private:
+    /// A variable that assignments set, and the least number in the sums that they store; steps left out.
+    struct Base {
+        Variable variable;
+        double number;
+    };
+
+    void collect_bases();
+    [[nodiscard]] double base_of(Variable variable);
+
+    const Program& program_;
+    std::optional<std::vector<Base>> bases_; ///< sorted; nothing: nobody has asked
+};
 
 } // namespace maclint::dataflow

@@ -22,6 +22,7 @@ Transfer::Transfer(const Program& program, const flow::Graph& graph, States& sta
     , graph_(graph)
     , states_(states)
     , callees_(callees)
+    , index_reaches_(program)
     , modal_call_group_(program.control->group_with(ModalRole::macro_call))
     , constants_(program.expressions.size(), 0)
     , origins_(program.effects.size(), 0) {}
@@ -174,7 +175,7 @@ void Transfer::store_at(State& state, const StoreAt& target, const Value& value,
 
 /// The variables of a family that the index can mean may have changed.
 void Transfer::clobber_indexed(State& state, FamilyId of, ExpressionId index, const Value& known) {
-    const IndexReach reach = reach_of(program_, of, index, known);
+    const IndexReach reach = index_reaches_.of(of, index, known);
     const VariableFamily& family = program_.control->families[of];
     std::vector<Variable> spared;
     if (family.custom.spares_index) spared = variables_of(program_, index).variables;

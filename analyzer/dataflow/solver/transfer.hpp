@@ -114,6 +114,7 @@ class Transfer {
     const flow::Graph& graph_;
     States& states_;
     const Callees& callees_;
+    IndexReaches index_reaches_;
     std::optional<GroupId> modal_call_group_;
     FactLists* facts_ = nullptr;
     std::vector<SymbolId> constants_; ///< of the literals met so far; 0: not met
