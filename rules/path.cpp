@@ -116,11 +116,10 @@ std::string line_number(const ProgramFile& file, Offset offset) {
 
 std::string place_in(const ProgramAnalysis& analysis, Span span) {
     const std::string& name = analysis.program().name;
-    const auto namesakes =
-        std::ranges::count(analysis.workspace().programs(), name,
-                           [](const ProgramAnalysis& other) { return other.program().name; });
     const std::string& path = analysis.source()->path();
-    const std::string file = namesakes > 1 ? " (" + path.substr(path.find_last_of('/') + 1) + ")" : "";
+    const std::string file = analysis.workspace().count_named(name) > 1
+                                 ? " (" + path.substr(path.find_last_of('/') + 1) + ")"
+                                 : "";
     return name + " line " + line_number(analysis.file(), span.begin) + file;
 }
 

@@ -1,7 +1,9 @@
 //! Runs rules over a workspace, files in parallel.
+#include "analyzer/execution/given_up.hpp"
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
+#include "rules/bounds_met.hpp"
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
 #include "rules/word_check.hpp"
@@ -23,6 +25,17 @@ void run_check(const Rule& rule, const ProgramAnalysis& program, Reporter& repor
     if (const auto* check = std::get_if<ProgramCheck>(&rule.check)) (*check)(program, reporter);
 }
 
+const std::string& path_of(const ProgramFile& file) { return file.source->path(); }
+const std::string& path_of(const ProgramAnalysis& program) { return program.source()->path(); }
+
+/// Jumps or returns of the program share a node from which all labels are reached: its edges belong to none.
+bool shares_labels(const ProgramAnalysis& program) {
+    return std::ranges::any_of(program.graph().edges, [](const flow::Edge& edge) {
+        const bool any = edge.kind == flow::EdgeKind::computed || edge.kind == flow::EdgeKind::resume;
+        return any && !edge.jump;
+    });
+}
+
 std::vector<Finding> check_words(const Selection&, const ProgramFile&) { return {}; }
 std::vector<Finding> check_words(const Selection& selection, const ProgramAnalysis& program) {
     return check_words(program, selection.rules);
@@ -37,12 +50,14 @@ Severity one_less(Severity severity) {
 
 /// Everything that the selected rules find in a file or a program.
 template<class Thing>
-std::vector<Finding> check(const Selection& selection, const Thing& thing) {
+std::vector<Finding> check(const Selection& selection, const Thing& thing, std::vector<BoundMet>& met) {
     std::vector<Finding> findings;
     for (const Rule* rule : selection.rules) {
         if (!applies_to(*rule, control_of(thing))) continue;
         Reporter reporter(*rule);
+        const execution::GivenUp given_up;
         run_check(*rule, thing, reporter);
+        if (given_up.any() && !rule->stands_without_path) met.push_back({path_of(thing), rule->code});
         for (Finding& finding : reporter.take()) {
             const Proof proof = rule->stands_without_path ? Proof::path : finding.proof;
             if (proof == Proof::no_path) continue;
@@ -68,6 +83,12 @@ dataflow::FactSet facts_for(const Selection& selection) {
 }
 
 std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection, unsigned jobs) {
+    std::vector<BoundMet> met;
+    return run_rules(workspace, selection, jobs, met);
+}
+
+std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection, unsigned jobs,
+                               std::vector<BoundMet>& met) {
     std::vector<const ProgramFile*> files;
     for (const WorkspaceFile& file : workspace.files())
         if (file.asked) files.push_back(file.file.get());
@@ -76,18 +97,21 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
         if (program.asked()) programs.push_back(&program);
 
     std::vector<std::vector<Finding>> parts(files.size() + programs.size());
+    std::vector<std::vector<BoundMet>> bounds(parts.size());
     for_each_parallel(parts.size(), jobs, [&](std::size_t i) {
         if (i < files.size()) {
-            parts[i] = check(selection, *files[i]);
+            parts[i] = check(selection, *files[i], bounds[i]);
         } else {
             const ProgramAnalysis& program = *programs[i - files.size()];
-            parts[i] = check(selection, program);
+            parts[i] = check(selection, program, bounds[i]);
+            if (shares_labels(program)) bounds[i].push_back({path_of(program), {}});
             program.search_memory().forget();
         }
     });
 
     std::vector<Finding> findings;
     for (auto& part : parts) std::ranges::move(part, std::back_inserter(findings));
+    for (auto& part : bounds) std::ranges::move(part, std::back_inserter(met));
     std::unordered_set<const Source*> asked;
     for (const ProgramFile* file : files) asked.insert(file->source.get());
     std::erase_if(findings, [&](const Finding& finding) { return !asked.contains(finding.source.get()); });

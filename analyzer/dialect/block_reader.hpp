@@ -95,6 +95,7 @@ class BlockReader {
             error.subject = file_.source->to_utf8(error.subject);
             error.cure = file_.source->to_utf8(error.cure);
         }
+        file_.programs.shrink_to_fit();
         return std::move(file_);
     }
 

@@ -131,15 +131,23 @@ bool PathRun::assume_one(Point& point, const dataflow::State& before, const Appl
 
 // ---- loops
 
-PathRun::Point PathRun::change(const Changes& changes, flow::NodeId head, Point point) {
-    const auto unknown = [&](Variable variable) {
+/// The changed variables and their unknown values, which are the same whenever the path comes to the head.
+dataflow::Root PathRun::unknown_after(const Changes& changes, flow::NodeId head) {
+    const auto [known, fresh] = unknown_.try_emplace(head);
+    if (!fresh) return known->second;
+    dataflow::State state;
+    for (const Variable variable : changes.variables) {
         Value value;
         value.symbol = states_.table().symbols({Symbol::Kind::joined, dataflow::key_of(variable), head, 1});
-        return value;
-    };
+        states_.write(state, variable, value);
+    }
+    return known->second = state.root;
+}
+
+PathRun::Point PathRun::change(const Changes& changes, flow::NodeId head, Point point) {
     for (const SpaceId space : changes.spaces)
         states_.havoc(point.state, space, {dataflow::Origin::Kind::effect, head, head});
-    for (const Variable variable : changes.variables) states_.write(point.state, variable, unknown(variable));
+    point.state.root = states_.trees().united(unknown_after(changes, head), point.state.root);
     if (!changes.machine) return point;
     point.time = {head, head};
     for (std::size_t i = 0; i < program_.control->groups.size(); ++i)

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace maclint::execution {
@@ -68,6 +69,7 @@ class PathRun {
                                                   const Take& take);
     [[nodiscard]] Point run_now(flow::NodeId node, Point point);
     [[nodiscard]] std::optional<Point> along_now(flow::EdgeId id, const Point& after);
+    [[nodiscard]] dataflow::Root unknown_after(const Changes& changes, flow::NodeId head);
     [[nodiscard]] Point change(const Changes& changes, flow::NodeId head, Point point);
     [[nodiscard]] bool stores_in_machine(const flow::Node& node) const;
     [[nodiscard]] bool assume(Point& point, const dataflow::State& before, ExpressionId condition,
@@ -82,9 +84,10 @@ class PathRun {
     dataflow::Transfer transfer_;
     Assumptions assumptions_;
     dataflow::Interner<Step> steps_;
-    std::vector<std::optional<Point>> after_; ///< of each step
-    bool reads_modal_state_;                  ///< somewhere in the program
-    std::vector<dataflow::SymbolId> seen_;    ///< kept for its memory
+    std::vector<std::optional<Point>> after_;                  ///< of each step
+    std::unordered_map<flow::NodeId, dataflow::Root> unknown_; ///< by head, see unknown_after
+    bool reads_modal_state_;                                   ///< somewhere in the program
+    std::vector<dataflow::SymbolId> seen_;                     ///< kept for its memory
 };
 
 } // namespace maclint::execution

@@ -1,6 +1,8 @@
 //! Bounds the searches, and keeps one explorer for all of a program.
 #include "analyzer/execution/path_search.hpp"
 
+#include "analyzer/execution/given_up.hpp"
+
 #include <algorithm>
 
 namespace maclint::execution {
@@ -17,6 +19,7 @@ PathFound PathSearch::find(std::span<const Leg> legs) {
         [&] { return std::make_shared<PathExplorer>(*analysis_); },
         [&](PathExplorer& explorer) { return explorer.find(legs, std::min(most_visits, left)); });
     analysis_->search_memory().count(found.gave_up);
+    if (found.gave_up) GivenUp::note();
     visits_ += found.visits;
     return found;
 }

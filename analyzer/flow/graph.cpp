@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace maclint::flow {
@@ -126,9 +127,10 @@ class Building {
     void collect_return_targets(EffectId id, const Call& call) {
         if (program_.control->calls[call.kind].trigger != CallTrigger::once) return;
         ReturnTargets paths = returns_(id);
-        if (paths.to_next_block && paths.labels.empty()) return;
+        if (paths.to_next_block && paths.labels == nullptr) return;
         paths.to_next_block |= !surely_runs(program_, call);
-        for (const Label& label : paths.labels) wanted_.add(label);
+        if (paths.labels != nullptr && wanted_lists_.insert(paths.labels.get()).second)
+            for (const Label& label : *paths.labels) wanted_.add(label);
         return_targets_.emplace(id, std::move(paths));
     }
 
@@ -453,17 +455,22 @@ class Building {
         std::vector<bool> goes_elsewhere(graph_.nodes.size(), false);
         for (const NodeId node : goes_elsewhere_) goes_elsewhere[node] = true;
         std::size_t edges = 0;
-        for (const auto& [node, call] : calls_) edges += return_targets_.at(call).labels.size();
-        std::vector<SharedReturn> shared;
+        for (const auto& [node, call] : calls_) {
+            const auto& labels = return_targets_.at(call).labels;
+            if (labels != nullptr) edges += labels->size();
+        }
+        SharedReturns shared;
         for (const auto& [node, call] : calls_) {
             const ReturnTargets& paths = return_targets_.at(call);
             bool all_there = true; // otherwise the control stops: what follows is not judged by that
-            if (edges > most_computed_edges && !paths.labels.empty()) {
-                const SharedReturn& targets = shared_return(shared, paths.labels, node);
+            if (paths.labels == nullptr) {
+                // it comes back to no label
+            } else if (edges > most_computed_edges) {
+                const SharedReturn& targets = shared_return(shared, *paths.labels, node);
                 all_there = targets.all_there;
                 add_edge({node, targets.node, EdgeKind::resume, {}, true, call, {}});
             } else {
-                all_there = add_returns(node, call, paths.labels);
+                all_there = add_returns(node, call, *paths.labels);
             }
             goes_elsewhere[node] = !paths.to_next_block && all_there;
         }
@@ -489,17 +496,15 @@ class Building {
     /// A node from which calls that come back at the same labels go on, where edges of their own would be too
     /// many.
     struct SharedReturn {
-        const std::vector<Label>* labels;
         NodeId node;
         bool all_there;
     };
-    const SharedReturn& shared_return(std::vector<SharedReturn>& shared, const std::vector<Label>& labels,
-                                      NodeId like) {
-        const auto known =
-            std::ranges::find_if(shared, [&](const SharedReturn& other) { return *other.labels == labels; });
-        if (known != shared.end()) return *known;
+    using SharedReturns = std::unordered_map<const std::vector<Label>*, SharedReturn>; ///< by their list
+    const SharedReturn& shared_return(SharedReturns& shared, const std::vector<Label>& labels, NodeId like) {
+        const auto known = shared.find(&labels);
+        if (known != shared.end()) return known->second;
         const NodeId node = add_node_without_effects(like);
-        return shared.emplace_back(SharedReturn{&labels, node, add_returns(node, {}, labels)});
+        return shared.emplace(&labels, SharedReturn{node, add_returns(node, {}, labels)}).first->second;
     }
 
     void index_labels() {
@@ -556,6 +561,7 @@ class Building {
     Wanted wanted_;
     std::unordered_map<EffectId, ReturnTargets>
         return_targets_;                             ///< of calls that may go on elsewhere than after them
+    std::unordered_set<const void*> wanted_lists_;   ///< lists of theirs whose labels are wanted
     std::vector<std::pair<NodeId, EffectId>> calls_; ///< these, and the nodes that end with them
     std::vector<NodeId> goes_elsewhere_;             ///< jumps that need not find their label, and did
     std::unordered_map<RegionId, Open> open_;

@@ -5,6 +5,7 @@
 #include "analyzer/program/model.hpp"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -132,7 +133,8 @@ struct Graph {
 /// How a called program may come back.
 struct ReturnTargets {
     bool to_next_block = true;
-    std::vector<Label> labels; ///< of the caller
+    /// Of the caller; nullptr: none. One list serves all calls of a program.
+    std::shared_ptr<const std::vector<Label>> labels = nullptr;
 };
 using Returns = std::function<ReturnTargets(EffectId call)>;
 

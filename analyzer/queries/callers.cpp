@@ -54,15 +54,24 @@ const Caller* find_caller_without(const ProgramAnalysis& analysis, Variable form
     });
 }
 
-const Caller* find_caller_lacking(const ProgramAnalysis& analysis, std::int64_t block_number) {
-    return find_caller(analysis, [&](const Caller& caller) {
-        const ProgramAnalysis& calling = calling_program(analysis, caller);
+std::vector<const Caller*> first_callers(const ProgramAnalysis& analysis) {
+    std::vector<const Caller*> first; // calls of one program stand side by side
+    for (const Caller& caller : analysis.callers())
+        if (first.empty() || first.back()->program != caller.program) first.push_back(&caller);
+    return first;
+}
+
+const Caller* find_caller_lacking(const ProgramAnalysis& analysis, std::span<const Caller* const> callers,
+                                  std::int64_t block_number) {
+    const auto found = std::ranges::find_if(callers, [&](const Caller* caller) {
+        const ProgramAnalysis& calling = calling_program(analysis, *caller);
         return !calling.is_recursive() && !calling.graph().has_label(block_number);
     });
+    return found == callers.end() ? nullptr : *found;
 }
 
 bool is_called_by_nobody(const ProgramAnalysis& analysis) {
-    return analysis.complete() && analysis.callers().empty() && analysis.possible_callers().empty();
+    return analysis.complete() && analysis.callers().empty() && !analysis.has_possible_callers();
 }
 
 } // namespace maclint::queries

@@ -4,6 +4,8 @@
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace maclint::queries {
 
@@ -25,9 +27,14 @@ namespace maclint::queries {
 /// known.
 [[nodiscard]] const Caller* find_caller_without(const ProgramAnalysis& analysis, Variable formal);
 
-/// The first known caller whose program has no block of that number; nullptr when each has, or none is known.
-/// Programs that call themselves are not looked at.
-[[nodiscard]] const Caller* find_caller_lacking(const ProgramAnalysis& analysis, std::int64_t block_number);
+/// The first known call from each program that calls this one.
+[[nodiscard]] std::vector<const Caller*> first_callers(const ProgramAnalysis& analysis);
+
+/// The first of these callers whose program has no block of that number; nullptr when each has. Programs that
+/// call themselves are not looked at.
+[[nodiscard]] const Caller* find_caller_lacking(const ProgramAnalysis& analysis,
+                                                std::span<const Caller* const> callers,
+                                                std::int64_t block_number);
 
 /// Whether all programs are known, and none of them can have called this one.
 [[nodiscard]] bool is_called_by_nobody(const ProgramAnalysis& analysis);

@@ -50,7 +50,7 @@ std::optional<CopySource> copy_source(const ProgramAnalysis& analysis, Expressio
 }
 
 const dataflow::ModalRead* modal_read_of(const ProgramAnalysis& analysis, const dataflow::Store& store) {
-    const auto reads = analysis.facts().all<dataflow::ModalRead>();
+    const auto reads = analysis.facts().at<dataflow::ModalRead>(store.effect);
     const auto read = std::ranges::find(reads, store.expression, &dataflow::ModalRead::expression);
     return read == reads.end() ? nullptr : &*read;
 }
@@ -63,9 +63,13 @@ bool saves_group(const ProgramAnalysis& analysis, GroupId group) {
 }
 
 bool is_copied_into(const ProgramAnalysis& analysis, Variable variable, const dataflow::Value& value) {
-    return std::ranges::any_of(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
-        return store.variable == variable && is_same_value(store.value, value);
-    });
+    const dataflow::Facts& facts = analysis.facts();
+    const auto of_variable = facts.about<dataflow::Store>(variable);
+    const auto of_value = facts.with<dataflow::Store>(value.symbol);
+    return std::ranges::any_of(of_variable.size() < of_value.size() ? of_variable : of_value,
+                               [&](const dataflow::Store* store) {
+                                   return store->variable == variable && is_same_value(store->value, value);
+                               });
 }
 
 } // namespace maclint::queries

@@ -2,6 +2,7 @@
 #include "analyzer/queries/dead_guards.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace maclint::queries {
 namespace {
@@ -36,22 +37,27 @@ bool is_harmless_guard(const ProgramAnalysis& analysis, const dataflow::Comparis
 
 const dataflow::Store* last_store_before(const ProgramAnalysis& analysis, Variable variable,
                                          flow::NodeId node) {
-    const dataflow::Store* last = nullptr;
-    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
-        if (store.variable == variable && store.node < node) last = &store;
-    return last;
+    const auto stores = analysis.facts().about<dataflow::Store>(variable);
+    const auto after = std::ranges::lower_bound(stores, node, {}, &dataflow::Store::node);
+    return after == stores.begin() ? nullptr : *std::prev(after);
 }
 
-std::optional<Variable> keeper_of_argument(const ProgramAnalysis& analysis, Variable variable,
-                                           flow::NodeId before) {
-    const auto& symbols = analysis.data().table().symbols;
-    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
+KeptArguments::FirstCopies KeptArguments::find_first_copies() const {
+    FirstCopies copies;
+    const auto& symbols = analysis_.data().table().symbols;
+    for (const dataflow::Store& store : analysis_.facts().all<dataflow::Store>()) {
         const dataflow::Symbol& symbol = symbols[store.value.symbol];
-        const bool copy =
-            symbol.kind == dataflow::Symbol::Kind::entry && symbol.a == dataflow::key_of(variable);
-        if (copy && store.variable != variable && store.node < before) return store.variable;
+        if (symbol.kind == dataflow::Symbol::Kind::entry && symbol.a != dataflow::key_of(store.variable))
+            copies.try_emplace(symbol.a, &store);
     }
-    return std::nullopt;
+    return copies;
+}
+
+std::optional<Variable> KeptArguments::keeper_of(Variable variable, flow::NodeId before) {
+    if (!first_copies_) first_copies_ = find_first_copies();
+    const auto copy = first_copies_->find(dataflow::key_of(variable));
+    if (copy == first_copies_->end() || copy->second->node >= before) return std::nullopt;
+    return copy->second->variable;
 }
 
 } // namespace maclint::queries

@@ -6,6 +6,7 @@
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
+#include <unordered_map>
 
 namespace maclint::queries {
 
@@ -18,8 +19,20 @@ namespace maclint::queries {
 [[nodiscard]] const dataflow::Store* last_store_before(const ProgramAnalysis& analysis, Variable variable,
                                                        flow::NodeId node);
 
-/// Another variable to which the value from the call was copied before it was overwritten.
-[[nodiscard]] std::optional<Variable> keeper_of_argument(const ProgramAnalysis& analysis, Variable variable,
-                                                         flow::NodeId before);
+/// The variables to which a program copies what its call gives it.
+class KeptArguments {
+  public:
+    explicit KeptArguments(const ProgramAnalysis& analysis)
+        : analysis_(analysis) {}
+    /// Another variable to which the value from the call was copied before it was overwritten.
+    [[nodiscard]] std::optional<Variable> keeper_of(Variable variable, flow::NodeId before);
+
+  private:
+    using FirstCopies = std::unordered_map<dataflow::Key, const dataflow::Store*>; ///< by the copied variable
+    [[nodiscard]] FirstCopies find_first_copies() const;
+
+    const ProgramAnalysis& analysis_;
+    std::optional<FirstCopies> first_copies_; ///< found when somebody asks
+};
 
 } // namespace maclint::queries

@@ -14,8 +14,8 @@ namespace {
 std::vector<flow::NodeId> assigning_nodes(const dataflow::Facts& facts, Variable variable,
                                           flow::NodeId except) {
     std::vector<flow::NodeId> nodes;
-    for (const dataflow::Store& store : facts.all<dataflow::Store>())
-        if (store.variable == variable && store.node != except) nodes.push_back(store.node);
+    for (const dataflow::Store* store : facts.about<dataflow::Store>(variable))
+        if (store->node != except) nodes.push_back(store->node);
     return nodes;
 }
 
@@ -31,8 +31,8 @@ void add_clobbering_nodes(const dataflow::Facts& facts, Variable variable, flow:
 std::vector<bool> WithoutAssignment::reach_of(Variable variable, const Reach& reach) const {
     const flow::Graph& graph = analysis_.graph();
     std::vector<bool> ends(graph.nodes.size(), false);
-    for (const dataflow::Store& store : analysis_.facts().all<dataflow::Store>())
-        if (store.variable == variable) ends[store.node] = true;
+    for (const dataflow::Store* store : analysis_.facts().about<dataflow::Store>(variable))
+        ends[store->node] = true;
     std::vector<bool> reached(graph.nodes.size(), false);
     reached[0] = true;
     if (ends[0]) return reached;

@@ -156,12 +156,12 @@ std::vector<Variable> untested_arguments(const ProgramAnalysis& analysis) {
     if (!analysis.is_macro()) return untested;
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
         if (is_used_as_given(analysis, read)) untested.push_back(read.variable);
+    std::ranges::sort(untested, {}, &Variable::number);
+    const auto again = std::ranges::unique(untested);
+    untested.erase(again.begin(), again.end()); // then there are no more than letters
     for (const Comparison& comparison : analysis.facts().all<Comparison>())
         for (const ExpressionId side : {comparison.left_expression, comparison.right_expression})
             std::erase(untested, plain_variable(analysis.program(), side));
-    std::ranges::sort(untested, {}, &Variable::number);
-    const auto again = std::ranges::unique(untested);
-    untested.erase(again.begin(), again.end());
     return untested;
 }
 

@@ -47,36 +47,45 @@ std::optional<GroupId> find_own_group(const ControlModel& control, ModalRole rol
     return own ? group : std::nullopt;
 }
 
-bool lasts_until(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part,
-                 flow::NodeId node) {
-    const flow::NodeId set = node_of_origin(analysis, part.origin);
+bool Lasting::until(flow::NodeId node, GroupId group, const dataflow::ModalPart& part) {
+    const flow::NodeId set = node_of_origin(analysis_, part.origin);
     if (set == node) return true;
-    // What sets the group for other channels leaves it alone for these.
-    const auto running = [&](flow::NodeId at) { return analysis.graph().channels_at(at).running; };
-    const unsigned channels = running(set) & running(node);
-    std::vector<flow::NodeId> setting; // sorted, as facts are
-    for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>())
-        if (write.group == group && (channels & ~running(write.node)) == 0) setting.push_back(write.node);
-    return can_follow(analysis, set, node, setting);
+    const flow::Graph& graph = analysis_.graph();
+    const auto channels =
+        static_cast<Channels>(graph.channels_at(set).running & graph.channels_at(node).running);
+    return can_follow(analysis_, set, node, setting(group, channels));
+}
+
+const std::vector<flow::NodeId>& Lasting::setting(GroupId group, Channels channels) {
+    const auto [known, fresh] = setting_.try_emplace({group, channels});
+    if (!fresh) return known->second;
+    for (const dataflow::ModalWrite& write : analysis_.facts().all<dataflow::ModalWrite>()) {
+        // What sets the group for other channels leaves it alone for these.
+        const unsigned others = ~unsigned{analysis_.graph().channels_at(write.node).running};
+        if (write.group == group && (channels & others) == 0) known->second.push_back(write.node);
+    }
+    return known->second;
 }
 
 std::vector<ModalLeak> left_at_return(const ProgramAnalysis& analysis) {
     if (analysis.is_main()) return {};
+    Lasting lasting(analysis);
     return find_modal_leaks(
         analysis, RestorePolicy::own_rule,
         [&](const ModalGroup& group, GroupId id, const dataflow::ExitState& exit, const auto& part) {
             return group.cancel && returns(analysis, exit.exit.kind) &&
-                   is_switched_on(analysis, group, part) && lasts_until(analysis, id, part, exit.exit.node) &&
+                   is_switched_on(analysis, group, part) && lasting.until(exit.exit.node, id, part) &&
                    (!group.for_callers || is_left_by_a_caller(analysis, id));
         });
 }
 
 std::optional<ModalLeak> left_at_end(const ProgramAnalysis& analysis, ModalRole role) {
+    Lasting lasting(analysis);
     const auto leaks = find_modal_leaks(
         analysis, RestorePolicy::own_rule,
         [&](const ModalGroup& group, GroupId id, const dataflow::ExitState& exit, const auto& part) {
             return group.role == role && group.cancel && ends(analysis, exit.exit.kind) &&
-                   is_switched_on(analysis, group, part) && lasts_until(analysis, id, part, exit.exit.node);
+                   is_switched_on(analysis, group, part) && lasting.until(exit.exit.node, id, part);
         });
     if (leaks.empty()) return std::nullopt;
     return leaks.front();

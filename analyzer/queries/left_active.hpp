@@ -4,7 +4,9 @@
 
 #include "analyzer/queries/modal_leaks.hpp"
 
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace maclint::queries {
@@ -19,9 +21,21 @@ namespace maclint::queries {
 /// What the program has switched on itself in the group of this role, and is still on when it ends.
 [[nodiscard]] std::optional<ModalLeak> left_at_end(const ProgramAnalysis& analysis, ModalRole role);
 
-/// Whether some path that can be taken leads from the block that set the part to the node, with the group
-/// left alone in between.
-[[nodiscard]] bool lasts_until(const ProgramAnalysis& analysis, GroupId group,
-                               const dataflow::ModalPart& part, flow::NodeId node);
+/// How long what a program switches on stays so.
+class Lasting {
+  public:
+    explicit Lasting(const ProgramAnalysis& analysis)
+        : analysis_(analysis) {}
+    /// Whether some path that can be taken leads from the block that set the part to the node, with the group
+    /// left alone in between.
+    [[nodiscard]] bool until(flow::NodeId node, GroupId group, const dataflow::ModalPart& part);
+
+  private:
+    /// The nodes that set the group for any of the channels, sorted.
+    [[nodiscard]] const std::vector<flow::NodeId>& setting(GroupId group, Channels channels);
+
+    const ProgramAnalysis& analysis_;
+    std::map<std::pair<GroupId, Channels>, std::vector<flow::NodeId>> setting_; ///< found when asked for
+};
 
 } // namespace maclint::queries

@@ -49,7 +49,7 @@ bool is_endless_by_jumps(const dataflow::Loop& cycle) { return !cycle.region && 
 bool repeats_whole_program(const ProgramAnalysis& analysis, const dataflow::Loop& cycle) {
     const Program& program = analysis.program();
     const auto& nodes = analysis.graph().nodes;
-    if (analysis.is_macro() || !analysis.callers().empty() || !analysis.possible_callers().empty() ||
+    if (analysis.is_macro() || !analysis.callers().empty() || analysis.has_possible_callers() ||
         cycle.latch + 1 >= nodes.size())
         return false;
     const auto behind = program.effects_in(nodes[cycle.latch + 1].effects);

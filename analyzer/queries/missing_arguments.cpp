@@ -26,7 +26,7 @@ bool passes(const ProgramAnalysis& analysis, const Caller& caller, Variable form
 
 /// Whether a call whose program only the running program knows may mean it.
 bool may_be_computed(const ProgramAnalysis& analysis) {
-    return !analysis.possible_callers().empty() ||
+    return analysis.has_possible_callers() ||
            std::ranges::any_of(analysis.workspace().files(), [&](const WorkspaceFile& file) {
                return file.file.get() == &analysis.file() && file.may_be_computed;
            });

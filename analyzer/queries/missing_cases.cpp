@@ -18,8 +18,8 @@ class Search {
         , program_(analysis.program())
         , graph_(analysis.graph())
         , assigns_(graph_.nodes.size(), false) {
-        for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
-            if (store.variable == variable && store.node != read) assigns_[store.node] = true;
+        for (const dataflow::Store* store : analysis.facts().about<dataflow::Store>(variable))
+            if (store->node != read) assigns_[store->node] = true;
         comes_ = nodes_before(read, false);
         comes_around_ = nodes_before(read, true);
     }

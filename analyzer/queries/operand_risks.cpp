@@ -97,8 +97,7 @@ std::vector<Variable> harmful_zeros(const ProgramAnalysis& analysis, Operation o
 bool is_set_by_others(const ProgramAnalysis& analysis, Variable variable) {
     return std::ranges::any_of(analysis.callers(), [&](const Caller& caller) {
         const dataflow::Facts& facts = calling_program(analysis, caller).facts();
-        const auto stores = facts.all<dataflow::Store>();
-        return std::ranges::find(stores, variable, &dataflow::Store::variable) != stores.end() ||
+        return !facts.about<dataflow::Store>(variable).empty() ||
                std::ranges::any_of(facts.all<dataflow::Clobber>(), [&](const dataflow::Clobber& clobber) {
                    return clobber.may_change(variable);
                });

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace maclint::queries {
 namespace {
@@ -36,23 +38,26 @@ bool is_computed_from(const ProgramAnalysis& analysis, const dataflow::Store& st
     return std::ranges::find(set.variables, store.variable) != set.variables.end();
 }
 
-/// The saved value has served already: some word put it back.
-bool is_put_back(const ProgramAnalysis& analysis, Variable variable, ExpressionId saved) {
-    return std::ranges::any_of(analysis.facts().all<dataflow::ModalWrite>(),
-                               [&](const dataflow::ModalWrite& write) {
-                                   if (plain_variable(analysis.program(), write.expression) != variable)
-                                       return false;
-                                   const auto source = copy_source(analysis, write.expression, write.value);
-                                   return source && source->expression == saved;
-                               });
+using PutBack = std::set<std::pair<dataflow::Key, ExpressionId>>;
+
+/// The saved values that some word has put back, by the variable of the word: they have served already.
+PutBack values_put_back(const ProgramAnalysis& analysis) {
+    PutBack found;
+    for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
+        const auto variable = plain_variable(analysis.program(), write.expression);
+        if (!variable) continue;
+        if (const auto source = copy_source(analysis, write.expression, write.value))
+            found.emplace(dataflow::key_of(*variable), source->expression);
+    }
+    return found;
 }
 
 /// Whether the control can come from the assignment to the word while the variable keeps what it stores.
 bool reaches(const ProgramAnalysis& analysis, const dataflow::Store& store,
              const dataflow::ModalWrite& write) {
     std::vector<flow::NodeId> others;
-    for (const dataflow::Store& other : analysis.facts().all<dataflow::Store>())
-        if (other.variable == store.variable && other.node != store.node) others.push_back(other.node);
+    for (const dataflow::Store* other : analysis.facts().about<dataflow::Store>(store.variable))
+        if (other->node != store.node) others.push_back(other->node);
     return store.node != write.node && can_follow(analysis, store.node, write.node, others);
 }
 
@@ -65,9 +70,8 @@ std::vector<const dataflow::Store*> stores_for(const ProgramAnalysis& analysis,
         if (only->variable == variable) stores.push_back(only);
         return stores;
     }
-    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
-        if (store.variable == variable && saved_before(analysis, store) && reaches(analysis, store, write))
-            stores.push_back(&store);
+    for (const dataflow::Store* store : analysis.facts().about<dataflow::Store>(variable))
+        if (saved_before(analysis, *store) && reaches(analysis, *store, write)) stores.push_back(store);
     return stores;
 }
 
@@ -75,6 +79,8 @@ std::vector<const dataflow::Store*> stores_for(const ProgramAnalysis& analysis,
 
 std::vector<OverwrittenSave> overwritten_saves(const ProgramAnalysis& analysis) {
     std::vector<OverwrittenSave> found;
+    std::set<const dataflow::Store*> known;
+    std::optional<PutBack> put_back; // most programs overwrite none
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
         const auto variable = plain_variable(analysis.program(), write.expression);
         if (!variable) continue;
@@ -84,8 +90,10 @@ std::vector<OverwrittenSave> overwritten_saves(const ProgramAnalysis& analysis) 
             const auto saved = saved_before(analysis, *store);
             if (!saved || !would_restore(analysis, write, *saved->source.group)) continue;
             if (write.stated && is_computed_from(analysis, *store)) continue;
-            if (std::ranges::find(found, store, &OverwrittenSave::store) != found.end()) continue;
-            if (is_put_back(analysis, *variable, saved->source.expression)) continue;
+            if (known.contains(store)) continue;
+            if (!put_back) put_back = values_put_back(analysis);
+            if (put_back->contains({dataflow::key_of(*variable), saved->source.expression})) continue;
+            known.insert(store);
             found.push_back({saved->source, saved->node, store, &write});
         }
     }

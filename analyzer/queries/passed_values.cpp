@@ -44,10 +44,9 @@ void collect(const dataflow::ValueTable& table, SymbolId id, int depth, GivenVar
 /// that the program stores: `IF[#6EQ#0]THEN#6=1.`
 bool has_only_defaults(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node) {
     const auto& facts = analysis.facts();
-    return std::ranges::none_of(facts.all<dataflow::Store>(),
-                                [&](const dataflow::Store& store) {
-                                    return store.variable == variable &&
-                                           (!store.value.constant() || store.value.can_be(0));
+    return std::ranges::none_of(facts.about<dataflow::Store>(variable),
+                                [&](const dataflow::Store* store) {
+                                    return !store->value.constant() || store->value.can_be(0);
                                 }) &&
            std::ranges::none_of(
                facts.all<dataflow::Clobber>(),

@@ -42,10 +42,14 @@ bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read, std::s
     if (!analysis.liveness().is_live_after(store.effect, store.variable)) return false;
     if (read.use != Use::copy) return true;
     if (!seen.insert(read.effect).second) return false;
-    return std::ranges::any_of(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& later) {
-        return later.variable == store.variable && later.value.symbol == store.value.symbol &&
-               later.use != Use::vacancy_test && is_used(analysis, later, seen);
-    });
+    const dataflow::Facts& facts = analysis.facts();
+    const auto of_variable = facts.about<dataflow::Read>(store.variable);
+    const auto of_value = facts.with<dataflow::Read>(store.value.symbol);
+    return std::ranges::any_of(
+        of_variable.size() < of_value.size() ? of_variable : of_value, [&](const dataflow::Read* later) {
+            return later->variable == store.variable && later->value.symbol == store.value.symbol &&
+                   later->use != Use::vacancy_test && is_used(analysis, *later, seen);
+        });
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "analyzer/flow/regions.hpp"
 #include "analyzer/flow/shortest_paths.hpp"
 #include "analyzer/program/model.hpp"
+#include "analyzer/workspace/call_paths.hpp"
 #include "analyzer/workspace/resolve.hpp"
 #include "analyzer/workspace/search_memory.hpp"
 #include "analyzer/workspace/workspace.hpp"
@@ -98,6 +99,7 @@ class ProgramAnalysis {
     [[nodiscard]] const std::vector<Caller>& callers() const { return callers_; }
     /// Calls that mean this program or another one, equally near.
     [[nodiscard]] std::vector<Caller> possible_callers() const;
+    [[nodiscard]] bool has_possible_callers() const { return !undecided_.empty(); }
     /// It runs on its own: nobody calls it, and it does not return to anybody.
     [[nodiscard]] bool is_main() const { return data_->entry() == dataflow::Entry::main; }
     /// Whether a call of it gives it local variables of its own: a caller does so, or it reads arguments and
@@ -107,9 +109,9 @@ class ProgramAnalysis {
     [[nodiscard]] bool is_recursive() const { return recursive_; }
     /// How deep the deepest calls of the workspace that reach it are.
     [[nodiscard]] CallDepth depth() const { return depth_; }
-    /// Calls that lead from this program to another, in order; empty when there is no such path or it is the
-    /// same program.
-    [[nodiscard]] std::vector<Caller> path_to(ProgramIndex program) const;
+    /// Calls that lead from this program to another; none when there is no such path or it is the same
+    /// program. May be asked on several threads.
+    [[nodiscard]] CallPath path_to(ProgramIndex program) const;
     /// The calls along that path for the limit, outermost first.
     [[nodiscard]] std::vector<Caller> chain_to(NestingLimit nesting) const;
 

@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/flow/components.hpp"
 #include "analyzer/workspace/bind.hpp"
+#include "analyzer/workspace/handed_down.hpp"
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/resolve.hpp"
@@ -43,6 +44,7 @@ class WorkspaceBuilder {
         find_ambiguous_names();
         components_ = flow::find_components(adjacency_);
         find_needed();
+        handed_down_.emplace(programs_, components_);
         for (const auto& layer : flow::layers_of(adjacency_, components_)) analyse_layer(layer);
         mark_cycles();
         measure_depth();
@@ -167,9 +169,12 @@ class WorkspaceBuilder {
     void find_needed() {
         needed_.resize(programs_.size());
         for (const ProgramAnalysis& analysis : programs_) needed_[analysis.index()] = analysis.asked();
-        spread_need([](const ProgramAnalysis& analysis, const auto& add) {
+        std::set<const UndecidedCalls*> seen;
+        spread_need([&](const ProgramAnalysis& analysis, const auto& add) {
             for (const Caller& caller : analysis.callers_) add(caller.program);
-            for (const Caller& caller : analysis.possible_callers()) add(caller.program);
+            for (const auto& calls : analysis.undecided_)
+                if (seen.insert(calls.get()).second)
+                    for (const Caller& caller : calls->callers) add(caller.program);
         });
         spread_need([](const ProgramAnalysis& analysis, const auto& add) {
             for (const CallSite& site : analysis.calls_)
@@ -216,19 +221,19 @@ class WorkspaceBuilder {
             const ProgramAnalysis& called = programs[*site->target];
             return dataflow::Callee{called.summary(), site->references, &called.data()};
         };
-        std::unordered_map<ProgramIndex, std::vector<Label>> returned_to; ///< from programs of the cycle
+        using Labels = std::shared_ptr<const std::vector<Label>>;
+        std::unordered_map<ProgramIndex, Labels> returned_to; ///< from each called program, one list
         analysis.regions_ = flow::pair_regions(program);
         analysis.graph_ = flow::build_graph(program, analysis.regions_, [&](EffectId call) {
             const dataflow::Summary& summary = callees(call).summary;
             const CallSite* site = analysis.call_at(call);
-            if (site != nullptr && site->in_cycle) {
-                const auto [labels, fresh] = returned_to.try_emplace(*site->target);
-                if (fresh)
-                    labels->second =
-                        labels_in(program, labels_returned_to(programs_[*site->target].program()));
-                return flow::ReturnTargets{true, labels->second};
-            }
-            return flow::ReturnTargets{summary.returns, labels_in(program, summary.resume_labels)};
+            if (site == nullptr || !site->target) return flow::ReturnTargets{summary.returns};
+            const auto [labels, fresh] = returned_to.try_emplace(*site->target);
+            if (fresh)
+                labels->second =
+                    labels_in(program, site->in_cycle ? labels_returned_to(programs_[*site->target].program())
+                                                      : summary.resume_labels);
+            return flow::ReturnTargets{site->in_cycle || summary.returns, labels->second};
         });
         const bool main = runs_on_its_own(analysis);
         analysis.locals_are_callers_ =
@@ -257,8 +262,10 @@ class WorkspaceBuilder {
     }
 
     /// What a callee spells are labels of its caller; a name that the caller lacks is that of no block.
-    static std::vector<Label> labels_in(const Program& caller,
-                                        std::span<const dataflow::CallersLabel> spelled) {
+    /// Nullptr where it spells none.
+    static std::shared_ptr<const std::vector<Label>>
+    labels_in(const Program& caller, std::span<const dataflow::CallersLabel> spelled) {
+        if (spelled.empty()) return nullptr;
         constexpr std::int32_t of_no_block = -1;
         std::vector<Label> labels;
         labels.reserve(spelled.size());
@@ -269,7 +276,7 @@ class WorkspaceBuilder {
                 labels.emplace_back(
                     BlockName{caller.block_names.find(std::get<std::string>(label)).value_or(of_no_block)});
         }
-        return labels;
+        return std::make_shared<const std::vector<Label>>(std::move(labels));
     }
 
     static bool runs_on_its_own(const ProgramAnalysis& analysis) {
@@ -305,7 +312,7 @@ class WorkspaceBuilder {
             else if (analysis.program().local)
                 entry.arguments = what_callers_in_the_file_pass(analysis);
         }
-        entry.handed_down = handed_down_to(analysis);
+        entry.handed_down = handed_down_->to(analysis);
         return entry;
     }
 
@@ -330,46 +337,6 @@ class WorkspaceBuilder {
         std::ranges::for_each(analysis.control().formals, add);
         for (const Formal& formal : analysis.program().formals) add(formal.variable);
         return arguments;
-    }
-
-    /// What the programs from which this one is called, directly or through others, hand down to it; nothing
-    /// when no caller is there to be asked.
-    std::optional<std::vector<Variable>> handed_down_to(const ProgramAnalysis& analysis) const {
-        if (analysis.callers_.empty()) return std::nullopt;
-        const Program& own = analysis.program();
-        const auto& spaces = own.control->spaces;
-        if (std::ranges::none_of(spaces, &VariableSpace::handed_down)) return std::vector<Variable>{};
-        std::vector<Variable> variables;
-        std::vector<bool> seen(programs_.size(), false);
-        std::vector<ProgramIndex> above{analysis.index()};
-        seen[analysis.index()] = true;
-        while (!above.empty()) {
-            const ProgramAnalysis& at = programs_[above.back()];
-            above.pop_back();
-            if (&at != &analysis) take_over(at.program(), own, variables);
-            for (const Caller& caller : at.callers_) {
-                if (seen[caller.program]) continue;
-                seen[caller.program] = true;
-                above.push_back(caller.program);
-            }
-        }
-        return variables;
-    }
-
-    /// Adds what `giver` hands down, as `taker` numbers it: names have their own numbers in every program.
-    static void take_over(const Program& giver, const Program& taker, std::vector<Variable>& variables) {
-        for (const Variable variable : giver.handed_down) {
-            if (!giver.control->spaces[variable.space].named) {
-                variables.push_back(variable);
-                continue;
-            }
-            if (const auto number = taker.names.find(giver.names[variable.number]))
-                variables.push_back({variable.space, *number});
-        }
-        const auto key = [](Variable variable) { return std::pair(variable.space, variable.number); };
-        std::ranges::sort(variables, {}, key);
-        const auto twice = std::ranges::unique(variables);
-        variables.erase(twice.begin(), twice.end());
     }
 
     /// Arguments that all callers pass and those that some leave out. A call that shares its locals passes
@@ -489,6 +456,7 @@ class WorkspaceBuilder {
     dataflow::FactSet facts_;
     flow::Adjacency adjacency_;
     flow::Components components_;
+    std::optional<HandedDown> handed_down_;
     std::vector<bool> needed_;               ///< by program: its flow and data flow are asked for
     std::set<const ProgramFile*> computing_; ///< files with a call that may mean any program
     std::map<std::shared_ptr<const NamesakeList>, std::shared_ptr<UndecidedCalls>> undecided_by_list_;
@@ -500,24 +468,8 @@ const CallSite* ProgramAnalysis::call_at(EffectId effect) const {
     return found != calls_.end() && found->effect == effect ? &*found : nullptr;
 }
 
-std::vector<Caller> ProgramAnalysis::path_to(ProgramIndex program) const {
-    if (program == index_) return {};
-    std::unordered_map<ProgramIndex, Caller> reached_by;
-    std::deque<ProgramIndex> queue{index_};
-    while (!queue.empty() && !reached_by.contains(program)) {
-        const ProgramAnalysis& at = workspace_->programs()[queue.front()];
-        queue.pop_front();
-        for (const CallSite& site : at.calls_) {
-            if (!site.target || *site.target == index_) continue;
-            if (reached_by.try_emplace(*site.target, Caller{at.index_, site.effect}).second)
-                queue.push_back(*site.target);
-        }
-    }
-    std::vector<Caller> path;
-    for (ProgramIndex at = program; at != index_ && reached_by.contains(at); at = path.back().program)
-        path.push_back(reached_by.at(at));
-    std::ranges::reverse(path);
-    return path;
+CallPath ProgramAnalysis::path_to(ProgramIndex program) const {
+    return workspace_->call_paths_->between(index_, program);
 }
 
 std::vector<Caller> ProgramAnalysis::chain_to(NestingLimit nesting) const {
@@ -535,10 +487,19 @@ std::vector<Caller> ProgramAnalysis::chain_to(NestingLimit nesting) const {
 }
 
 Workspace::Workspace()
-    : programs_(std::make_unique<std::deque<ProgramAnalysis>>()) {}
+    : programs_(std::make_unique<std::deque<ProgramAnalysis>>())
+    , call_paths_(std::make_unique<CallPaths>(*programs_)) {}
 Workspace::~Workspace() = default;
 
 const std::deque<ProgramAnalysis>& Workspace::programs() const { return *programs_; }
+
+std::size_t Workspace::count_named(std::string_view name) const {
+    std::call_once(named_once_, [this] {
+        for (const ProgramAnalysis& analysis : *programs_) ++named_[analysis.program().name];
+    });
+    const auto known = named_.find(name);
+    return known == named_.end() ? 0 : known->second;
+}
 
 std::unique_ptr<Workspace> Workspace::analyse(std::vector<WorkspaceFile> files,
                                               const WorkspaceOptions& options) {

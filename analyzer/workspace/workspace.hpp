@@ -4,13 +4,18 @@
 #include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/program/model.hpp"
 
+#include <cstddef>
 #include <deque>
 #include <memory>
+#include <mutex>
 #include <span>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace maclint {
 
+class CallPaths;
 class ProgramAnalysis;
 
 /// A file of the workspace.
@@ -44,12 +49,18 @@ class Workspace {
     [[nodiscard]] std::span<const WorkspaceFile> files() const { return files_; }
     /// One analysis a program, in the order of files and programs. References stay valid.
     [[nodiscard]] const std::deque<ProgramAnalysis>& programs() const;
+    /// How many programs have the name. May be asked on several threads.
+    [[nodiscard]] std::size_t count_named(std::string_view name) const;
 
   private:
+    friend class ProgramAnalysis;
     friend class WorkspaceBuilder;
     Workspace();
     std::vector<WorkspaceFile> files_;
     std::unique_ptr<std::deque<ProgramAnalysis>> programs_;
+    std::unique_ptr<CallPaths> call_paths_;
+    mutable std::once_flag named_once_;
+    mutable std::unordered_map<std::string_view, std::size_t> named_;
     std::vector<std::int32_t> ambiguous_names_; ///< numbers that several shared names have; sorted
 };
 

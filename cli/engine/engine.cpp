@@ -6,6 +6,7 @@
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
+#include "cli/engine/bounds.hpp"
 #include "cli/engine/computed_calls.hpp"
 #include "cli/engine/other_control.hpp"
 #include "cli/engine/read.hpp"
@@ -54,6 +55,8 @@ class Run {
         check_groups(groups_asked_for());
         if (stop_.stop_requested()) return Result{.cancelled = true};
         std::ranges::stable_sort(result_.findings, comes_before, &FilteredFinding::finding);
+        for (auto notice : {bounds_.searches(), bounds_.jumps()})
+            if (notice) result_.notices.push_back(*std::move(notice));
         result_.timing = watches_.times();
         return std::move(result_);
     }
@@ -151,8 +154,7 @@ class Run {
                                    computed_calls_.may_mean(file, programs->control->language)});
         }
         const Selection selection = selection_of(rules);
-        const auto workspace = analyse(std::move(members), {.jobs = jobs, .facts = facts_for(selection)});
-        std::ranges::move(find(*workspace, selection, jobs), std::back_inserter(findings));
+        std::ranges::move(find_in(std::move(members), selection, jobs), std::back_inserter(findings));
         return withhold_misread(apply_suppressions(std::move(findings), rules));
     }
 
@@ -163,9 +165,18 @@ class Run {
         return workspace;
     }
 
+    /// The workspace goes before anybody judges what was found: both may be large.
+    std::vector<Finding> find_in(std::vector<WorkspaceFile> members, const Selection& selection,
+                                 unsigned jobs) {
+        const auto workspace = analyse(std::move(members), {.jobs = jobs, .facts = facts_for(selection)});
+        return find(*workspace, selection, jobs);
+    }
+
     std::vector<Finding> find(const Workspace& workspace, const Selection& selection, unsigned jobs) {
         const Stopwatches::Running running(watches_.rules);
-        auto findings = run_rules(workspace, selection, jobs);
+        std::vector<BoundMet> met;
+        auto findings = run_rules(workspace, selection, jobs, met);
+        bounds_.add(met);
         for (const ProgramAnalysis& program : workspace.programs()) {
             const SearchCounts counts = program.search_memory().counts();
             watches_.searches += counts.searches;
@@ -227,6 +238,7 @@ class Run {
     std::atomic<std::size_t> at_once_ = 0; ///< bytes of texts that were asked for
     ComputedCalls computed_calls_;
     Stopwatches watches_;
+    Bounds bounds_;
     Result result_;
 };
 

@@ -198,6 +198,7 @@ class FileSuppressions {
 
     void take(std::vector<Finding> findings) {
         std::ranges::stable_sort(findings, comes_before);
+        evaluated_.reserve(evaluated_.size() + findings.size());
         for (Finding& finding : findings) {
             std::optional<Suppression> suppressed;
             if (const Allowance* allowance = suppressions_.find(finding))
@@ -277,15 +278,23 @@ std::vector<const Rule*> rules_in_suppressions(const ProgramFile& file) {
 
 std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings,
                                                 const std::vector<FileRules>& files) {
+    std::unordered_map<const Source*, std::size_t>
+        counts; // there may be a million: no list grows step by step
+    for (const Finding& finding : findings) ++counts[finding.source.get()];
     std::unordered_map<const Source*, std::vector<Finding>> by_file;
+    for (const auto& [source, count] : counts) by_file[source].reserve(count);
     for (Finding& finding : findings) by_file[finding.source.get()].push_back(std::move(finding));
+    findings = std::vector<Finding>();
     std::vector<FilteredFinding> filtered;
     for (const FileRules& file : files) {
         const auto own = by_file.find(file.file->source.get());
         auto mine = own == by_file.end() ? std::vector<Finding>() : std::move(own->second);
         if (mine.empty() && file.file->comments.empty()) continue;
-        std::ranges::move(FileSuppressions(*file.file, *file.rules).apply_suppressions(std::move(mine)),
-                          std::back_inserter(filtered));
+        auto judged = FileSuppressions(*file.file, *file.rules).apply_suppressions(std::move(mine));
+        if (filtered.empty())
+            filtered = std::move(judged);
+        else
+            std::ranges::move(judged, std::back_inserter(filtered));
     }
     std::ranges::stable_sort(filtered, comes_before, &FilteredFinding::finding);
     return filtered;

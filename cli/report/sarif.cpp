@@ -88,9 +88,32 @@ class SarifWriter {
         collect_line_hashes();
     }
 
-    Json write() {
-        Json results = Json::array();
-        for (const FilteredFinding& filtered : report_.findings) results.push_back(result_of(filtered));
+    /// Results are put into words one by one: as a tree they would take many times the memory of their text.
+    std::string write() {
+        constexpr std::string_view no_results = R"("results": [])"; // within a string its quotes were escaped
+        constexpr std::size_t depth_of_results = 8;
+        const std::string indent(depth_of_results, ' ');
+        const std::string frame = text_of(document());
+        const std::size_t begin = frame.find(no_results) + no_results.size() - 1; // its closing bracket
+        std::string text = frame.substr(0, begin);
+        for (const FilteredFinding& filtered : report_.findings) {
+            text += text.back() == '[' ? "\n" + indent : ",\n" + indent;
+            for (const char c : text_of(result_of(filtered))) {
+                text += c;
+                if (c == '\n') text += indent;
+            }
+        }
+        if (!report_.findings.empty()) text += "\n" + indent.substr(2);
+        return text.append(frame, begin);
+    }
+
+  private:
+    static std::string text_of(const Json& json) {
+        return printable_json(json.dump(2, ' ', false, Json::error_handler_t::replace));
+    }
+
+    /// Everything but the results.
+    Json document() {
         Json run = {
             {"tool", {{"driver", driver()}}},
             {"invocations", Json::array({invocation()})},
@@ -98,13 +121,12 @@ class SarifWriter {
              {{root_id,
                {{"description", text_message("The repository, or the folder in which maclint ran.")}}}}},
             {"artifacts", artifacts()},
-            {"results", std::move(results)},
+            {"results", Json::array()},
             {"columnKind", "utf16CodeUnits"}};
         if (Json all = taxonomies(); !all.empty()) run["taxonomies"] = std::move(all);
         return {{"$schema", schema}, {"version", "2.1.0"}, {"runs", Json::array({std::move(run)})}};
     }
 
-  private:
     // ---- files
 
     void add_artifact(const Source& source) {
@@ -415,9 +437,6 @@ class SarifWriter {
 
 } // namespace
 
-std::string write_sarif(const Report& report) {
-    return printable_json(SarifWriter(report).write().dump(2, ' ', false, Json::error_handler_t::replace)) +
-           "\n";
-}
+std::string write_sarif(const Report& report) { return SarifWriter(report).write() + "\n"; }
 
 } // namespace maclint::cli

@@ -5,6 +5,7 @@
 #include "rules/rule.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace maclint::rules {
@@ -82,38 +83,26 @@ END
 
 namespace {
 
-/// Of a circle of more programs the first and the last are named.
-constexpr std::size_t most_named = 8;
-
-/// Whether the n-th of so many calls of a circle is named.
-bool is_named(std::size_t n, std::size_t calls) {
-    return calls <= most_named || n < most_named / 2 || n + most_named / 2 >= calls;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const CallSite& site : analysis.calls()) {
         if (!site.closes_cycle) continue;
         const Span span = analysis.program().effects[site.effect].span;
         const ProgramAnalysis& callee = *queries::called_program(analysis, site);
-        const std::vector<Caller> cycle = callee.path_to(analysis.index());
+        const CallPath circle = callee.path_to(analysis.index());
+        std::vector<RelatedLocation> path;
         std::string words = callee.program().name;
-        for (std::size_t i = 0; i < cycle.size(); ++i) {
-            if (cycle.size() > most_named && i == most_named / 2)
-                words += " > " + std::to_string(cycle.size() - most_named) + " more";
-            if (!is_named(i, cycle.size())) continue;
-            const ProgramAnalysis& calling = queries::calling_program(analysis, cycle[i]);
-            words +=
-                " > " + queries::called_program(calling, *calling.call_at(cycle[i].effect))->program().name;
+        for (const Caller& call : circle.calls) {
+            // Of a circle of more programs the first and the last are named.
+            if (circle.length > CallPath::most && path.size() == CallPath::most / 2)
+                words += " > " + std::to_string(circle.length - CallPath::most) + " more";
+            const ProgramAnalysis& calling = queries::calling_program(analysis, call);
+            words += " > " + queries::called_program(calling, *calling.call_at(call.effect))->program().name;
+            path.push_back(related_at_effect(calling, call.effect, "calls the next program of the circle"));
         }
         Finding& finding = reporter.report(
-            {analysis, site.effect}, span, cycle.empty() ? "self" : "plain",
+            {analysis, site.effect}, span, circle.calls.empty() ? "self" : "plain",
             {quoted(analysis.program(), span), callee.program().name, words + " > " + callee.program().name});
-        for (std::size_t i = 0; i < cycle.size(); ++i) {
-            if (!is_named(i, cycle.size())) continue;
-            const ProgramAnalysis& calling = queries::calling_program(analysis, cycle[i]);
-            finding.path.push_back(
-                related_at_effect(calling, cycle[i].effect, "calls the next program of the circle"));
-        }
+        finding.path = std::move(path);
         finding.path.push_back({analysis.source(), span, "calls " + callee.program().name + " again"});
     }
 }

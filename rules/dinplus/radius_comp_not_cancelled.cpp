@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace maclint::rules {
@@ -107,23 +108,22 @@ void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const datafl
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto group = queries::find_own_group(analysis.control(), compensation);
     if (!group) return;
-    std::vector<dataflow::OriginId> reported; // one finding for each block that switches it on
+    queries::Lasting lasting(analysis);
+    std::set<dataflow::OriginId> reported; // one finding for each block that switches it on
     for (const queries::ModalLeak& leak : queries::left_at_return(analysis)) // those are reported as such
-        if (leak.group == *group) reported.push_back(leak.part.origin);
+        if (leak.group == *group) reported.insert(leak.part.origin);
     for (const dataflow::PointState& change : find_points(analysis)) {
         const dataflow::ModalValue value = analysis.data().modal(change, *group);
         if (value.unknown) continue;
         for (const dataflow::ModalPart& part : value.parts) {
             if (!queries::is_switched_on(analysis, analysis.control().groups[*group], part)) continue;
-            if (std::ranges::find(reported, part.origin) != reported.end()) continue;
-            if (!queries::lasts_until(analysis, *group, part, change.node)) continue;
-            reported.push_back(part.origin);
+            if (reported.contains(part.origin) || !lasting.until(change.node, *group, part)) continue;
+            reported.insert(part.origin);
             report_at_tool(analysis, *group, part, change, reporter);
         }
     }
     const auto leak = queries::left_at_end(analysis, compensation);
-    if (leak && std::ranges::find(reported, leak->part.origin) == reported.end())
-        report_left_at_end(analysis, compensation, reporter);
+    if (leak && !reported.contains(leak->part.origin)) report_left_at_end(analysis, compensation, reporter);
 }
 
 } // namespace

@@ -6,6 +6,8 @@
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
+#include <vector>
+
 namespace maclint::rules {
 
 namespace {
@@ -59,6 +61,7 @@ namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_recursive()) return;
     const Program& program = analysis.program();
+    const std::vector<const Caller*> callers = queries::first_callers(analysis);
     for (const dataflow::ExitState& exit : analysis.facts().all<dataflow::ExitState>()) {
         if (exit.exit.kind != flow::ExitKind::returns || !exit.exit.effect) continue;
         const Effect& effect = program.effects[*exit.exit.effect];
@@ -71,7 +74,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                 {quoted(program, effect.span), quoted(program, program.expressions[*label].span)});
             trace(finding, analysis, exit.exit.node, "there is no such sequence number");
         }
-        const Caller* caller = queries::find_caller_lacking(analysis, *number);
+        const Caller* caller = queries::find_caller_lacking(analysis, callers, *number);
         if (caller == nullptr) continue;
         const ProgramAnalysis& calling = queries::calling_program(analysis, *caller);
         Finding& finding =

@@ -13,6 +13,7 @@
 #include "rules/trace.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace maclint::rules {
 
@@ -84,18 +85,18 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
     const Program& program = analysis.program();
     const std::vector<EffectId> effective = queries::effects_in_force_at_return(analysis);
-    std::vector<EffectId> known;
+    std::set<EffectId> known;
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
         if (!queries::plain_variable(program, write.expression) ||
             !std::ranges::binary_search(effective, write.effect))
             continue;
         const dataflow::Store* store = queries::store_of(analysis, write.value);
-        if (store == nullptr || std::ranges::find(known, store->effect) != known.end()) continue;
+        if (store == nullptr || known.contains(store->effect)) continue;
         const dataflow::ModalRead* read = queries::modal_read_of(analysis, *store);
         if (read == nullptr) continue;
         const auto part = own_part(analysis, *read);
         if (!part) continue;
-        known.push_back(store->effect);
+        known.insert(store->effect);
         report(analysis, reporter, *store, read->group, *part, write);
     }
 }

@@ -58,13 +58,14 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const queries::OverwrittenSave& lost : queries::overwritten_saves(analysis)) {
+    const std::vector<queries::OverwrittenSave> all_lost = queries::overwritten_saves(analysis);
+    const auto other = all_lost.empty() ? std::nullopt : queries::find_free_local(analysis);
+    for (const queries::OverwrittenSave& lost : all_lost) {
         const Span span = program.effects[lost.store->effect].span;
         const Span word = program.effects[lost.write->effect].span;
         std::vector<std::string> words{quoted(program, span),
                                        std::string(analysis.control().groups[*lost.saved.group].name),
                                        program.spell(lost.store->variable), quoted(program, word)};
-        const auto other = queries::find_free_local(analysis);
         if (other) words.push_back(program.spell(*other));
         Finding& finding = reporter.report({analysis, lost.store->effect}, span,
                                            other ? "overwritten" : "none-free", std::move(words));

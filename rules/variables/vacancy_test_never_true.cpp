@@ -88,17 +88,16 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Comparison& comp
 }
 
 void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Comparison& comparison,
-            Variable variable) {
+            Variable variable, queries::KeptArguments& kept) {
     const Program& program = analysis.program();
-    const bool vacant = comparison.operation == Operation::is_vacant;
     const Span span = program.expressions[comparison.expression].span;
     const dataflow::Store* store = queries::last_store_before(analysis, variable, comparison.node);
     const Span set = store == nullptr ? span : program.effects[store->effect].span;
-    std::vector<std::string> words{quoted(program, span), vacant ? "never" : "always",
-                                   queries::with_letter(program, variable),
-                                   line_number(analysis.file(), set.begin)};
+    std::vector<std::string> words{
+        quoted(program, span), comparison.operation == Operation::is_vacant ? "never" : "always",
+        queries::with_letter(program, variable), line_number(analysis.file(), set.begin)};
     std::string_view id = program.control->letter_of(variable) ? "overwritten" : "set";
-    const auto keeper = queries::keeper_of_argument(analysis, variable, comparison.node);
+    const auto keeper = kept.keeper_of(variable, comparison.node);
     if (keeper) {
         words.push_back(program.spell(*keeper));
         id = "kept";
@@ -115,6 +114,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     queries::WithoutAssignment unset(analysis);
+    queries::KeptArguments kept(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (comparison.operation != Operation::is_vacant && comparison.operation != Operation::is_set)
             continue;
@@ -122,7 +122,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto variable = queries::plain_variable(analysis.program(), comparison.left_expression);
         if (variable && queries::may_hold_vacant(analysis.program(), *variable) &&
             !unset.leads_to(*variable, comparison.node))
-            report(analysis, reporter, comparison, *variable);
+            report(analysis, reporter, comparison, *variable, kept);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace maclint {
@@ -30,7 +31,7 @@ TEST(Facts, OfTypesThatNobodyWantsAreNotRecorded) {
     const auto some = recording(facts<dataflow::ModalWrite>());
     EXPECT_EQ(some->programs().front().facts().all<dataflow::ModalWrite>().size(), 1U);
     const auto ask = [&] { (void)some->programs().front().facts().all<dataflow::Condition>(); };
-    EXPECT_DEATH(ask(), "list != nullptr");
+    EXPECT_DEATH(ask(), "recorded_.has<T>()");
 }
 
 /// The workspace itself needs some: what it finds out with them does not depend on what others want.
@@ -44,6 +45,19 @@ TEST(Facts, OfTypesThatSomebodyWantsAreTheSameWhateverElseIsWanted) {
     const auto alone = one->programs().front().facts().all<dataflow::ComputedJump>();
     ASSERT_EQ(alone.size(), 1U);
     EXPECT_EQ(alone[0].target, recorded.all<dataflow::ComputedJump>()[0].target);
+}
+
+TEST(Facts, AreFoundByVariableAndByValueInTheOrderOfTheText) {
+    const auto workspace = test::analyse_fanuc("O1\n#2=#500\n#1=1\n#1=#500\n#3=#1\nM30\n");
+    const dataflow::Facts& found = workspace->programs().front().facts();
+    const auto stores = found.all<dataflow::Store>();
+    ASSERT_EQ(stores.size(), 4U);
+    EXPECT_THAT(found.about<dataflow::Store>(stores[1].variable),
+                testing::ElementsAre(&stores[1], &stores[2]));
+    EXPECT_THAT(found.with<dataflow::Store>(stores[0].value.symbol),
+                testing::ElementsAre(&stores[0], &stores[2], &stores[3]));
+    EXPECT_TRUE(found.about<dataflow::Store>({stores[1].variable.space, 33}).empty());
+    EXPECT_TRUE(found.about<dataflow::Read>(stores[1].variable).size() == 1);
 }
 
 TEST(AskedFacts, AreThoseOfTheThreadSinceItWasToldToNoteThem) {

@@ -39,6 +39,36 @@ TEST(PersistentMap, KeptMapsHoldWhatTheyHeld) {
     EXPECT_EQ(trees.find(trees.set(first, 5, 50), 5), 50U);
 }
 
+TEST(PersistentMap, UnitedMapsHoldTheKeysOfBothAndTheValuesOfTheFirst) {
+    std::vector<Root> maps{0};
+    PersistentMap trees;
+    for (const Key step : {1U, 3U, 7U, 64U})
+        for (const Key first : {0U, 5U, 1000U}) {
+            Root map = 0;
+            for (Key i = 0; i < 20; ++i)
+                map = trees.set(map, first + i * step, static_cast<std::uint32_t>(step));
+            maps.push_back(map);
+        }
+    maps.push_back(trees.set(0, 5, 99));
+    for (const Root a : maps)
+        for (const Root b : maps) {
+            Root expected = b;
+            trees.for_each(a,
+                           [&](Key key, std::uint32_t value) { expected = trees.set(expected, key, value); });
+            EXPECT_TRUE(trees.equal(trees.united(a, b), expected)) << a << " and " << b;
+        }
+}
+
+TEST(PersistentMap, UnitedMapsShareWhatIsTheSame) {
+    PersistentMap trees;
+    Root some = 0;
+    for (Key key = 0; key < 20; ++key) some = trees.set(some, key, 1);
+    const Root more = trees.set(some, 900, 1);
+    EXPECT_EQ(trees.united(more, some), more);
+    EXPECT_EQ(trees.united(some, more), more);
+    EXPECT_EQ(trees.united(some, trees.set(trees.set(0, 3, 7), 4, 7)), some);
+}
+
 TEST(SmallVector, KeepsOrderAndContentBeyondItsOwnRoom) {
     SmallVector<int, 2> few{1, 3};
     few.insert(few.begin() + 1, 2);

@@ -49,9 +49,10 @@ TEST(CallersWithout, LeaveAnArgumentOut) {
 TEST(CallersLacking, HaveNoBlockOfThatNumber) {
     const auto workspace = test::analyse_fanuc("O1\nM98P9\nN5M30\nO2\nM98P9\nM30\nO9\nX1.\nM99P5\n");
     const ProgramAnalysis& callee = test::program(*workspace, "O9");
-    EXPECT_EQ(name_of(callee, find_caller_lacking(callee, 5)), "O2");
+    EXPECT_EQ(name_of(callee, find_caller_lacking(callee, first_callers(callee), 5)), "O2");
     const auto recursive = test::analyse_fanuc("O9\nM98P9\nX1.\nM99P5\n");
-    EXPECT_EQ(find_caller_lacking(recursive->programs().front(), 5), nullptr);
+    const ProgramAnalysis& itself = recursive->programs().front();
+    EXPECT_EQ(find_caller_lacking(itself, first_callers(itself), 5), nullptr);
 }
 
 TEST(Uncalled, AreProgramsOfACompleteFolderThatNothingCanMean) {

@@ -27,7 +27,7 @@ std::vector<std::uint32_t> lines_of(const Workspace& workspace, const std::vecto
 }
 
 std::vector<std::uint32_t> path(const Workspace& workspace, std::string_view from, std::string_view to) {
-    return lines_of(workspace, program(workspace, from).path_to(program(workspace, to).index()));
+    return lines_of(workspace, program(workspace, from).path_to(program(workspace, to).index()).calls);
 }
 
 TEST(CallPaths, AreTheShortest) {
@@ -58,6 +58,19 @@ TEST(CallPaths, GoThroughCycles) {
     EXPECT_THAT(path(*workspace, "O1", "O4"), ElementsAre(3, 6, 10));
     EXPECT_THAT(path(*workspace, "O3", "O2"), ElementsAre(9));
     EXPECT_THAT(path(*workspace, "O2", "O3"), ElementsAre(6));
+}
+
+TEST(CallPaths, OfManyCallsAreTheFirstAndTheLastOnes) {
+    std::string text;
+    for (int number = 1; number < 20; ++number)
+        text += "O" + std::to_string(number) + "\nM98P" + std::to_string(number + 1) + "\nM99\n";
+    const auto workspace = test::analyse_fanuc(text + "O20\nM99\n");
+    EXPECT_THAT(path(*workspace, "O1", "O9"), ElementsAre(2, 5, 8, 11, 14, 17, 20, 23));
+    EXPECT_THAT(path(*workspace, "O1", "O10"), ElementsAre(2, 5, 8, 11, 17, 20, 23, 26));
+    EXPECT_THAT(path(*workspace, "O1", "O5"), ElementsAre(2, 5, 8, 11)); // after a search that went further
+    const CallPath whole = program(*workspace, "O2").path_to(program(*workspace, "O20").index());
+    EXPECT_EQ(whole.length, 18U);
+    EXPECT_THAT(lines_of(*workspace, whole.calls), ElementsAre(5, 8, 11, 14, 47, 50, 53, 56));
 }
 
 TEST(CallSites, AreFoundByTheirEffects) {

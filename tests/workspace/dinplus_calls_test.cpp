@@ -129,6 +129,23 @@ TEST(DinCalls, WhatIsHandedDownReachesAllThatIsCalledFromThere) {
                                           dataflow::Vacancy::unknown, dataflow::Vacancy::vacant}));
 }
 
+TEST(DinCalls, WhatACircleHandsDownReachesAllOfItAndWhatItCalls) {
+    const auto workspace =
+        test::analyse_files({{"main.nc", "MACHINING\nL\"S\" V1\nL\"V\" V1\nM30\n"},
+                             {"S.ncs", "VAR\n#_s=#l93(5)\nMACHINING\nL\"T\" V1\nRETURN\n"},
+                             {"T.ncs", "MACHINING\nG0 X#l93 Y#_s\nL\"S\" V1\nL\"U\" V1\nRETURN\n"},
+                             {"U.ncs", "MACHINING\nG0 X#l93 Y#_s\nRETURN\n"},
+                             {"V.ncs", "MACHINING\nG0 X#l93 Y#_s\nRETURN\n"}},
+                            closed_workspace);
+    const auto given = [&](std::string_view name) {
+        return program(*workspace, name).data().knowledge().handed_down.value().size();
+    };
+    EXPECT_EQ(given("S"), 0U) << "what it hands down itself does not count";
+    EXPECT_EQ(given("T"), 2U);
+    EXPECT_EQ(given("U"), 2U);
+    EXPECT_EQ(given("V"), 0U) << "only the main program calls it";
+}
+
 TEST(DinCalls, OnlyWhatIsStartedByHandRunsOnItsOwn) {
     const auto workspace =
         test::analyse_files({{"main.nc", "MACHINING\nL\"CALLED\" V1\nM30\nSUBPROGRAM \"S\"\nM30\n"},

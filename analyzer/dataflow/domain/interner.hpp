@@ -42,7 +42,7 @@ class Interner {
     /// Gives back all memory that serves to add things.
     void fit() {
         things_.shrink_to_fit();
-        slots_ = {};
+        slots_ = std::vector<std::uint32_t>(); // braces alone would keep the memory
     }
 
   private:

@@ -117,6 +117,30 @@ class PersistentMap {
         return link(s.key, left, t.key, map(b, only_b));
     }
 
+    /// The keys of both, with the value of `a` where it has the key. What they share is not looked at.
+    [[nodiscard]] Root united(Root a, Root b) {
+        if (a == b || b == 0) return a;
+        if (a == 0) return b;
+        const Node s = nodes_[a];
+        const Node t = nodes_[b];
+        if (s.bit == 0 && t.bit == 0 && s.key == t.key) return a;
+        if (s.bit == 0) return set(b, s.key, s.left);
+        if (t.bit == 0) return find(a, t.key) ? a : set(a, t.key, t.left);
+        if (s.bit == t.bit && s.key == t.key) {
+            const Root left = united(s.left, t.left);
+            const Root right = united(s.right, t.right);
+            return left == t.left && right == t.right ? b : branch(a, left, right);
+        }
+        const bool a_above = s.bit > t.bit;
+        const Node& upper = a_above ? s : t;
+        const Key below = a_above ? t.key : s.key;
+        if (s.bit == t.bit || !matches(below, upper)) return link(s.key, a, t.key, b);
+        const bool to_left = (below & upper.bit) == 0;
+        const Root inner = to_left ? upper.left : upper.right;
+        const Root joined = a_above ? united(inner, b) : united(a, inner);
+        return branch(a_above ? a : b, to_left ? joined : upper.left, to_left ? upper.right : joined);
+    }
+
   private:
     struct Node {
         Key key = 0;            ///< leaf: the key; branch: the bits above `bit`

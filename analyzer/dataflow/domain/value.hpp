@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <vector>
@@ -128,7 +129,10 @@ constexpr std::uint64_t hash_mixed(const Value& v) {
 }
 
 inline std::uint64_t hash_local(const ModalValue& v) {
-    return v.parts.empty() ? 0 : 4 * std::uint64_t{v.parts.front().symbol} + v.parts.front().origin;
+    // In a row of blocks that may be skipped the first part stays the same.
+    if (v.parts.empty()) return 0;
+    const ModalPart& last = *std::prev(v.parts.end());
+    return 4 * std::uint64_t{v.parts.front().symbol} + v.parts.front().origin + last.origin;
 }
 inline std::uint64_t hash_mixed(const ModalValue& v) {
     std::uint64_t hash = v.unknown ? 1 : 0;

@@ -1,7 +1,10 @@
 //! What data flow found out, effect by effect: the material that rules are made of.
 #pragma once
 
+#include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/dataflow/facts/fact_set.hpp"
+#include "analyzer/dataflow/facts/sorted_facts.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/program/model.hpp"
 
@@ -20,6 +23,13 @@ namespace maclint::dataflow {
 template<class T>
 concept OfAnEffect = requires(const T& fact) {
     { fact.effect } -> std::convertible_to<EffectId>;
+};
+
+/// A fact about one variable and a value of it: what it is given, what is read.
+template<class T>
+concept OfAVariable = requires(const T& fact) {
+    { fact.variable } -> std::convertible_to<Variable>;
+    { fact.value } -> std::convertible_to<const Value&>;
 };
 
 /// Notes which types of facts its thread asks for while it lives: so much a rule has to declare.
@@ -61,10 +71,25 @@ class Facts {
         const auto found = std::ranges::equal_range(sorted, effect, {}, &T::effect);
         return {found.begin(), found.end()};
     }
+    /// Those about one variable, in the order of nodes. May be asked on several threads.
+    template<OfAVariable T>
+    [[nodiscard]] std::span<const T* const> about(Variable variable) const {
+        const List<T>& of_type = list<T>();
+        return of_type.by_variable.with(std::span(of_type.facts), key_of(variable),
+                                        [](const T& fact) { return key_of(fact.variable); });
+    }
+    /// Those with the result of one computation, in the order of nodes. May be asked on several threads.
+    template<OfAVariable T>
+    [[nodiscard]] std::span<const T* const> with(SymbolId symbol) const {
+        const List<T>& of_type = list<T>();
+        return of_type.by_symbol.with(std::span(of_type.facts), symbol,
+                                      [](const T& fact) { return fact.value.symbol; });
+    }
     /// Adds the list of a type, which is in the order of nodes.
     template<class T>
     void put(std::vector<T> facts) {
-        lists_[EveryFact::index<T>()] = std::make_unique<List<T>>(std::move(facts));
+        recorded_ |= FactSet::of<T>();
+        if (!facts.empty()) lists_[EveryFact::index<T>()] = std::make_unique<List<T>>(std::move(facts));
     }
 
   private:
@@ -86,17 +111,20 @@ class Facts {
         }
         std::vector<T> facts;
         std::vector<T> by_effect; ///< empty where `facts` are in that order
+        SortedFacts<T> by_variable, by_symbol;
     };
 
     template<class T>
     [[nodiscard]] const List<T>& list() const {
         if (AskedFacts::innermost != nullptr) AskedFacts::innermost->types_ |= FactSet::of<T>();
+        assert(recorded_.has<T>()); // Rule::facts declares what a rule asks for
+        static const List<T> none{{}};
         const auto& list = lists_[EveryFact::index<T>()];
-        assert(list != nullptr); // Rule::facts declares what a rule asks for
-        return static_cast<const List<T>&>(*list);
+        return list == nullptr ? none : static_cast<const List<T>&>(*list);
     }
 
-    std::array<std::unique_ptr<const AnyList>, EveryFact::count> lists_;
+    FactSet recorded_;
+    std::array<std::unique_ptr<const AnyList>, EveryFact::count> lists_; ///< nullptr where there are none
 };
 
 } // namespace maclint::dataflow

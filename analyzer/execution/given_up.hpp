@@ -1,0 +1,30 @@
+//! Whether searches for paths have met their bound.
+#pragma once
+
+#include <utility>
+
+namespace maclint::execution {
+
+/// Notes whether a search of its thread gives up while it lives: what is found then counts for less, and
+/// something may be missing.
+class GivenUp {
+  public:
+    GivenUp()
+        : outer_(std::exchange(innermost, this)) {}
+    GivenUp(const GivenUp&) = delete;
+    GivenUp& operator=(const GivenUp&) = delete;
+    ~GivenUp() { innermost = outer_; }
+    [[nodiscard]] bool any() const { return any_; }
+
+  private:
+    friend class PathSearch;
+    static void note() {
+        if (innermost != nullptr) innermost->any_ = true;
+    }
+
+    inline static constinit thread_local GivenUp* innermost = nullptr;
+    GivenUp* outer_;
+    bool any_ = false;
+};
+
+} // namespace maclint::execution

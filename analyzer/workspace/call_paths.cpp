@@ -1,0 +1,66 @@
+//! Breadth first over the calls, one search for each program where paths begin.
+#include "analyzer/workspace/call_paths.hpp"
+
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace maclint {
+namespace {
+
+/// The searches that are kept have no more steps than so many that go through all programs.
+constexpr std::size_t most_kept = 4;
+
+constexpr std::size_t half = CallPath::most / 2;
+
+} // namespace
+
+CallPath CallPaths::between(ProgramIndex from, ProgramIndex to) {
+    if (from == to) return {};
+    const std::scoped_lock lock(mutex_);
+    if (kept_ > most_kept * programs_.size()) {
+        searches_.clear();
+        kept_ = 0;
+    }
+    Search& search = searches_[from];
+    const Step* step = reach(search, from, to);
+    if (step == nullptr) return {};
+    if (step->length <= CallPath::most) return {last_calls(search, to, step->length), step->length};
+    CallPath path{last_calls(search, step->near, half), step->length};
+    std::ranges::copy(last_calls(search, to, half), std::back_inserter(path.calls));
+    return path;
+}
+
+const CallPaths::Step* CallPaths::reach(Search& search, ProgramIndex from, ProgramIndex to) {
+    if (search.reached.empty()) search.pending = {from};
+    auto found = search.reached.find(to);
+    while (found == search.reached.end() && !search.pending.empty()) {
+        const ProgramAnalysis& at = programs_[search.pending.front()];
+        search.pending.pop_front();
+        const auto own = search.reached.find(at.index());
+        const Step before = own == search.reached.end() ? Step{from, 0, 0, from} : own->second;
+        for (const CallSite& site : at.calls()) {
+            if (!site.target || *site.target == from) continue;
+            const std::uint32_t near = before.length < half ? *site.target : before.near;
+            const Step step{at.index(), site.effect, before.length + 1, near};
+            if (!search.reached.try_emplace(*site.target, step).second) continue;
+            search.pending.push_back(*site.target);
+            ++kept_;
+        }
+        found = search.reached.find(to);
+    }
+    return found == search.reached.end() ? nullptr : &found->second;
+}
+
+std::vector<Caller> CallPaths::last_calls(const Search& search, ProgramIndex to, std::size_t count) {
+    std::vector<Caller> calls;
+    for (ProgramIndex at = to; calls.size() < count; at = calls.back().program) {
+        const Step& step = search.reached.at(at);
+        calls.push_back({step.caller, step.call});
+    }
+    std::ranges::reverse(calls);
+    return calls;
+}
+
+} // namespace maclint

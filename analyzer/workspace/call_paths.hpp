@@ -1,0 +1,61 @@
+//! How one program of a workspace comes to run another.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+namespace maclint {
+
+class ProgramAnalysis;
+struct Caller;
+
+/// The calls that lead from one program to another, in order. Of more than `most` the first and the last ones
+/// stand here, half and half.
+struct CallPath {
+    static constexpr std::size_t most = 8;
+    std::vector<Caller> calls;
+    std::size_t length = 0; ///< with those that are left out
+};
+
+/// The shortest paths of calls. A search from one program serves all questions that begin there, and goes
+/// only as far as they want.
+class CallPaths {
+  public:
+    /// The programs must outlive it.
+    explicit CallPaths(const std::deque<ProgramAnalysis>& programs)
+        : programs_(programs) {}
+
+    /// Empty when there is no such path or it is the same program. May be asked on several threads.
+    [[nodiscard]] CallPath between(std::uint32_t from, std::uint32_t to);
+
+  private:
+    /// How a program is reached.
+    struct Step {
+        std::uint32_t caller;
+        EffectId call;
+        std::uint32_t length; ///< of the path to it
+        std::uint32_t near;   ///< the program on the path where the first half of what is told ends
+    };
+    struct Search {
+        std::unordered_map<std::uint32_t, Step> reached;
+        std::deque<std::uint32_t> pending;
+    };
+    /// Goes on until the program is reached, or nothing is left; nullptr for that.
+    [[nodiscard]] const Step* reach(Search& search, std::uint32_t from, std::uint32_t to);
+    /// The last `count` calls on the path to the program.
+    [[nodiscard]] static std::vector<Caller> last_calls(const Search& search, std::uint32_t to,
+                                                        std::size_t count);
+
+    const std::deque<ProgramAnalysis>& programs_;
+    std::mutex mutex_;
+    std::unordered_map<std::uint32_t, Search> searches_;
+    std::size_t kept_ = 0; ///< steps of all searches
+};
+
+} // namespace maclint

@@ -1,0 +1,26 @@
+//! Where the work of rules has met a bound: what they say there is not all that there is to say.
+#pragma once
+
+#include "rules/rule.hpp"
+
+#include <compare>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace maclint {
+
+/// A rule in whose check of some program of the file a search for paths gave up, and whose findings do not
+/// stand without one. Without a code: a program of
+/// the file has more ways to its labels than are followed one by one, so that each may lead to any of them.
+struct BoundMet {
+    std::string path; ///< of the file
+    std::string_view code;
+    friend auto operator<=>(const BoundMet&, const BoundMet&) = default;
+};
+
+/// As run_rules; adds to `met`, in no order and some of them twice.
+[[nodiscard]] std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection,
+                                             unsigned jobs, std::vector<BoundMet>& met);
+
+} // namespace maclint
