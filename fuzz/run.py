@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs fuzz targets side by side, so many seconds each, and says what came of it; status 1 when one found a defect.
+"""Runs fuzz targets side by side, so many seconds each, and says what came of it; status 1 when one found a
+defect, 2 when there is no such target.
 
 usage: run.py --build BUILD [--jobs N] [--seconds N] [TARGET...]
 
@@ -22,7 +23,8 @@ def targets(wanted):
     known = sorted(path.stem for path in HERE.glob("*.cpp"))
     unknown = [name for name in wanted if name not in known]
     if unknown:
-        sys.exit(f"fuzz: there is no target {', '.join(unknown)}; known are {', '.join(known)}")
+        print(f"fuzz: there is no target {', '.join(unknown)}; known are {', '.join(known)}", file=sys.stderr)
+        sys.exit(2)
     return wanted or known
 
 
