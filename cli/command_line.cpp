@@ -94,6 +94,14 @@ struct CheckWords {
     bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false;
 };
 
+/// An empty name comes from a variable that nobody has set.
+auto not_empty(std::string_view option) {
+    return [option](const std::string& word) {
+        if (word.empty())
+            refuse(std::string(option) + " wants the name of a file. Write one, or leave it out.");
+    };
+}
+
 void declare_check(CLI::App& check, CheckWords& words) {
     const auto repeatable = [](CLI::Option* option) { return option->allow_extra_args(false); };
     check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)")
@@ -115,11 +123,13 @@ void declare_check(CLI::App& check, CheckWords& words) {
     check
         .add_option("--config", words.config,
                     "This configuration instead of the nearest " + std::string(configuration_name))
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->each(not_empty("--config"));
     check.add_flag("--isolated", words.isolated, "No configuration at all");
     check.add_flag("--show-config", words.show_config, "Print what holds for each file, and why");
     check.add_option("--stdin-filename", words.stdin_name, "Name under which standard input is linted")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->each(not_empty("--stdin-filename"));
     check.add_option("--jobs", words.jobs, "Threads (default: one a core)")->type_name("N");
     check
         .add_option(
@@ -145,7 +155,9 @@ Sink sink_of(const std::string& output) {
     if (colon == std::string::npos || colon + 1 == output.size())
         refuse("--output does not take '" + output +
                "'. Write FORMAT:FILE, for instance sarif:maclint.sarif.");
-    return {choose("--output", output.substr(0, colon), formats), output.substr(colon + 1)};
+    const std::string path = output.substr(colon + 1);
+    const bool printed = path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+    return {choose("--output", output.substr(0, colon), formats), printed ? "-" : path};
 }
 
 std::vector<Sink> sinks_of(const CheckWords& words) {

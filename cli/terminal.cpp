@@ -1,80 +1,35 @@
-//! Writes all or says what went wrong; nothing raw from a program reaches a terminal.
+//! Says what went wrong; nothing raw from a program reaches a terminal.
 #include "cli/terminal.hpp"
 
+#include "analyzer/source/encoding.hpp"
 #include "cli/suggest.hpp"
+#include "cli/written_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <memory>
-#include <system_error>
 
 #include <sys/ioctl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace maclint::cli {
 namespace {
 
-namespace fs = std::filesystem;
+Notice cannot_write(const std::string& path, const std::string& why) {
+    return {NoticeKind::unreadable, path == "-" ? "standard output" : path, "cannot be written: " + why};
+}
+
+/// A message may quote what a file holds, and that may be long.
+std::string shortened(const std::string& message) {
+    constexpr std::size_t longest = 1000;
+    constexpr std::size_t part = 400;
+    if (message.size() <= longest) return message;
+    const auto boundary = [&](std::size_t at) { return character_begin(message, at, Encoding::utf8); };
+    return message.substr(0, boundary(part)) + " … " + message.substr(boundary(message.size() - part));
+}
 
 void print_line(std::string_view kind, const std::string& text) {
-    std::fputs(("maclint: " + std::string(kind) + ": " + text + "\n").c_str(), stderr);
-}
-
-Notice cannot_write(const std::string& path, int error) {
-    const std::string name = path == "-" ? "standard output" : path;
-    return {NoticeKind::unreadable, name,
-            "cannot be written: the system says '" + std::generic_category().message(error) +
-                "'. Check the folder, its permissions and the space that is left."};
-}
-
-bool write_all(std::FILE* file, std::string_view text) {
-    return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
-}
-
-struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-bool write_in_place(const std::string& path, std::string_view text) {
-    const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "wb"));
-    return file && write_all(file.get(), text);
-}
-
-/// The rights that fopen would give a new file, or those of the file that is replaced.
-mode_t mode_for(const std::string& path) {
-    struct stat old {};
-    if (stat(path.c_str(), &old) == 0) return old.st_mode & 07777U;
-    const mode_t mask = umask(0);
-    umask(mask);
-    return 0666U & ~mask;
-}
-
-/// Whoever stops the run, or a full disk, leaves the old file as it was.
-bool replace(const std::string& path, std::string_view text) {
-    if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), W_OK) != 0) return false;
-    std::string temporary = path + ".XXXXXX";
-    const int descriptor = mkstemp(temporary.data());
-    if (descriptor < 0) return false;
-    const std::unique_ptr<std::FILE, Closer> file(fdopen(descriptor, "wb"));
-    if (file && fchmod(descriptor, mode_for(path)) == 0 && write_all(file.get(), text) &&
-        fsync(descriptor) == 0 && std::rename(temporary.c_str(), path.c_str()) == 0)
-        return true;
-    const int error = errno;
-    unlink(temporary.c_str());
-    errno = error;
-    return false;
-}
-
-/// Where the links lead, so that a report replaces no link; pipes and devices are written as they are.
-bool write_file(const std::string& path, std::string_view text) {
-    std::error_code none;
-    if (fs::exists(path, none) && !fs::is_regular_file(path, none)) return write_in_place(path, text);
-    const fs::path target = fs::weakly_canonical(path, none);
-    return replace(none || target.empty() ? path : target.string(), text);
+    std::fputs(("maclint: " + std::string(kind) + ": " + shortened(text) + "\n").c_str(), stderr);
 }
 
 /// Messages of the reading layer begin with the path in quotes, which stands before them here.
@@ -104,8 +59,8 @@ int print_text(std::string_view text) {
 }
 
 std::optional<Notice> write_to(const std::string& path, std::string_view text) {
-    if (path == "-") return write_all(stdout, text) ? std::nullopt : std::optional(cannot_write(path, errno));
-    return write_file(path, text) ? std::nullopt : std::optional(cannot_write(path, errno));
+    const auto failure = path == "-" ? write_output(text) : write_file(path, text);
+    return failure ? std::optional(cannot_write(path, *failure)) : std::nullopt;
 }
 
 Colour colour_for_output(ColourChoice choice) {

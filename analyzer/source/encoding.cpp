@@ -191,15 +191,21 @@ Character first_character(std::string_view utf8) {
 
 std::size_t utf16_length(std::string_view bytes, Encoding encoding) {
     if (encoding == Encoding::windows_1252) return bytes.size();
-    std::size_t units = 0;
-    for (const char c : bytes) units += (is_continuation(c) ? 0U : 1U) + (to_byte(c) >= 0xF0 ? 1U : 0U);
+    const std::size_t plain = ascii_prefix(bytes);
+    std::size_t units = plain;
+    for_each_character(bytes.substr(plain), [&units](std::string_view, char32_t character) {
+        units += character < 0x10000 ? 1U : 2U;
+    });
     return units;
 }
 
 std::size_t character_begin(std::string_view bytes, std::size_t offset, Encoding encoding) {
     if (encoding == Encoding::windows_1252 || offset >= bytes.size()) return offset;
-    while (offset > 0 && is_continuation(bytes[offset])) --offset;
-    return offset;
+    constexpr std::size_t most_continuations = 3;
+    std::size_t begin = offset;
+    while (begin > 0 && offset - begin < most_continuations && is_continuation(bytes[begin])) --begin;
+    // A byte that belongs to no character stands for one of its own.
+    return begin + sequence_length(bytes.substr(begin)) > offset ? begin : offset;
 }
 
 std::string printable(std::string_view utf8) {

@@ -1,8 +1,10 @@
 //! Reading files: the only place that talks to the operating system about a program's bytes.
+#include "analyzer/source/pipe_wait.hpp"
 #include "analyzer/source/source.hpp"
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -73,14 +75,20 @@ std::optional<InputError> refuse_kind(const std::string& path, const struct stat
     return cannot_read(path, "it is a device or a socket. Name a file instead.");
 }
 
+InputError silent(const std::string& path, std::chrono::seconds patience) {
+    return cannot_read(path, "nothing has come through this pipe for " + std::to_string(patience.count()) +
+                                 " seconds. Start what writes to it, or leave it out.");
+}
+
 /// Reads to the end. The file may grow or shrink meanwhile: its size is only a hint.
-std::variant<std::string, InputError> read_all(int descriptor, const std::string& path,
-                                               std::size_t size_hint) {
+std::variant<std::string, InputError> read_all(int descriptor, const std::string& path, std::size_t size_hint,
+                                               std::chrono::seconds patience) {
     if (size_hint > largest_file) return too_large(path);
     std::string bytes(size_hint + 1, '\0');
     std::size_t filled = 0;
     while (true) {
         if (filled == bytes.size()) bytes.resize(std::max(bytes.size() + bytes.size() / 2, growth_step));
+        if (!comes_in_time(descriptor, patience)) return silent(path, patience);
         const ssize_t count = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return system_refused(path, errno);
@@ -100,19 +108,19 @@ std::variant<Source, InputError> to_source(std::string path, std::variant<std::s
 } // namespace
 
 std::variant<Source, InputError> Source::read_file(std::string path) {
-    // Without O_NONBLOCK a named pipe that nobody writes to would hang here.
+    // Without O_NONBLOCK a named pipe that nobody has opened for writing would hang here.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
     if (file.number() < 0) return system_refused(path, errno);
     struct stat status = {};
     if (::fstat(file.number(), &status) != 0) return system_refused(path, errno);
     if (auto refused = refuse_kind(path, status)) return *std::move(refused);
     if (::fcntl(file.number(), F_SETFL, O_RDONLY) != 0) return system_refused(path, errno);
-    auto bytes = read_all(file.number(), path, static_cast<std::size_t>(status.st_size));
+    auto bytes = read_all(file.number(), path, static_cast<std::size_t>(status.st_size), patience_with_pipes);
     return to_source(std::move(path), std::move(bytes));
 }
 
 std::variant<Source, InputError> Source::read_standard_input(std::string path) {
-    auto bytes = read_all(STDIN_FILENO, path, 0);
+    auto bytes = read_all(STDIN_FILENO, path, 0, patience_with_input);
     return to_source(std::move(path), std::move(bytes));
 }
 

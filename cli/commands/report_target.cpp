@@ -4,10 +4,14 @@
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/content.hpp"
 #include "cli/suggest.hpp"
+#include "cli/written_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace maclint::cli {
 namespace {
@@ -17,6 +21,19 @@ namespace fs = std::filesystem;
 bool are_same_file(const std::string& one, const std::string& other) {
     std::error_code none;
     return fs::equivalent(one, other, none);
+}
+
+/// The same, of files that need not be there yet.
+bool will_be_same_file(const std::string& one, const std::string& other) {
+    return are_same_file(one, other) || written_path(one) == written_path(other);
+}
+
+/// A terminal and other devices may well be written twice.
+bool is_standard_output(const std::string& path) {
+    struct stat output {};
+    struct stat file {};
+    return fstat(STDOUT_FILENO, &output) == 0 && stat(path.c_str(), &file) == 0 && !S_ISCHR(file.st_mode) &&
+           output.st_dev == file.st_dev && output.st_ino == file.st_ino;
 }
 
 bool was_named(const std::vector<InputFile>& files, const std::string& path) {
@@ -44,12 +61,25 @@ bool may_be_report(std::string_view text) {
         words, [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
 }
 
+/// What text and concise reports begin with, whatever the programs say that they quote: a finding, or the
+/// summary.
+bool begins_like_report(std::string_view text) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (line.ends_with(" checked)") || line.find(" checked, ") != std::string_view::npos) return true;
+    constexpr std::array<std::string_view, 3> severities = {"error[", "warning[", "note["};
+    return std::ranges::any_of(severities, [&](std::string_view severity) {
+        const std::size_t at = line.find(severity);
+        return at == 0 || (at != std::string_view::npos && line.substr(0, at).ends_with(": "));
+    });
+}
+
 bool holds_program(const std::string& path) {
     std::error_code none;
     if (!fs::is_regular_file(path, none)) return false;
     const auto result = Source::read_file(path);
     const auto* source = std::get_if<Source>(&result);
     if (source == nullptr || classify(source->bytes()) != Content::text) return false;
+    if (begins_like_report(source->bytes())) return false;
     const Detection detection = detect_dialect(*source);
     return !detection.not_nc_text && (detection.certain || !may_be_report(source->bytes()));
 }
@@ -66,6 +96,15 @@ std::optional<Notice> refuse_targets(const std::vector<Sink>& sinks, const std::
                                      const Settings& settings) {
     for (const auto& [format, path] : sinks) {
         if (path == "-") continue;
+        if (is_standard_output(path))
+            return Notice{NoticeKind::configuration, "",
+                          "--output would write '" + shown(path) +
+                              "', where standard output goes, too. Name another file for one of them."};
+        for (const Sink& other : sinks)
+            if (&other.path != &path && other.path != "-" && will_be_same_file(other.path, path))
+                return Notice{NoticeKind::configuration, "",
+                              "--output names one file twice, as '" + shown(path) + "' and as '" +
+                                  shown(other.path) + "'. Name another file for one of the reports."};
         if (was_named(files, path)) return refusal(path, "is one of the files to check");
         if (is_configuration(settings, path)) return refusal(path, "is a configuration");
         if (holds_program(path)) return refusal(path, "holds an NC program");

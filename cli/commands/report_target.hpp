@@ -11,8 +11,8 @@
 
 namespace maclint::cli {
 
-/// Why one of the reports must not be written: its file is a program or a configuration, or it is named like
-/// a program and would be read as one by the next run.
+/// Why one of the reports must not be written: its file is a program or a configuration, it is named like a
+/// program and would be read as one by the next run, or another report goes to the same file.
 [[nodiscard]] std::optional<Notice>
 refuse_targets(const std::vector<Sink>& sinks, const std::vector<InputFile>& files, const Settings& settings);
 

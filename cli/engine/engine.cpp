@@ -14,6 +14,9 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <new>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace maclint::cli {
@@ -48,7 +51,11 @@ class Run {
     Result run() {
         progress_.begin("reading", seen_.size());
         for_each(seen_.size(), options_.jobs, [&](std::size_t i) {
-            look_at(i);
+            try {
+                look_at(i);
+            } catch (const std::bad_alloc&) {
+                give_up(i, "it does not fit into memory. Split the program or leave the file out.");
+            }
             progress_.step();
         });
         if (stop_.stop_requested()) return Result{.cancelled = true};
@@ -92,6 +99,14 @@ class Run {
         if (!file.input.asked) seen.read.source = nullptr; // few of these will be asked for again
     }
 
+    /// Nothing is said of the file but why: what could be read of others is still reported.
+    void give_up(std::size_t place, std::string_view why) {
+        const std::string& path = snapshot_.files[place].input.path;
+        seen_[place] = {};
+        seen_[place].read.notice =
+            Notice{NoticeKind::unreadable, path, "cannot be analysed: " + std::string(why)};
+    }
+
     /// Those with a file that was asked for, the longest first, so that no thread is left with it at the end.
     std::vector<Group> groups_asked_for() {
         std::vector<FileOutline> outlines;
@@ -119,7 +134,15 @@ class Run {
             std::ranges::count_if(groups, [&](const Group& group) { return group.size() > share; }));
         std::vector<std::vector<FilteredFinding>> findings(groups.size());
         const auto check_one = [&](std::size_t i, unsigned jobs) {
-            findings[i] = check(groups[i], jobs);
+            try {
+                findings[i] = check(groups[i], jobs);
+            } catch (const std::bad_alloc&) {
+                for (const std::size_t place : groups[i])
+                    if (is_linted(place))
+                        give_up(place,
+                                "there is not enough memory to analyse it with the programs that calls "
+                                "connect it with. Leave large ones out.");
+            }
             for (std::size_t done = 0; done < groups[i].size(); ++done) progress_.step();
         };
         for_each(large, 1, [&](std::size_t i) { check_one(i, options_.jobs); });

@@ -63,7 +63,7 @@ class Walk {
         , bounds_(bounds) {}
 
     void add_named(const std::string& path, bool standard_input) {
-        if (!standard_input && !seen_.insert(identity(path)).second) return;
+        if (!seen_.insert(identity(path)).second) return;
         found_.files.push_back({standard_input ? path : as_shown(path), true, true, standard_input});
     }
 
@@ -207,24 +207,38 @@ std::set<Home> homes_of(const std::vector<InputFile>& files, const std::vector<s
     return homes;
 }
 
+/// What no file can be found by: nothing, and a path from a folder that is gone.
+std::optional<Notice> refuse_path(const std::string& path) {
+    if (path == "-") return std::nullopt;
+    if (path.empty())
+        return Notice{NoticeKind::unreadable, "",
+                      "one of the paths is empty and names no file. Write '.' for this folder."};
+    std::error_code gone;
+    if (fs::path(path).is_relative()) static_cast<void>(fs::current_path(gone));
+    if (!gone) return std::nullopt;
+    return Notice{NoticeKind::unreadable, path,
+                  "cannot be found: the folder in which maclint was started is gone. Change to another one."};
+}
+
 } // namespace
 
 Discovered discover(const std::vector<std::string>& paths, const std::string& stdin_name,
                     Settings& settings) {
     Walk walk(settings, {});
+    // First, for it stands for the file of its name.
+    if (std::ranges::find(paths, "-") != paths.end()) walk.add_named(stdin_name, true);
     for (const std::string& path : paths) {
         std::error_code ignored;
-        if (path == "-") {
-            walk.add_named(stdin_name, true);
-        } else if (!fs::is_directory(path, ignored)) {
+        if (auto refused = refuse_path(path))
+            walk.note(*std::move(refused));
+        else if (path != "-" && !fs::is_directory(path, ignored))
             walk.add_named(path, false);
-        }
     }
     std::set<std::string> folders;
     for (const std::string& path : paths) {
         std::error_code ignored;
-        if (path == "-" || !fs::is_directory(path, ignored) || !folders.insert(identity(path)).second)
-            continue;
+        if (path == "-" || !fs::is_directory(path, ignored) || refuse_path(path)) continue;
+        if (!folders.insert(identity(path)).second) continue;
         if (walk.add_folder(path, Depth::all_below, true) == 0)
             walk.note({NoticeKind::left_out, as_shown(path),
                        "no NC program is in this folder. Name files themselves when they have unusual names, "

@@ -23,8 +23,8 @@ struct Discovered {
 };
 
 /// The files that the paths name: files themselves whatever their name is, in folders NC files in the order
-/// of their names. "-" is standard input under the name `stdin_name`. Hidden folders, build folders and what
-/// the configuration excludes are passed over.
+/// of their names. "-" is standard input under the name `stdin_name`, in place of the file of that name.
+/// Hidden folders, build folders and what the configuration excludes are passed over.
 [[nodiscard]] Discovered discover(const std::vector<std::string>& paths, const std::string& stdin_name,
                                   Settings& settings);
 

@@ -307,6 +307,15 @@ TEST_F(Executable, WritesReportsOverEarlierReports) {
             }
 }
 
+TEST_F(Executable, WritesReportsOverEarlierReportsThatQuoteAnotherControl) {
+    folder.write("O1.nc", "N10 GOTOF N40\nN40 G1 X30 Y60\nN100 SKOK:\nN140 GOTOB SKOK\n");
+    for (const std::string format : {"text", "concise"})
+        for (int i = 0; i < 2; ++i) {
+            const Finished finished = run({"--dialect", "fanuc", "O1.nc", "--output", format + ":report"});
+            EXPECT_EQ(finished.status, 1) << format << ' ' << finished.err;
+        }
+}
+
 TEST_F(Executable, ShowsNoMoreFindingsThanAskedButFailsForAll) {
     folder.write("O1001.nc", "%\nO1001\nGOTO98\nM30\nO1002\nGOTO99\nM30\n%\n");
     const Finished finished = run({"--max-findings", "1", "--select", "MAC301"});

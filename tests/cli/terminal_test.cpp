@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace maclint::cli {
 namespace {
@@ -55,6 +57,34 @@ TEST(WrittenFiles, KeepTheirOldTextWhenTheNewOneCannotBeWritten) {
     EXPECT_THAT(failure->message, testing::HasSubstr("File too large"));
     EXPECT_EQ(test::read_file(path), "old");
     EXPECT_THAT(names_in(folder.path()), ElementsAre("report.json")) << "nothing is left after";
+}
+
+TEST(WrittenFiles, ComeWhereALinkLeadsThoughNothingIsThereYet) {
+    const TemporaryFolder folder;
+    const fs::path link = folder.path() / "link";
+    fs::create_symlink("report.json", link);
+    EXPECT_FALSE(write_to(link.string(), "new"));
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(test::read_file(folder.path() / "report.json"), "new");
+}
+
+TEST(WrittenFiles, AreNotLeftHalfDoneByAnInterrupt) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("report.json", "old");
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        const std::string text(std::size_t{200} << 20U, 'x');
+        const pid_t child = fork();
+        if (child == 0) _exit(write_to(path, text) ? 1 : 0);
+        while (names_in(folder.path()).size() < 2 && waitpid(child, nullptr, WNOHANG) == 0) {
+        }
+        kill(child, signal);
+        int status = 0;
+        if (waitpid(child, &status, 0) != child || WIFEXITED(status))
+            GTEST_SKIP() << "it was written too fast";
+        EXPECT_EQ(WTERMSIG(status), signal);
+        EXPECT_THAT(names_in(folder.path()), ElementsAre("report.json")) << "nothing is left after";
+        EXPECT_EQ(test::read_file(path), "old");
+    }
 }
 
 TEST(WrittenFiles, KeepTheirRightsAndTheLinksThatLeadToThem) {

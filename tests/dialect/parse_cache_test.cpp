@@ -1,11 +1,5 @@
 //! A tree taken from the cache is the block's own tree, whatever bytes the block holds.
-#include "analyzer/dialect/dinplus/kinds.hpp"
-#include "analyzer/dialect/dinplus/lexer.hpp"
-#include "analyzer/dialect/dinplus/split.hpp"
-#include "analyzer/dialect/fanuc/kinds.hpp"
-#include "analyzer/dialect/fanuc/lexer.hpp"
-#include "analyzer/dialect/fanuc/split.hpp"
-#include "analyzer/syntax/parse_cache.hpp"
+#include "tests/dialect/cached_trees.hpp"
 #include "tests/dialect/reading.hpp"
 
 #include <filesystem>
@@ -25,40 +19,23 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_view_literals;
 
-/// What a dialect does with the text of a block.
+/// A language, with what random changes of its blocks are made of.
 struct Language {
-    syntax::Grammar grammar;
-    void (*make_cache_key)(std::string_view block, std::string& key);
-    void (*cut_block)(std::string_view text, Offset begin, RawBlock& block);
+    const test::BlockLanguage& blocks;
     std::string_view marks; ///< bytes that mean something in it
     std::vector<const char*> folders;
 };
 
-const Language fanuc_family{fanuc::grammar,
-                            fanuc::make_cache_key,
-                            fanuc::cut_block,
+const Language fanuc_family{test::fanuc_blocks,
                             "()()#<>[]/%\0 1N.,=+-&@\xC3\x84\xEF\xBB\xBF"sv,
                             {MACLINT_SOURCE_DIR "/corpus/fanuc", MACLINT_SOURCE_DIR "/tests/fixtures",
                              MACLINT_SHARED "/corpus/fanuc-macro",
                              MACLINT_SHARED "/reference/seed-programs"}};
-const Language din_plus{dinplus::grammar,
-                        dinplus::make_cache_key,
-                        dinplus::cut_block,
+const Language din_plus{test::dinplus_blocks,
                         "\"\"[[]]()#;/%\0 \xE2\x80\x9C\xE2\x80\x9D\xC3\x84_$N1=+.,?A"sv,
                         {MACLINT_SOURCE_DIR "/corpus/dinplus", MACLINT_SOURCE_DIR "/tests/fixtures",
                          MACLINT_SHARED "/reference/dinplus-examples",
                          MACLINT_SHARED "/reference/seed-programs"}};
-
-/// The blocks of a text that are short enough for the cache.
-void add_blocks(const Language& language, std::string_view text, std::set<std::string>& blocks) {
-    constexpr Offset longest = 160;
-    RawBlock raw{};
-    for (Offset at = 0; at < text.size(); at = std::max(raw.next, at + 1)) {
-        language.cut_block(text, at, raw);
-        if (!raw.span.empty() && raw.span.length() <= longest)
-            blocks.emplace(text.substr(raw.span.begin, raw.span.length()));
-    }
-}
 
 std::set<std::string> blocks_of_corpora(const Language& language) {
     std::set<std::string> blocks;
@@ -67,47 +44,11 @@ std::set<std::string> blocks_of_corpora(const Language& language) {
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             if (!entry.is_regular_file()) continue;
             std::ifstream file(entry.path(), std::ios::binary);
-            add_blocks(language, std::string(std::istreambuf_iterator<char>(file), {}), blocks);
+            test::add_blocks(language.blocks, std::string(std::istreambuf_iterator<char>(file), {}), blocks);
         }
     }
     return blocks;
 }
-
-std::string printed(const Language& language, const syntax::Tree& tree) {
-    std::string out = syntax::s_expression(language.grammar, tree);
-    for (const syntax::Node& node : tree.nodes)
-        out += ' ' + std::to_string(node.span.begin) + '-' + std::to_string(node.span.end);
-    return out;
-}
-
-/// Compares trees; each block goes through one cache, as in a run.
-class Comparison {
-  public:
-    explicit Comparison(const Language& language)
-        : language_(language)
-        , cache_(language.grammar) {}
-
-    void expect_own_tree(std::string block) {
-        language_.make_cache_key(block, key_);
-        ASSERT_EQ(key_.size(), block.size());
-        // NUL is blank tape: in a comment or text it is a byte like any other, where the grammar takes it for
-        // the end.
-        for (std::size_t i = 0; i < block.size(); ++i)
-            if (block[i] == '\0' && key_[i] != '\0') block[i] = '-';
-        const syntax::Tree& cached = cache_.parse(key_);
-        syntax::parse(language_.grammar, block, own_);
-        ASSERT_EQ(cached.has_error, own_.has_error) << "block: " << block << "\nkey:   " << key_;
-        if (own_.has_error) return; // nothing is read out of the recovery but where it begins
-        ASSERT_EQ(printed(language_, cached), printed(language_, own_))
-            << "block: " << block << "\nkey:   " << key_;
-    }
-
-  private:
-    const Language& language_;
-    syntax::ParseCache cache_;
-    syntax::Tree own_;
-    std::string key_;
-};
 
 /// Blocks of the corpora with up to four random changes, and blocks of nothing but chance.
 class RandomBlocks {
@@ -164,20 +105,25 @@ class RandomBlocks {
     Random random_;
 };
 
+void expect_own_trees(test::TreeComparison& comparison, const std::set<std::string>& blocks) {
+    for (const std::string& block : blocks)
+        if (const auto difference = comparison.difference(block)) FAIL() << *difference;
+}
+
 void expect_own_trees_of_chance(const Language& language, const std::set<std::string>& seeds) {
-    Comparison comparison(language);
+    test::TreeComparison comparison(language.blocks);
     RandomBlocks random(language, seeds);
     constexpr int rounds = 40'000;
     for (int i = 0; i < rounds && !::testing::Test::HasFatalFailure(); ++i) {
         std::set<std::string> blocks; // a byte of chance may end a block
-        add_blocks(language, random.next(), blocks);
-        for (const std::string& block : blocks) comparison.expect_own_tree(block);
+        test::add_blocks(language.blocks, random.next(), blocks);
+        expect_own_trees(comparison, blocks);
     }
 }
 
 void expect_own_trees(const Language& language, const std::set<std::string>& blocks) {
-    Comparison comparison(language);
-    for (const std::string& block : blocks) comparison.expect_own_tree(block);
+    test::TreeComparison comparison(language.blocks);
+    expect_own_trees(comparison, blocks);
 }
 
 TEST(ParseCache, GivesFanucBlocksOfEveryKindTheirOwnTree) {

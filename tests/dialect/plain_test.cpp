@@ -4,6 +4,7 @@
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/syntax/plain_scanner.hpp"
+#include "tests/dialect/both_lanes.hpp"
 #include "tests/dialect/reading.hpp"
 
 #include <cstddef>
@@ -167,105 +168,12 @@ TEST(PlainLane, CutsALongRowOfBlocksWhereANumberIsWanted) {
 
 // ---- both lanes
 
-/// What a block does and which words it has, whatever lane it came through.
-std::string meaning(const Program& program, const BlockView& block) {
-    std::string text;
-    if (block.number)
-        text += 'N' + std::to_string(*block.number) + ' ' + std::string(program.slice(block.number_span));
-    const auto set = [&](GroupId group, double value) {
-        text += " " + std::to_string(group) + "=" + std::to_string(value);
-    };
-    for (const ModalSetting& setting : block.settings) set(setting.group, setting.value);
-    if (block.moves) text += " move";
-    for (const Effect& effect : program.effects_in(block.effects)) {
-        const auto* setting = std::get_if<SetModal>(&effect.what);
-        const auto* value =
-            setting == nullptr ? nullptr : std::get_if<Literal>(&program.expressions[setting->value].node);
-        if (value != nullptr && setting->group)
-            set(*setting->group, value->value);
-        else
-            text += " " + describe(program, effect);
-    }
-    return text;
-}
-
-std::string meaning(const Program& program, std::span<const Word> words) {
-    std::string text;
-    for (const Word& word : words) {
-        text += std::string(word.address) + (word.incremental ? "i " : " ") +
-                std::string(program.slice(word.span));
-        if (const auto* value = std::get_if<Literal>(&word.value))
-            text += " is " + std::to_string(value->value) + (value->decimal_point ? "." : "");
-        text += "; ";
-    }
-    return text;
-}
-
-std::vector<std::string> meaning(const ProgramFile& file) {
-    std::vector<std::string> lines;
-    for (const Program& program : file.programs) {
-        lines.push_back(program.name);
-        for_each_block(program, [&](const BlockView& block) { lines.push_back(meaning(program, block)); });
-        const auto all = [](const WordSummary&) { return true; };
-        for_each_block_with_words(program, all,
-                                  [&](const BlockView&, std::span<const Word> words, const WordSummary*) {
-                                      lines.push_back(meaning(program, words));
-                                  });
-    }
-    for (const SyntaxError& error : file.syntax_errors) lines.emplace_back(name_of(error.kind));
-    return lines;
-}
-
-/// A text, and the same with a comment at each of its plain blocks that keeps it from the plain lane.
-struct BothLanes {
-    std::string grammar_only;
-    std::size_t plain = 0;
-};
-
-BothLanes forbid_plain_lane(std::string_view text, const syntax::PlainTables& tables,
-                            std::string_view comment) {
-    BothLanes lanes;
-    syntax::PlainBlock block;
-    Offset copied = 0;
-    for (Offset at = 0; at < text.size();) {
-        const Lane lane = scan_block(text, at, tables, block);
-        if (lane == Lane::grammar) { // on with the next line
-            at = static_cast<Offset>(std::min(text.find_first_of("\r\n", at), text.size() - 1)) + 1;
-            continue;
-        }
-        if (lane == Lane::plain) {
-            ++lanes.plain;
-            lanes.grammar_only.append(text.substr(copied, block.span.end - copied)).append(comment);
-            copied = block.span.end;
-        }
-        at = block.next;
-    }
-    lanes.grammar_only.append(text.substr(copied));
-    return lanes;
-}
-
 /// Compares what both lanes make of a text; tells how many of its blocks are plain.
-std::size_t compare_lanes(std::string_view text, std::string_view control, std::string_view name,
-                          const syntax::PlainTables& tables, std::string_view comment) {
-    const BothLanes lanes = forbid_plain_lane(text, tables, comment);
-    const auto plain = meaning(test::read_as(control, std::string(name), text));
-    const auto parsed = meaning(test::read_as(control, std::string(name), lanes.grammar_only));
-    if (plain != parsed) {
-        const auto [a, b] = std::ranges::mismatch(plain, parsed);
-        ADD_FAILURE() << name << ", with the plain lane:\n"
-                      << (a == plain.end() ? "(end)" : *a) << "\nwithout:\n"
-                      << (b == parsed.end() ? "(end)" : *b) << "\n"
-                      << (text.size() < 500 ? text : "");
-    }
+std::size_t compare_lanes(std::string_view text, std::string_view control, std::string_view name) {
+    const test::BothLanes lanes = test::forbid_plain_lane(text, control);
+    if (const auto difference = test::difference_of_lanes(text, control, name))
+        ADD_FAILURE() << name << ", " << *difference << "\n" << (text.size() < 500 ? text : "");
     return lanes.plain;
-}
-
-std::size_t compare_fanuc(std::string_view text, std::string_view control, std::string_view name) {
-    return compare_lanes(text, control, name, of_mills(), "(maclint)");
-}
-
-std::size_t compare_dinplus(std::string_view text, std::string_view name) {
-    return compare_lanes(text, "dinplus", name, of_descriptions(), "[maclint]");
 }
 
 std::string from_pieces(std::mt19937& random, std::span<const char* const> pieces) {
@@ -347,8 +255,8 @@ TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocks) {
     std::size_t plain = 0;
     for (int round = 0; round < 1000 && !HasFailure(); ++round) {
         const std::string text = from_pieces(random, pieces);
-        plain += compare_fanuc(text, "fanuc", "generated.nc");
-        plain += compare_fanuc(text, "fanuc-lathe", "generated.nc");
+        plain += compare_lanes(text, "fanuc", "generated.nc");
+        plain += compare_lanes(text, "fanuc-lathe", "generated.nc");
     }
     EXPECT_GT(plain, 500U);
 }
@@ -373,19 +281,18 @@ TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocksOfDinPlus) {
     for (int round = 0; round < 1000 && !HasFailure(); ++round) {
         const std::string blocks = from_pieces(random, pieces);
         for (const char* section : {"MACHINING\n", "FINISHED\n", "TURRET\n"})
-            plain += compare_dinplus(section + blocks, "generated.nc");
+            plain += compare_lanes(section + blocks, "dinplus", "generated.nc");
     }
     EXPECT_GT(plain, 500U);
 }
 
-std::size_t compare_folder(const std::filesystem::path& folder, std::string_view language) {
+std::size_t compare_folder(const std::filesystem::path& folder, std::string_view control) {
     std::size_t plain = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file() || ::testing::Test::HasFailure()) continue;
         std::ifstream file(entry.path(), std::ios::binary);
         const std::string text((std::istreambuf_iterator<char>(file)), {});
-        plain += language == "dinplus" ? compare_dinplus(text, entry.path().string())
-                                       : compare_fanuc(text, "fanuc", entry.path().string());
+        plain += compare_lanes(text, control, entry.path().string());
     }
     return plain;
 }

@@ -98,5 +98,25 @@ TEST(Printable, EscapesNul) { EXPECT_EQ(printable(std::string_view("\0", 1)), "\
 
 TEST(Printable, ReplacesInvalidUtf8) { EXPECT_EQ(printable("a\xD8z"), "a\uFFFDz"); }
 
+/// A byte that is no UTF-8 is shown as one character, and so it is one in columns, too.
+TEST(Columns, CountBrokenBytesAsTheyAreShown) {
+    for (const std::string_view text : {"\xF0 X", "\x9F\x9F X", "\xE2\x82 X", "\xF0\x9F\x98\x80 X",
+                                        "\xC3\xBC X", "\xC3\xBC\xBC\xBC\xBC\xBC X"}) {
+        EXPECT_EQ(utf16_length(text, Encoding::utf8),
+                  utf16_length(to_utf8(text, Encoding::utf8), Encoding::utf8));
+        for (std::size_t at = 0; at < text.size(); ++at) {
+            const std::size_t begin = character_begin(text, at, Encoding::utf8);
+            EXPECT_LE(begin, at);
+            EXPECT_EQ(to_utf8(text.substr(0, begin), Encoding::utf8) +
+                          to_utf8(text.substr(begin), Encoding::utf8),
+                      to_utf8(text, Encoding::utf8))
+                << "no character is cut in two";
+        }
+    }
+    EXPECT_EQ(utf16_length("\xF0 X", Encoding::utf8), 3U);
+    EXPECT_EQ(utf16_length("\x9F\x9F X", Encoding::utf8), 4U);
+    EXPECT_EQ(character_begin("\xC3\xBC\xBC", 2, Encoding::utf8), 2U) << "the letter ends before it";
+}
+
 } // namespace
 } // namespace maclint

@@ -1,7 +1,9 @@
 //! Reading from disk: what is read byte for byte, and what is refused with words that help.
+#include "analyzer/source/pipe_wait.hpp"
 #include "analyzer/source/source.hpp"
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -74,10 +76,28 @@ TEST_F(ReadFile, ReadsAPipeToItsEnd) {
     EXPECT_EQ(std::get<Source>(result).bytes(), text);
 }
 
-TEST_F(ReadFile, DoesNotWaitForAPipeThatNobodyWritesTo) {
+TEST_F(ReadFile, DoesNotWaitForEverForAPipeThatNobodyWritesTo) {
     const std::string pipe = path("pipe");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_TRUE(std::holds_alternative<Source>(Source::read_file(pipe)));
+    EXPECT_THAT(message_of(pipe), HasSubstr("nothing has come through this pipe for 10 seconds."));
+}
+
+TEST(PipeWait, EndsWithBytesWithTheEndOrAfterTheTime) {
+    using namespace std::chrono_literals;
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe(ends.data()), 0);
+    EXPECT_FALSE(comes_in_time(ends[0], 20ms));
+    std::jthread writer([&] {
+        std::this_thread::sleep_for(30ms);
+        EXPECT_EQ(::write(ends[1], "%", 1), 1);
+    });
+    EXPECT_TRUE(comes_in_time(ends[0], 20s));
+    writer.join();
+    char byte = 0;
+    EXPECT_EQ(::read(ends[0], &byte, 1), 1);
+    ::close(ends[1]);
+    EXPECT_TRUE(comes_in_time(ends[0], 20s));
+    ::close(ends[0]);
 }
 
 TEST_F(ReadFile, SaysThatAFileIsMissing) {

@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> source_folders = {"analyzer/", "rules/", "cli/", "tests/",
-                                                            "bench/"};
+constexpr std::array<std::string_view, 6> source_folders = {"analyzer/", "rules/", "cli/",
+                                                            "tests/",    "bench/", "fuzz/"};
 constexpr std::array<std::string_view, 5> ignored_names = {".git", ".cache", "node_modules", "__pycache__",
                                                            "compile_commands.json"};
 

@@ -33,15 +33,14 @@ bool drop_privileges() {
            (::setgroups(0, nullptr) == 0 && ::setgid(nobody) == 0 && ::setuid(nobody) == 0);
 }
 
-Finished run(const std::string& folder, const std::vector<std::string>& arguments, const std::string& input,
+/// The first word is the executable.
+Finished run(const std::string& folder, std::vector<std::string> words, const std::string& input,
              Privileges privileges) {
     const TemporaryFolder streams;
     const std::string in = streams.write("in", input);
     const std::string out = streams.write("out", "");
     const std::string err = streams.write("err", "");
-    std::string executable = MACLINT_EXECUTABLE;
-    std::vector<std::string> words = arguments;
-    std::vector<char*> pointers = {executable.data()};
+    std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     const pid_t child = ::fork();
@@ -52,7 +51,7 @@ Finished run(const std::string& folder, const std::vector<std::string>& argument
         redirect(err, O_WRONLY | O_TRUNC, STDERR_FILENO);
         if (::chdir(folder.c_str()) != 0) ::_exit(125);
         if (privileges == Privileges::dropped && !drop_privileges()) ::_exit(no_start);
-        ::execv(executable.c_str(), pointers.data());
+        ::execv(pointers.front(), pointers.data());
         ::_exit(no_start);
     }
     int status = 0;
@@ -61,13 +60,18 @@ Finished run(const std::string& folder, const std::vector<std::string>& argument
     return {code, read_file(out), read_file(err)};
 }
 
+std::vector<std::string> maclint_with(const std::vector<std::string>& arguments) {
+    std::vector<std::string> words = {MACLINT_EXECUTABLE};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return words;
+}
+
 } // namespace
 
 Finished run_maclint_on_terminal(const std::string& folder, const std::vector<std::string>& arguments,
                                  unsigned short columns) {
-    std::string executable = MACLINT_EXECUTABLE;
-    std::vector<std::string> words = arguments;
-    std::vector<char*> pointers = {executable.data()};
+    std::vector<std::string> words = maclint_with(arguments);
+    std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
@@ -76,7 +80,7 @@ Finished run_maclint_on_terminal(const std::string& folder, const std::vector<st
     if (child < 0) throw std::runtime_error("no terminal");
     if (child == 0) {
         if (::chdir(folder.c_str()) != 0) ::_exit(125);
-        ::execv(executable.c_str(), pointers.data());
+        ::execv(pointers.front(), pointers.data());
         ::_exit(no_start);
     }
     std::string out;
@@ -92,12 +96,17 @@ Finished run_maclint_on_terminal(const std::string& folder, const std::vector<st
 
 Finished run_maclint(const std::string& folder, const std::vector<std::string>& arguments,
                      const std::string& input) {
-    return run(folder, arguments, input, Privileges::kept);
+    return run(folder, maclint_with(arguments), input, Privileges::kept);
+}
+
+Finished run_shell(const std::string& folder, const std::string& script) {
+    return run(folder, {"/bin/sh", "-c", "maclint='" MACLINT_EXECUTABLE "'\n" + script}, "",
+               Privileges::kept);
 }
 
 std::optional<Finished> run_maclint_without_privileges(const std::string& folder,
                                                        const std::vector<std::string>& arguments) {
-    Finished finished = run(folder, arguments, "", Privileges::dropped);
+    Finished finished = run(folder, maclint_with(arguments), "", Privileges::dropped);
     if (finished.status == no_start) return std::nullopt;
     return finished;
 }

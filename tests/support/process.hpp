@@ -17,7 +17,10 @@ struct Finished {
 [[nodiscard]] Finished run_maclint(const std::string& folder, const std::vector<std::string>& arguments,
                                    const std::string& input);
 
-/// The same on a terminal of so many columns; `out` is all that it shows.
+/// Runs a script of the shell in a folder, where "$maclint" is the executable.
+[[nodiscard]] Finished run_shell(const std::string& folder, const std::string& script);
+
+/// The same as run_maclint on a terminal of so many columns; `out` is all that it shows.
 [[nodiscard]] Finished run_maclint_on_terminal(const std::string& folder,
                                                const std::vector<std::string>& arguments,
                                                unsigned short columns);
