@@ -75,6 +75,12 @@ TEST(DeadStore, IsNoneWhereTheReaderIsSwitchedOff) {
     EXPECT_THAT(dead("#33=#1-#2\nGOTO5(DELETE TO ENABLE)\nG0X#33\nN5G0X#24\n"), IsEmpty());
 }
 
+TEST(DeadStore, IsNoCopyThatNothingUsesYet) {
+    EXPECT_THAT(dead("#33=#24\nG0X#24\n"), IsEmpty());
+    EXPECT_THAT(dead("#33=#5001\nG0X#24\n"), IsEmpty());
+    EXPECT_THAT(dead("IF[#1EQ0]THEN#33=#24*2\n#33=#24\nG0X#24\n"), ElementsAre("note 2"));
+}
+
 TEST(DeadStore, IsNoCounterNorSavedCodeNorRepetition) {
     EXPECT_THAT(dead("#33=0\nG0X#33\n#33=#33+1\nG0X#1\n"), IsEmpty());
     EXPECT_THAT(dead("#33=#4003\n#33=#24\nG0X#33\n"), IsEmpty());
@@ -133,6 +139,13 @@ TEST(CommonStaleRead, IsNoneWithoutThatEvidence) {
     EXPECT_THAT(stale(allowed + cases + "IF[#103EQ#0]GOTO9\nN9\n"), IsEmpty());
     EXPECT_THAT(stale(allowed + cases + "IF[#4012EQ55]GOTO9\nG0X#103\nN9\n"), IsEmpty());
     EXPECT_THAT(stale(allowed + "G65P9002\n" + cases + "G0X#103\n"), IsEmpty());
+}
+
+TEST(CommonStaleRead, IsNoneWhereTheSubjectChangesInBetween) {
+    const std::string allowed_argument = "IF[#1EQ4]GOTO1\nIF[#1EQ5]GOTO1\nIF[#1EQ6]GOTO1\n#3000=1(A)\nN1\n";
+    const std::string cases = "IF[#1EQ4]THEN#103=3\nIF[#1EQ6]THEN#103=2\nG0X#103\n";
+    EXPECT_THAT(stale(allowed_argument + cases), ElementsAre(9));
+    EXPECT_THAT(stale(allowed_argument + "#1=#2\n" + cases), IsEmpty());
 }
 
 TEST(CommonStaleRead, IsNoneWhereACallerSetsIt) {
