@@ -27,7 +27,10 @@
     RULE(double_hash)                           /* MAC206 */ \
     RULE(uninitialised_local)                   /* MAC209 */ \
     RULE(argument_not_passed)                   /* MAC210 */ \
+    RULE(dead_store)                            /* MAC213 */ \
+    RULE(overwritten_conditional)               /* MAC214 */ \
     RULE(crossed_axes)                          /* MAC215 */ \
+    RULE(common_stale_read)                     /* MAC216 */ \
     RULE(zero_test_misses_vacant)               /* MAC220 */ \
     RULE(vacant_in_relational_comparison)       /* MAC221 */ \
     RULE(vacancy_lost_in_arithmetic)            /* MAC222 */ \
@@ -55,6 +58,7 @@
     RULE(macro_and_nc_same_block)               /* MAC332 */ \
     RULE(m99_p_missing_label)                   /* MAC333 */ \
     RULE(endless_jump_loop)                     /* MAC336 */ \
+    RULE(equal_branches)                        /* MAC337 */ \
     RULE(call_without_program_number)           /* MAC401 */ \
     RULE(program_not_found)                     /* MAC402 */ \
     RULE(macro_calls_nested_too_deep)           /* MAC410 */ \
@@ -88,6 +92,9 @@
     RULE(float_loop_counter)                    /* MAC711 */ \
     RULE(double_operator)                       /* MAC716 */ \
     RULE(constant_condition)                    /* MAC718 */ \
+    RULE(duplicate_subcondition)                /* MAC719 */ \
+    RULE(redundant_recompute)                   /* MAC720 */ \
+    RULE(missing_tolerance)                     /* MAC726 */ \
     RULE(block_must_be_alone)                    /* DIN008 */ \
     RULE(unit_unbalanced)                        /* DIN015 */ \
     RULE(missing_machining)                      /* DIN101 */ \

@@ -36,7 +36,7 @@ extern const Rule modal_code_as_number{
 O9574(ELLIPSE POINT, A ANGLE D HEIGHT)
 #3=#4003
 #5=#7/2
-G90 G0 Y[#3*SIN[#1]]
+G90 G0 X#5 Y[#3*SIN[#1]]
 G#3
 M99
 )nc"}},

@@ -85,6 +85,10 @@ class Jumps(unittest.TestCase):
         self.assertEqual(planted(fanuc_jumps.plants, misled, 'label-doubled'), [(['N5G0X1.'], '')])
         self.assertEqual(planted(fanuc_jumps.plants, safe, 'label-doubled'), [(['N5M30'], 'every jump takes the block that was meant')])
 
+    def test_a_branch_becomes_the_other_one(self):
+        text = 'O1\nIF[#1EQ1]GOTO4\n#33=#24\nGOTO5\nN4#33=-#24\nN5G0X#33\nM99'
+        self.assertEqual(planted(fanuc_jumps.plants, text, 'branch-copied'), [(['#33=-#24'], '')])
+
     def test_a_cycle_with_another_way_out_is_left_out(self):
         trapped = 'O1\nN1G0X1.\nIF[#100LT5]GOTO1\nM30'
         free = 'O1\nN1G0X1.\nIF[#101EQ1]GOTO9\nIF[#100LT5]GOTO1\nN9M30'
@@ -158,6 +162,13 @@ class Conditions(unittest.TestCase):
         found = [reason for kind, _, reason in fanuc_conditions.plants(program(calling), {7}) if kind == 'vacancy-as-zero']
         self.assertEqual(found, [''])
 
+    def test_what_stands_twice(self):
+        self.assertEqual(planted(conditions, 'O1\nIF[[#1EQ0]OR[#2EQ0]]GOTO8\nN8M99', 'part-doubled'),
+                         [(['IF[[#1EQ0]OR[#1EQ0]]GOTO8'], '')])
+        self.assertEqual(planted(conditions, 'O1\nIF[#1EQ1]THEN#33=4\nIF[#1EQ2]THEN#33=5\nM99', 'case-doubled'),
+                         [(['IF[#1EQ1]THEN#33=5'], '')])
+        self.assertEqual(planted(conditions, 'O1\nIF[#1EQ1]THEN#33=4\nIF[#1EQ2]THEN#33=#33+5\nM99', 'case-doubled'), [])
+
     def test_a_comparison_alone_does_not_suffer(self):
         self.assertEqual(self.harmless('O1\nIF[#24EQ#0]GOTO8\nIF[#5063LT#24]GOTO8\nM99\nN8#3000=1'),
                          ['nothing calculates with the variable after the test'])
@@ -200,6 +211,14 @@ class Variables(unittest.TestCase):
         self.assertEqual(planted(fanuc_variables.plants, 'O1\n#24=#5001+#24\n#25=#5002+#25\nM99', 'axes-crossed'),
                          [(['#25=#5002+#24'], '')])
         self.assertEqual(planted(fanuc_variables.plants, 'O1\n#24=#5001+#1\n#25=#5002+#1\nM99', 'axes-crossed'), [])
+
+    def test_two_results_in_one_variable(self):
+        def stores(text):
+            return planted(fanuc_variables.plants, text, 'stores-into-one')
+
+        self.assertEqual(stores('O1\n#33=#1-#2\n#32=#1*2\nG0X#33Y#32\nM99'), [(['#33=#1*2'], '')])
+        self.assertEqual(stores('O1\n#33=#1-#2\n#32=#33*2\nG0X#33Y#32\nM99'), [(['#33=#33*2'], 'the second reads, or may read, what the first has set')])
+        self.assertEqual(stores('O1\n#33=5\n#32=#33*2\nG0X#33Y#32\nM99'), [])
 
     def test_one_case_of_two(self):
         cases = 'O1\nIF[#1EQ1]GOTO1\n#33=2\nGOTO2\nN1#33=3\nN2G0X#33\nM99'

@@ -18,6 +18,8 @@ def plants(program, numbers):
     yield from vacancy_tests(program, numbers)
     yield from zero_tests(program)
     yield from repeated_guards(program)
+    yield from doubled_parts(program)
+    yield from doubled_cases(program)
     yield from symbols(program)
     yield from distances(program)
 
@@ -169,6 +171,32 @@ def repeated_guards(program):
         if same and variable != int(second.group(2)) and int(second.group(2)) in variables_in(second.group(1)):
             reason = unreached(program, index) or ('a system variable may change in between' if variable >= 1000 else '')
             yield 'guard-repeated', put(program.blocks[index], second.span(2), first.group(2)), reason
+
+
+PARTS = re.compile(r'(\[[^\[\]]*\])\s*(?:AND|OR)\s*(\[[^\[\]]*\])')
+CASE = re.compile(r'IF\s*\[\s*(#\s*\d+)\s*EQ\s*(\d+\.?\d*)\s*\]\s*THEN\s*#\s*(\d+)\s*=([^=]*)$')
+
+
+def doubled_parts(program):
+    """IF[[#1EQ0]OR[#2EQ0]]: the second part is the first one again."""
+    for index, block in enumerate(program.blocks):
+        parts = PARTS.search(block.code) if block.conditional or block.loop_condition else None
+        if not parts or not COMPARED.search(parts.group(1)) or parts.group(1) == parts.group(2):
+            continue
+        if variables_in(parts.group(1)) != variables_in(parts.group(2)):  # [[#1LT8]OR[#1GT6]] is always true already
+            yield 'part-doubled', put(block, parts.span(2), parts.group(1)), unreached(program, index)
+
+
+def doubled_cases(program):
+    """IF[#1EQ2]THEN#33=5 after IF[#1EQ1]THEN#33=4: the second asks for the case of the first."""
+    for index in range(1, len(program.blocks)):
+        first, second = (CASE.search(program.blocks[at].code.rstrip()) for at in (index - 1, index))
+        if not first or not second or program.blocks[index - 1].skipped or program.blocks[index].skipped:
+            continue
+        same = [first.group(part) == second.group(part) for part in (1, 2, 3)]
+        read = variables_in(first.group(1) + first.group(4) + second.group(4))
+        if same == [True, False, True] and int(first.group(3)) not in read:
+            yield 'case-doubled', put(program.blocks[index], second.span(2), first.group(2)), unreached(program, index)
 
 
 def symbols(program):

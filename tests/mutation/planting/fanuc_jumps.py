@@ -10,6 +10,7 @@ def plants(program):
     yield from doubled_labels(program)
     yield from jumps_into_loops(program)
     yield from endless_jumps(program)
+    yield from copied_branches(program)
 
 
 def literal_jumps(program):
@@ -87,3 +88,22 @@ def endless_jumps(program):
         at = block.code.index('IF')
         harmless = '' if is_trap(program, successors, place) else 'another block of the cycle leads out of it, or stops'
         yield 'endless-jump', put(block, (at, GOTO.search(block.code).start()), ''), harmless
+
+
+def copied_branches(program):
+    """IF..GOTO4 / a / GOTO5 / N4 b / N5: a is b, too."""
+    for index, block in enumerate(program.blocks[:-4]):
+        one, leave, other, after = program.blocks[index + 1:index + 5]
+        plain = all(part.code.strip() and not (part.jumps or part.conditional or part.loop or part.end or part.leaves or part.skipped)
+                    for part in (one, other))
+        if not block.conditional or block.target is None or not plain or one.label is not None or leave.conditional:
+            continue
+        if program.target_of(index, block.target) != index + 3 or leave.target is None or \
+                program.target_of(index + 2, leave.target) != index + 4 or leave.label is not None:
+            continue
+        body = other.code.rstrip()
+        body = body[body.index(str(other.label), body.index('N')) + len(str(other.label)):]
+        entered = sum(index + 3 in following for following in program.successors) > 1
+        reason = 'another jump leads into one of the branches' if entered else unreached(program, index)
+        if body.strip() and body.strip() != one.code.strip():
+            yield 'branch-copied', put(one, (0, len(one.code.rstrip())), body), reason

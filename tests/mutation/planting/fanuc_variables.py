@@ -10,6 +10,7 @@ def plants(program):
     yield from removed_assignments(program)
     yield from wrong_variables(program)
     yield from crossed_axes(program)
+    yield from stores_into_one(program)
     for block in program.blocks:
         store = STORE.search(block.code)
         if store and int(store.group(1)) < 34:
@@ -147,3 +148,27 @@ def crossed_axes(program):
         follows = all(b - a in (0, 1) for a, b in pairs) and any(a > 5000 and b - a == 1 for a, b in pairs)
         if follows and pairs[0][1] - pairs[0][0] == 1 and len(own) == 1 and all(a != pairs[0][1] for a, b in pairs):
             yield 'axes-crossed', put(second, own[0].span(1), str(second.stores[0] - 1)), ''
+
+
+LOCAL_RESULT = re.compile(r'\s*(?:N\s*\d+\s*)?#\s*(\d+)(\s*=)(?=[^=]*(?:[-+*/\]]))([^=]*)$')
+
+
+def stores_into_one(program):
+    """Two blocks in a row calculate two locals: the second sets the variable of the first."""
+    for index in range(1, len(program.blocks)):
+        first, second = program.blocks[index - 1], program.blocks[index]
+        results = [LOCAL_RESULT.match(block.code.rstrip()) for block in (first, second)]
+        if not all(results) or second.label is not None or first.skipped or second.skipped:
+            continue
+        variable, other = (int(result.group(1)) for result in results)
+        plain = re.sub(r'\s', '', results[0].group(3)) == re.sub(r'\s', '', results[1].group(3))
+        if not 0 < variable < 34 or not 0 < other < 34 or variable == other or plain:
+            continue
+        if not variables_in(results[0].group(3)) or reads_through_index(program):
+            continue
+        reason = unreached(program, index)
+        if variable in variables_in(results[0].group(3)):
+            reason = reason or 'the first only changes the variable'
+        if variable in variables_in(results[1].group(3)) or re.search(r'#\s*\[', results[1].group(3)):
+            reason = reason or 'the second reads, or may read, what the first has set'
+        yield 'stores-into-one', put(second, results[1].span(1), str(variable)), reason

@@ -48,6 +48,7 @@ KINDS = {kind.name: kind for kind in [
     ]),
     *table('jumps', WARNING, [
         ('label-doubled', 'MAC462', 'a block gets a number that a GOTO already names, and the GOTO takes this one'),
+        ('branch-copied', 'MAC337', 'of two branches the first does what the second does'),
     ]),
     *table('loops', ERROR, [
         ('end-wrong', 'MAC312 MAC313 MAC314 MAC316', 'END with the number of another loop'),
@@ -70,6 +71,8 @@ KINDS = {kind.name: kind for kind in [
         ('zero-as-vacancy', 'MAC228', 'EQ #0 where EQ 0 was, on a variable that is set'),
         ('guard-inverted', 'MAC209 MAC220 MAC718 MAC228', 'NE #0 where EQ #0 was: on it goes with the vacant variable'),
         ('guard-repeated', 'MAC718', 'a guard tests what the guard before it has tested'),
+        ('part-doubled', 'MAC719', 'of two comparisons in a condition the second is the first again'),
+        ('case-doubled', 'MAC719', 'of two cases for one variable the second asks for that of the first'),
         ('distance-equal', 'MAC710', 'a distance is compared with EQ 0 instead of a tolerance'),
     ]),
     *table('conditions', ERROR, [
@@ -81,6 +84,7 @@ KINDS = {kind.name: kind for kind in [
         ('case-removed', 'MAC209', 'the assignment of one case is gone'),
         ('wrong-variable', 'MAC209', 'a word takes a variable that nothing sets'),
         ('axes-crossed', 'MAC215', 'of two blocks for two axes one takes the variable of the other'),
+        ('stores-into-one', 'MAC213 MAC214 MAC209', 'of two blocks that calculate the second sets the variable of the first'),
     ]),
     *table('variables', ERROR, [
         ('null-assigned', 'MAC201', '#0 is assigned'),

@@ -1,0 +1,218 @@
+//! Looks for a path from the test for a number to the read, around all assignments.
+#include "analyzer/queries/stale_reads.hpp"
+
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/execution/path_search.hpp"
+#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/conditions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace maclint::queries {
+namespace {
+
+using dataflow::Comparison;
+
+constexpr int most_blocks = 16;  ///< from a test to an assignment that it decides
+constexpr int most_searches = 8; ///< of one variable
+
+/// A test whether the subject is a number, and where the program goes on when it is.
+struct Case {
+    const Comparison* test;
+    ExpressionId number;
+    flow::NodeId begins;
+};
+
+class Search {
+  public:
+    explicit Search(const ProgramAnalysis& analysis)
+        : analysis_(analysis)
+        , graph_(analysis.graph()) {
+        for (const Comparison& test : analysis.facts().all<Comparison>())
+            if (const auto tested = case_of(test)) cases_.push_back(*tested);
+    }
+
+    std::optional<StaleRead> of(Variable variable) {
+        const auto set_for = cases_that_set(variable);
+        if (set_for.size() < 2) return std::nullopt;
+        for (const Case& other : cases_) {
+            const bool is_set = std::ranges::any_of(
+                set_for, [&](const Case& one) { return value(one.number) == value(other.number); });
+            if (!asks_for_same(set_for.front(), other) || is_set) continue;
+            if (auto found = read_in(other, variable)) {
+                for (const Case& one : set_for) found->set_for.push_back(one.number);
+                return found;
+            }
+        }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] bool has_cases() const { return cases_.size() > 2; }
+
+  private:
+    [[nodiscard]] double value(ExpressionId number) const {
+        return std::get<Literal>(analysis_.program().expressions[number].node).value;
+    }
+
+    /// Whether both test one thing, which nothing changes from the first test in the text on.
+    [[nodiscard]] bool asks_for_same(const Case& one, const Case& other) const {
+        const ExpressionId subject = one.test->left_expression;
+        return same_expression(analysis_.program(), subject, other.test->left_expression) &&
+               stays(subject, std::min(one.test->effect, other.test->effect));
+    }
+
+    [[nodiscard]] bool stays(ExpressionId subject, EffectId from) const {
+        const auto& node = analysis_.program().expressions[subject].node;
+        if (const auto* machine = std::get_if<LoadMachine>(&node)) {
+            const auto* range = analysis_.control().families[machine->family].find(machine->number);
+            return range != nullptr && !range->changes_by_itself;
+        }
+        const auto* load = std::get_if<Load>(&node);
+        if (load == nullptr) return std::holds_alternative<LoadModal>(node);
+        return std::ranges::none_of(analysis_.facts().all<dataflow::Store>(),
+                                    [&](const dataflow::Store& store) {
+                                        return store.variable == load->variable && store.effect > from;
+                                    }) &&
+               std::ranges::none_of(analysis_.facts().all<dataflow::Clobber>(),
+                                    [&](const dataflow::Clobber& clobber) {
+                                        return clobber.may_change(load->variable) && clobber.effect > from;
+                                    });
+    }
+
+    [[nodiscard]] std::optional<Case> case_of(const Comparison& test) const {
+        const bool equal = test.operation == Operation::equal;
+        if ((!equal && test.operation != Operation::not_equal) ||
+            !std::holds_alternative<Literal>(analysis_.program().expressions[test.right_expression].node))
+            return std::nullopt;
+        for (const flow::EdgeId id : graph_.out[test.node]) {
+            const flow::Edge& edge = graph_.edges[id];
+            if (edge.condition == test.expression && edge.holds == equal && analysis_.data().passable(id))
+                return Case{&test, test.right_expression, edge.to};
+        }
+        return std::nullopt;
+    }
+
+    /// One for each number, of one subject.
+    [[nodiscard]] std::vector<Case> cases_that_set(Variable variable) const {
+        std::vector<Case> found;
+        for (const dataflow::Store& store : analysis_.facts().all<dataflow::Store>()) {
+            if (store.variable != variable) continue;
+            const Case* decides = case_before(store.node);
+            if (decides == nullptr) continue;
+            const bool known = std::ranges::any_of(found, [&](const Case& one) {
+                return !asks_for_same(one, *decides) || value(one.number) == value(decides->number);
+            });
+            if (!known) found.push_back(*decides);
+        }
+        return found;
+    }
+
+    /// The test that has to be true for the program to come to the node.
+    [[nodiscard]] const Case* case_before(flow::NodeId node) const {
+        for (int i = 0; i < most_blocks; ++i) {
+            const auto begins = std::ranges::find(cases_, node, &Case::begins);
+            const auto in = graph_.in[node];
+            if (in.size() != 1) return nullptr;
+            if (begins != cases_.end()) return &*begins;
+            node = graph_.edges[in.front()].from;
+        }
+        return nullptr;
+    }
+
+    [[nodiscard]] std::optional<StaleRead> read_in(const Case& in_case, Variable variable) {
+        const std::vector<flow::NodeId> setting = nodes_that_set(variable);
+        int searches = 0;
+        for (const dataflow::Read& read : analysis_.facts().all<dataflow::Read>()) {
+            if (read.variable != variable || !matters(read)) continue;
+            if (searches++ == most_searches) break;
+            auto found = search_.find(std::array{execution::Leg{in_case.test->node, setting},
+                                                 execution::Leg{in_case.begins, setting},
+                                                 execution::Leg{read.node, setting}});
+            if (found.path && is_taken(*found.path, in_case))
+                return StaleRead{
+                    &read, in_case.test->left_expression, {}, in_case.number, *std::move(found.path)};
+        }
+        return std::nullopt;
+    }
+
+    /// Whether the path goes on from the test as it does for the number.
+    [[nodiscard]] bool is_taken(const std::vector<flow::EdgeId>& path, const Case& in_case) const {
+        return std::ranges::any_of(path, [&](flow::EdgeId id) {
+            const flow::Edge& edge = graph_.edges[id];
+            return edge.from == in_case.test->node && edge.to == in_case.begins &&
+                   edge.holds == (in_case.test->operation == Operation::equal);
+        });
+    }
+
+    [[nodiscard]] bool matters(const dataflow::Read& read) const {
+        if (read.use == dataflow::Use::vacancy_test || read.use == dataflow::Use::comparison) return false;
+        return std::ranges::none_of(
+            analysis_.facts().at<dataflow::Store>(read.effect),
+            [&](const dataflow::Store& store) { return store.variable == read.variable; });
+    }
+
+    [[nodiscard]] std::vector<flow::NodeId> nodes_that_set(Variable variable) const {
+        std::vector<flow::NodeId> nodes;
+        for (const dataflow::Store& store : analysis_.facts().all<dataflow::Store>())
+            if (store.variable == variable) nodes.push_back(store.node);
+        for (const dataflow::Clobber& clobber : analysis_.facts().all<dataflow::Clobber>())
+            if (clobber.may_change(variable)) nodes.push_back(clobber.node);
+        std::ranges::sort(nodes);
+        const auto again = std::ranges::unique(nodes);
+        nodes.erase(again.begin(), again.end());
+        return nodes;
+    }
+
+    const ProgramAnalysis& analysis_;
+    const flow::Graph& graph_;
+    execution::PathSearch search_{analysis_};
+    std::vector<Case> cases_;
+};
+
+/// Whether the program stores in the variable.
+bool is_set_in(const Program& program, Variable variable) {
+    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+        return target != nullptr && *target == variable;
+    });
+}
+
+/// Whether a caller sets the variable, or something that it calls besides this program may.
+bool callers_set(const ProgramAnalysis& analysis, Variable variable) {
+    const auto sets = [&](const Caller& caller) {
+        const ProgramAnalysis& calling = calling_program(analysis, caller);
+        return is_set_in(calling.program(), variable) ||
+               std::ranges::any_of(calling.facts().all<dataflow::Clobber>(),
+                                   [&](const dataflow::Clobber& clobber) {
+                                       return clobber.effect != caller.effect && clobber.may_change(variable);
+                                   });
+    };
+    return std::ranges::any_of(analysis.callers(), sets) ||
+           std::ranges::any_of(analysis.possible_callers(), sets);
+}
+
+} // namespace
+
+std::vector<StaleRead> find_stale_reads(const ProgramAnalysis& analysis) {
+    std::vector<StaleRead> found;
+    std::vector<Variable> seen;
+    std::optional<Search> search;
+    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
+        if (analysis.control().spaces[store.variable.space].scope != Scope::shared ||
+            std::ranges::find(seen, store.variable) != seen.end())
+            continue;
+        seen.push_back(store.variable);
+        if (!search) search.emplace(analysis);
+        if (!search->has_cases()) break;
+        if (callers_set(analysis, store.variable)) continue;
+        if (auto stale = search->of(store.variable)) found.push_back(*std::move(stale));
+    }
+    return found;
+}
+
+} // namespace maclint::queries

@@ -1,0 +1,86 @@
+//! MAC216: a common variable is read that keeps what an earlier run has left in it.
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/stale_reads.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule common_stale_read{
+    .code = "MAC216",
+    .name = "common-stale-read",
+    .summary =
+        "A common variable is set for some numbers of a decision, and read for another that the program "
+        "asks for as well",
+    .why = "The variable still holds what the run before has left there, or is vacant after the control was "
+           "switched on: the program runs with the number of another part.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::Read, dataflow::Comparison, dataflow::Store, dataflow::Clobber>(),
+    .data_flow = true,
+    .messages = {{"case",
+                  "Value from the run before: {0} is set for {1} only, and read here for {2}, which "
+                  "line {3} asks for.",
+                  "Set it in that case, too, or refuse the case with an alarm."}},
+    .bad = {{"fanuc", R"nc(
+O9216(PASSES)
+IF[#4012EQ54]GOTO1
+IF[#4012EQ55]GOTO1
+IF[#4012EQ56]GOTO1
+#3000=1(WORK OFFSET)
+N1
+IF[#4012EQ54]THEN#103=3
+IF[#4012EQ56]THEN#103=2
+G0 X#103
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9216(PASSES)
+IF[#4012EQ54]GOTO1
+IF[#4012EQ56]GOTO1
+#3000=1(WORK OFFSET)
+N1
+IF[#4012EQ54]THEN#103=3
+IF[#4012EQ56]THEN#103=2
+G0 X#103
+M99
+)nc"}},
+    .sources = {"SEED-002:357"},
+    .check = &check,
+};
+
+namespace {
+
+/// "#4012 = 54, 56"
+std::string words_for(const ProgramAnalysis& analysis, const queries::StaleRead& stale) {
+    const Program& program = analysis.program();
+    std::string words;
+    for (const ExpressionId number : stale.set_for)
+        words += (words.empty() ? quoted(program, program.expressions[stale.subject].span) + " = " : ", ") +
+                 quoted(program, program.expressions[number].span);
+    return words;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const queries::StaleRead& stale : queries::find_stale_reads(analysis)) {
+        const Span span = program.expressions[stale.read->expression].span;
+        const Span asked = program.expressions[stale.missing].span;
+        Finding& finding =
+            reporter.report({analysis, *stale.read}, span, "case",
+                            {program.spell(stale.read->variable), words_for(analysis, stale),
+                             quoted(program, asked), line_number(analysis.file(), asked.begin)});
+        for (RelatedLocation& step : steps_along(analysis, stale.path))
+            finding.path.push_back(std::move(step));
+        finding.path.push_back({analysis.source(), span, "it is read as the run before has left it"});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

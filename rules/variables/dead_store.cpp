@@ -1,0 +1,122 @@
+//! MAC213: a value is stored that nothing reads.
+#include "analyzer/queries/copies.hpp"
+#include "analyzer/queries/dead_stores.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule dead_store{
+    .code = "MAC213",
+    .name = "dead-store",
+    .summary = "A value is calculated and stored, and replaced on every path before anything reads it",
+    .why =
+        "One of the two assignments was meant for another variable, or stands in the wrong place: what the "
+        "program has calculated is lost. A note where nothing follows that could read the value. Numbers "
+        "that somebody may edit, vacant, counters, saved codes and copies that wait for their use are left "
+        "alone, and so are variables "
+        "that other programs or the operator may look at in between.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::Store, dataflow::Read>(),
+    .data_flow = true,
+    .messages = {{"replaced", "Value lost: '{0}' is replaced in line {2} before anything reads {1}.",
+                  "Set the variable that was meant, or remove one of the two."},
+                 {"replaced-after",
+                  "Value lost: '{0}' is replaced on every path, first in line {2}, before "
+                  "anything reads {1}.",
+                  "Set the variable that was meant, or remove one of the two."},
+                 {"unread", "Value never used: nothing reads {1} after '{0}'.",
+                  "Use it, or remove the assignment."},
+                 {"never", "Variable never used: '{0}' sets {1}, and no block reads it.",
+                  "Use it, or remove the assignment."}},
+    .bad = {{"fanuc", R"nc(
+O9213(SLOT, X LENGTH D TOOL R STOCK)
+#33=#24-#7
+#33=#24-2*#18
+G0 X#33
+M99
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Length",#l1)
+N20 #l2=#l1-3
+N30 #l2=#l1/2
+N40 G0 X46 Z#l2
+N50 M30
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9213(SLOT, X LENGTH D TOOL R STOCK)
+#33=#24-#7
+#32=#24-2*#18
+G0 X#33
+G0 X-#32
+M99
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Length",#l1)
+N20 #l2=#l1-3
+N30 #l3=#l1/2
+N40 G0 X#l3 Z#l2
+N50 M30
+END
+)nc"}},
+    .sources = {"T"},
+    .check = &check,
+};
+
+namespace {
+
+/// The same value comes again: nothing is lost.
+bool is_only_repeated(const queries::DeadStore& dead) {
+    return std::ranges::any_of(dead.replaced_by, [&](const dataflow::Store* next) {
+        return queries::is_same_value(next->value, dead.store->value);
+    });
+}
+
+/// #32=#5001, which nobody reads: it keeps a place for something.
+bool is_spare_copy(const ProgramAnalysis& analysis, const queries::DeadStore& dead) {
+    return !dead.read_elsewhere &&
+           !std::holds_alternative<Apply>(analysis.program().expressions[dead.store->expression].node);
+}
+
+std::string_view message_for(const queries::DeadStore& dead) {
+    if (!dead.read_elsewhere) return "never";
+    if (dead.may_end) return "unread";
+    return dead.replaced_by.size() == 1 ? "replaced" : "replaced-after";
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const queries::DeadStore& dead : queries::find_dead_stores(analysis)) {
+        const bool special_case = dead.only_if && dead.read_elsewhere; // MAC214's
+        if (dead.is_setting || special_case || dead.store->step || is_only_repeated(dead) ||
+            is_spare_copy(analysis, dead))
+            continue;
+        const std::string_view message = message_for(dead);
+        const Span span = program.effects[dead.store->effect].span;
+        const std::string name = with_letter(analysis, dead.store->variable);
+        std::vector<std::string> words{quoted(program, span), name};
+        if (!dead.replaced_by.empty())
+            words.push_back(
+                line_number(analysis.file(), program.effects[dead.replaced_by.front()->effect].span.begin));
+        Finding& finding = reporter.report({analysis, dead.store->effect}, span, message, std::move(words));
+        if (dead.may_end || !dead.read_elsewhere) finding.severity = Severity::note;
+        if (message == "never") finding.same_cause = program.name + " " + program.spell(dead.store->variable);
+        for (const dataflow::Store* next : dead.replaced_by)
+            finding.related.push_back(related_at_effect(analysis, next->effect, "replaces the value"));
+        trace(finding, analysis, dead.store->node, "the value is stored");
+    }
+}
+
+} // namespace
+} // namespace maclint::rules
