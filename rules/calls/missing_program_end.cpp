@@ -23,7 +23,7 @@ extern const Rule missing_program_end{
     .summary = "A program with a number of its own has no M30, M02 or M99 at all",
     .why = "The control comes to the end of the program and stops with an alarm: the part is finished, the "
            "spindle may still turn, and the next start does not begin at the first block. Where it is a "
-           "subprogram, it never returns.",
+           "subprogram, it never returns. A warning where no alarm of the control is known.",
     .severity = Severity::error,
     .precision = Precision::high,
     .yields_to = "MAC456",
@@ -97,6 +97,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     Finding& finding =
         reporter.report({analysis, span}, span, "plain",
                         {analysis.program().name, std::string(analysis.control().return_word)});
+    if (finding.alarm.empty()) finding.severity = std::min(finding.severity, Severity::warning);
     trace(finding, analysis, exit->exit.node, "the program ends after this block");
 }
 

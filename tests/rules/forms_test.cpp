@@ -114,6 +114,7 @@ constexpr Row refused[] = {
     {"#101=#102+-#101*2", "MAC716"},
     {"#101=--#102", "MAC716"},
     {"#101=#30003.036", "MAC121"},
+    {"#101=2..5", "MAC121"},
 };
 
 TEST(Forms, AFanucStopsAtThemAndOnlyOneRuleSaysSo) {
