@@ -27,6 +27,7 @@
     RULE(double_hash)                           /* MAC206 */ \
     RULE(uninitialised_local)                   /* MAC209 */ \
     RULE(argument_not_passed)                   /* MAC210 */ \
+    RULE(argument_unused)                       /* MAC211 */ \
     RULE(dead_store)                            /* MAC213 */ \
     RULE(overwritten_conditional)               /* MAC214 */ \
     RULE(crossed_axes)                          /* MAC215 */ \
@@ -37,6 +38,7 @@
     RULE(unchecked_offset_number)               /* MAC225 */ \
     RULE(vacancy_test_never_true)               /* MAC228 */ \
     RULE(jump_target_missing)                   /* MAC301 */ \
+    RULE(goto_suspicious_target)                /* MAC302 */ \
     RULE(jump_into_loop)                        /* MAC303 */ \
     RULE(goto_number_format)                    /* MAC305 */ \
     RULE(goto_extra_words)                      /* MAC307 */ \
@@ -65,8 +67,10 @@
     RULE(subprogram_calls_nested_too_deep)      /* MAC411 */ \
     RULE(recursive_call)                        /* MAC412 */ \
     RULE(g66_not_cancelled)                     /* MAC413 */ \
+    RULE(missing_program_end)                   /* MAC455 */ \
     RULE(missing_m99)                           /* MAC456 */ \
     RULE(end_in_subprogram)                     /* MAC457 */ \
+    RULE(unreachable_code)                      /* MAC460 */ \
     RULE(duplicate_sequence_number)             /* MAC462 */ \
     RULE(modal_state_not_restored)              /* MAC501 */ \
     RULE(compensation_or_transform_left_active) /* MAC502 */ \

@@ -82,6 +82,10 @@ std::optional<EffectId> find_jump_to_empty_end(const ProgramAnalysis& analysis) 
 
 } // namespace
 
+bool may_end_otherwise(const ProgramAnalysis& analysis, const flow::Exit& past_end) {
+    return may_return_otherwise(analysis.program()) || ends_with_unknown_call(analysis, past_end);
+}
+
 std::optional<ExpectedEnd> find_expected_end(const ProgramAnalysis& analysis, const flow::Exit& past_end) {
     const Program& program = analysis.program();
     if (may_return_otherwise(program)) return std::nullopt;

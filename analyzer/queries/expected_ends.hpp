@@ -27,10 +27,14 @@ struct MacroWithEmptyEnd {
 using ExpectedEnd =
     std::variant<const Caller*, const flow::Exit*, WrittenAsMacro, KeepsState, MacroWithEmptyEnd>;
 
+/// Whether the program may be left there all the same: by a block that may be skipped or that nobody can
+/// read, or by a called program that nobody knows.
+[[nodiscard]] bool may_end_otherwise(const ProgramAnalysis& analysis, const flow::Exit& past_end);
+
 /// Why the program must be left before the end that `past_end` is, the strongest reason; nothing where there
-/// is none, or where the program may be left there all the same: by a block that may be skipped or that
-/// nobody can read, or by a called program that nobody knows. Where programs have sections, only a call is a
-/// reason: the manual does not say what the end of a program is that nobody calls.
+/// is none, or where the program may be left there all the same, though a known call outweighs a called
+/// program that nobody knows. Where programs have sections, only a call is a reason: the manual does not say
+/// what the end of a program is that nobody calls.
 [[nodiscard]] std::optional<ExpectedEnd> find_expected_end(const ProgramAnalysis& analysis,
                                                            const flow::Exit& past_end);
 

@@ -93,6 +93,7 @@ constexpr Row refused[] = {
     {"IF[#101LT0]#102=3", "MAC325"},
     {"IF[#101EQ2]G0TO5", "MAC118"},
     {"IF[#101LT0]M8", "MAC325"},
+    {"IF[#101LT0]IF[#102EQ2]GOTO5", "MAC325"},
     {"IF[#101LT0]", "MAC325"},
     {"IF[#101LT0]THEN", "MAC118"},
     {"IF[#101LT0]THEN#101=3 #102=4", "MAC326"},
@@ -113,6 +114,7 @@ constexpr Row refused[] = {
     {"#101=#102+-#101*2", "MAC716"},
     {"#101=--#102", "MAC716"},
     {"#101=#30003.036", "MAC121"},
+    {"#101=2..5", "MAC121"},
 };
 
 TEST(Forms, AFanucStopsAtThemAndOnlyOneRuleSaysSo) {

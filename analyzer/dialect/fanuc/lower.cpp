@@ -54,9 +54,18 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, ProgramBuilder& 
         else
             report(SyntaxErrorKind::unreadable, span(*content.front()), "an address before the number");
     }
+    check_numbers(content);
     check_row(content);
     lower_items(content);
     end_block(lowered);
+}
+
+/// Of `#1=2..5` the parser reads `#1=2.` and a number without address. Behind a blank it may be the same
+/// number: blanks mean nothing.
+void BlockLowering::check_numbers(std::span<const syntax::Node* const> items) {
+    for (std::size_t i = 1; i < items.size(); ++i)
+        if (kind_of(*items[i]) == Kind::bare_value && span(*items[i]).begin == span(*items[i - 1]).end)
+            report(SyntaxErrorKind::unreadable, span(*items[i]), "an address before the number");
 }
 
 /// Takes sequence number and skip marks off the front of a block; the rest is what it does.

@@ -93,7 +93,7 @@ void BlockLowering::check_consequences(const Node& if_statement, std::span<const
         consequences, [](const Node* node) { return kind_of(*node) == Kind::foreign_keyword; });
     if (foreign || (!is_statement(first) && !is_word(first))) return;
     const Span rest = join(span(*consequences.front()), span(*consequences.back()));
-    if (first == Kind::goto_statement || first == Kind::if_statement) {
+    if (first == Kind::goto_statement || (first == Kind::if_statement && has_then)) {
         check_row(consequences);
     } else if (!has_then) {
         const bool assigns = first == Kind::assignment;

@@ -93,6 +93,7 @@ class BlockLowering : private TreeLowering {
 
     // ---- ways of writing that not every control takes (lower_forms.cpp)
     void refuse(SyntaxErrorKind form, Span span, std::string cure, Remedy remedy = {});
+    void check_numbers(std::span<const syntax::Node* const> items);
     void check_row(std::span<const Node* const> items);
     void check_consequences(const Node& if_statement, std::span<const Node* const> consequences);
     void check_condition(const Node& condition);

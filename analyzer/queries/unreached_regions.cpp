@@ -1,0 +1,206 @@
+//! The flow graph says which blocks are reached; what stands before and in the others says why they are not.
+#include "analyzer/queries/unreached_regions.hpp"
+
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/queries/callers.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+namespace maclint::queries {
+namespace {
+
+bool is_letter(unsigned char c) { return std::isalpha(c) != 0; }
+
+bool is_reached(const flow::Graph& graph, flow::NodeId node) {
+    return graph.order[node] != flow::Graph::no_order;
+}
+
+bool is_end(const Effect& effect) {
+    const auto* stop = std::get_if<Stop>(&effect.what);
+    return std::holds_alternative<Return>(effect.what) ||
+           (stop != nullptr && (stop->kind == Stop::Kind::end || stop->kind == Stop::Kind::restart));
+}
+
+bool is_alarm(const Effect& effect) {
+    const auto* stop = std::get_if<Stop>(&effect.what);
+    return stop != nullptr && stop->kind == Stop::Kind::alarm;
+}
+
+bool moves_or_calls(const Effect& effect) {
+    return std::holds_alternative<Motion>(effect.what) || std::holds_alternative<Call>(effect.what) ||
+           std::holds_alternative<ToolChange>(effect.what);
+}
+
+bool works(const Effect& effect) {
+    return moves_or_calls(effect) || std::holds_alternative<Assign>(effect.what) ||
+           std::holds_alternative<SetModal>(effect.what);
+}
+
+/// Nodes of loops that nothing ends, which have rules of their own.
+std::vector<bool> nodes_of_endless_loops(const ProgramAnalysis& analysis) {
+    std::vector<bool> endless(analysis.graph().nodes.size(), false);
+    for (const dataflow::Loop& loop : analysis.inescapable_cycles())
+        for (const flow::NodeId node : loop.body) endless[node] = true;
+    return endless;
+}
+
+/// What ends the node before the region and always leaves it: a jump, a stop, a return.
+std::optional<EffectId> ender_before(const ProgramAnalysis& analysis, flow::NodeId first,
+                                     const std::vector<bool>& endless) {
+    if (first == 0) return std::nullopt;
+    const Slice effects = analysis.graph().nodes[first - 1].effects;
+    if (effects.count == 0) return std::nullopt;
+    const EffectId last = effects.first + effects.count - 1;
+    const Effect& effect = analysis.program().effects[last];
+    const bool jumps = std::holds_alternative<Jump>(effect.what) && !endless[first - 1];
+    return jumps || is_end(effect) || is_alarm(effect) ? std::optional(last) : std::nullopt;
+}
+
+/// Behind the jump its block goes on with a remark: `GOTO4(DELETE TO ENABLE)`. Or the program has no other
+/// way to go than to the alarm: it is switched off as a whole.
+bool is_passed_on_purpose(const ProgramAnalysis& analysis, const UnreachedRegion& region) {
+    const flow::Graph& graph = analysis.graph();
+    const Effect& effect = analysis.program().effects[*region.ender];
+    if (is_alarm(effect))
+        return std::ranges::none_of(graph.exits, [&](const flow::Exit& exit) {
+            return exit.node + 1 != region.first && is_reached(graph, exit.node);
+        });
+    const std::string_view behind =
+        analysis.program().slice({effect.span.end, graph.nodes[region.first - 1].part.end});
+    return std::holds_alternative<Jump>(effect.what) && std::ranges::any_of(behind, is_letter);
+}
+
+UnreachedRegion region_at(flow::NodeId node, Span part) {
+    UnreachedRegion region{};
+    region.first = region.last = node;
+    region.text = part;
+    return region;
+}
+
+/// The words of the program's jumps, as written: "GOTO".
+std::vector<std::string> jump_words(const ProgramAnalysis& analysis) {
+    std::vector<std::string> words;
+    for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
+        std::string word(analysis.program().slice(analysis.program().effects[jump.jump].span));
+        word.erase(std::ranges::find_if_not(word, is_letter), word.end());
+        if (!word.empty() && std::ranges::find(words, word) == words.end()) words.push_back(std::move(word));
+    }
+    return words;
+}
+
+/// The numbers that stand behind such words, in remarks, too; sorted.
+std::vector<std::int64_t> numbers_jumped_to(const ProgramAnalysis& analysis) {
+    const std::string_view text = analysis.program().slice(analysis.program().span);
+    std::vector<std::int64_t> numbers;
+    for (const std::string& word : jump_words(analysis))
+        for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+            const std::string_view rest = text.substr(at + word.size());
+            const std::size_t digits = std::min(rest.find_first_not_of(' '), rest.size());
+            std::int64_t number = 0;
+            const char* const end = rest.data() + rest.size();
+            if (std::from_chars(rest.data() + digits, end, number).ec == std::errc())
+                numbers.push_back(number);
+        }
+    std::ranges::sort(numbers);
+    return numbers;
+}
+
+/// Whether a jump, or a called program when it returns, looks for a number that no block bears.
+bool misses_a_number(const ProgramAnalysis& analysis) {
+    const auto is_lost = [](const flow::ResolvedJump& jump) { return jump.label && !jump.target; };
+    const auto returns_nowhere = [&](const CallSite& site) {
+        const ProgramAnalysis* called = called_program(analysis, site);
+        return called != nullptr &&
+               std::ranges::any_of(called->summary().resume_labels, [&](const auto& label) {
+                   const auto* number = std::get_if<std::int64_t>(&label);
+                   return number != nullptr && !analysis.graph().has_label(*number);
+               });
+    };
+    return std::ranges::any_of(analysis.graph().jumps, is_lost) ||
+           std::ranges::any_of(analysis.calls(), returns_nowhere);
+}
+
+/// Unreadable text in it tells why, or a number that is missing or stands twice.
+bool is_explained(const ProgramAnalysis& analysis, const UnreachedRegion& region, bool misses) {
+    const auto& errors = analysis.file().syntax_errors;
+    const auto error = std::ranges::lower_bound(errors, region.text.begin, {},
+                                                [](const SyntaxError& e) { return e.span.begin; });
+    return (error != errors.end() && region.text.contains(error->span.begin)) ||
+           (region.number && (misses || analysis.graph().with_label(*region.number).size() > 1));
+}
+
+void look_at_block(const Program& program, const BlockView& block, UnreachedRegion& region) {
+    const auto effects = program.effects_in(block.effects);
+    region.leaves |= std::ranges::any_of(effects, is_end);
+    region.moves |= block.moves || std::ranges::any_of(effects, moves_or_calls);
+    const bool works_here = block.moves || !block.settings.empty() || std::ranges::any_of(effects, works);
+    if (works_here && !region.work) region.work = block.span;
+    if (region.head.empty()) {
+        region.head = block.span;
+        region.number = block.number;
+    }
+}
+
+void look_at(const ProgramAnalysis& analysis, UnreachedRegion& region) {
+    const Program& program = analysis.program();
+    const flow::Graph& graph = analysis.graph();
+    bool straight = true;
+    for (flow::NodeId node = region.first; node <= region.last; ++node) {
+        if (node == region.first || graph.nodes[node].part != graph.nodes[node - 1].part)
+            for_each_block(program, graph.nodes[node].stretch(),
+                           [&](const BlockView& block) { look_at_block(program, block, region); });
+        const Slice effects = graph.nodes[node].effects;
+        for (Id id = effects.first; id < effects.first + effects.count; ++id) {
+            const Effect& effect = program.effects[id];
+            if (is_alarm(effect)) {
+                region.is_alarm |= straight;
+                region.alarms.push_back(id);
+            }
+            straight &= !is_alarm(effect) && !is_end(effect) && !std::holds_alternative<Jump>(effect.what) &&
+                        !std::holds_alternative<Guarded>(effect.what);
+        }
+    }
+    region.text.end = std::max(region.text.end, graph.nodes[region.last].part.end);
+}
+
+} // namespace
+
+std::vector<UnreachedRegion> unreached_regions(const ProgramAnalysis& analysis) {
+    const flow::Graph& graph = analysis.graph();
+    std::vector<UnreachedRegion> found;
+    for (flow::NodeId node = 1; node < graph.nodes.size(); ++node) {
+        if (is_reached(graph, node)) continue;
+        // What follows in the block of the jump itself is another matter.
+        if (graph.nodes[node].part == graph.nodes[node - 1].part && is_reached(graph, node - 1)) continue;
+        const Span part = graph.nodes[node].part;
+        if (!found.empty() && found.back().last + 1 == node)
+            found.back().last = node;
+        else
+            found.push_back(region_at(node, part));
+    }
+    const std::vector<bool> endless = nodes_of_endless_loops(analysis);
+    std::erase_if(found, [&](UnreachedRegion& region) {
+        region.ender = ender_before(analysis, region.first, endless);
+        return !region.ender;
+    });
+    if (found.empty()) return found;
+    const std::vector<std::int64_t> jumped_to = numbers_jumped_to(analysis);
+    const bool misses = misses_a_number(analysis);
+    for (UnreachedRegion& region : found) {
+        look_at(analysis, region);
+        // No jump leads to it: one that names it stands in a remark.
+        region.is_meant = is_passed_on_purpose(analysis, region) ||
+                          (region.number && std::ranges::binary_search(jumped_to, *region.number));
+        region.is_explained = is_explained(analysis, region, misses);
+    }
+    return found;
+}
+
+} // namespace maclint::queries

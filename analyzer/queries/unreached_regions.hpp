@@ -1,0 +1,35 @@
+//! Blocks in a row that no path reaches.
+#pragma once
+
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace maclint::queries {
+
+struct UnreachedRegion {
+    flow::NodeId first, last;
+    Span text;                          ///< of all its blocks
+    Span head;                          ///< its first block
+    std::optional<std::int64_t> number; ///< of its first block
+    std::optional<EffectId> ender;      ///< the jump, stop or return before it, which never goes on
+    std::optional<Span> work;           ///< the first block that does more than stop, wait and jump
+    std::vector<EffectId> alarms;
+    bool is_alarm = false; ///< it leads straight to the first of them
+    bool leaves = false;   ///< a block of it ends the program or returns
+    bool moves = false;    ///< some block moves or calls
+    /// A remark stands behind the jump or holds a jump to its number, or the program does nothing but stop
+    /// before it.
+    bool is_meant = false;
+    /// Text in it is unreadable, its number stands twice, or a jump or a called program looks for a number
+    /// that no block bears.
+    bool is_explained = false;
+};
+
+/// In text order. Parts that are never executed at all, such as lists and contours, are none, and so is what
+/// stands behind a call that does not return.
+[[nodiscard]] std::vector<UnreachedRegion> unreached_regions(const ProgramAnalysis& analysis);
+
+} // namespace maclint::queries

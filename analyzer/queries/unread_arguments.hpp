@@ -1,0 +1,26 @@
+//! Values that a call passes and the called program never reads.
+#pragma once
+
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint::queries {
+
+struct UnreadArgument {
+    EffectId call;
+    const ProgramAnalysis* called;
+    const Argument* argument;
+    Variable variable;                   ///< of the called program
+    std::optional<EffectId> overwritten; ///< there, before anything reads it; empty: nothing names it
+    std::vector<Caller> others;          ///< that pass it, too
+};
+
+/// In the order of the program's calls. Of several calls that pass the same to one program the first is told,
+/// of those in files that somebody asked for. Nothing where the called program may read any of its local
+/// variables: through an index, in a program that shares them, in a block that nobody can read; where it
+/// reads no argument at all, calls itself, or a remark of it tells of the variable.
+[[nodiscard]] std::vector<UnreadArgument> unread_arguments(const ProgramAnalysis& analysis);
+
+} // namespace maclint::queries

@@ -1,0 +1,105 @@
+//! MAC455: a program that runs past its last block, and has no end anywhere.
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/queries/exits.hpp"
+#include "analyzer/queries/expected_ends.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule missing_program_end{
+    .code = "MAC455",
+    .name = "missing-program-end",
+    .summary = "A program with a number of its own has no M30, M02 or M99 at all",
+    .why = "The control comes to the end of the program and stops with an alarm: the part is finished, the "
+           "spindle may still turn, and the next start does not begin at the first block. Where it is a "
+           "subprogram, it never returns. A warning where no alarm of the control is known.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .yields_to = "MAC456",
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::Read, dataflow::Store>(),
+    .data_flow = true,
+    .messages = {{"plain", "Missing end: {0} ends after this block, without M30 and without {1}.",
+                  "Add M30 after this block, or {1} if other programs call it."}},
+    .bad = {{"fanuc", R"nc(
+O0455(FACE)
+G90 G54 G0 X0 Y0 S1200 M3
+G43 H1 Z5.
+G1 Z-1. F200.
+X80.
+G0 Z50. M5
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O0455(FACE)
+G90 G54 G0 X0 Y0 S1200 M3
+G43 H1 Z5.
+G1 Z-1. F200.
+X80.
+G0 Z50. M5
+M30
+)nc"},
+             {"fanuc", R"nc(
+O0456(FACE, ENDS IN ANOTHER PROGRAM)
+G90 G54 G0 X0 Y0
+M98 P8999
+)nc"}},
+    .alarms = {{"FANUC 16i/18i/21i", "5010", "END OF RECORD"}, {"FANUC 30i/0i-D", "5010", "END OF RECORD"}},
+    .sources = {"T"},
+    .check = &check,
+};
+
+namespace {
+
+/// Whether a program follows in the file that is none by its number: it may be a part of this one.
+bool may_go_on(const ProgramAnalysis& analysis) {
+    return std::ranges::any_of(analysis.file().programs, [&](const Program& program) {
+        return program.span.begin > analysis.program().span.begin && !program.number;
+    });
+}
+
+/// Whether it is a program and no fragment of one: its text names it by a number, and it moves an axis.
+bool is_whole(const ProgramAnalysis& analysis) {
+    const Program& program = analysis.program();
+    if (may_go_on(analysis)) return false;
+    bool moves = false;
+    for_each_block(program, [&](const BlockView& block) {
+        moves |=
+            block.moves || std::ranges::any_of(program.effects_in(block.effects), [](const Effect& effect) {
+                return std::holds_alternative<Motion>(effect.what);
+            });
+        return !moves;
+    });
+    return moves && program.number && !program.name_span.empty();
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    // Where programs have sections, the manual lets the last of them end the program.
+    if (!analysis.control().sections.empty() || !is_whole(analysis)) return;
+    const auto exits = analysis.facts().all<dataflow::ExitState>();
+    const auto leaves = [](const dataflow::ExitState& e) { return e.exit.kind == flow::ExitKind::runs_off; };
+    const auto exit = std::ranges::find_if(exits, leaves);
+    if (exit == exits.end() || queries::may_end_otherwise(analysis, exit->exit) ||
+        queries::find_expected_end(analysis, exit->exit)) // MAC456's
+        return;
+    const auto last = last_block(analysis.program());
+    if (!last) return;
+    const Span span = queries::last_block_before(analysis, exit->exit, *last);
+    Finding& finding =
+        reporter.report({analysis, span}, span, "plain",
+                        {analysis.program().name, std::string(analysis.control().return_word)});
+    if (finding.alarm.empty()) finding.severity = std::min(finding.severity, Severity::warning);
+    trace(finding, analysis, exit->exit.node, "the program ends after this block");
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,100 @@
+//! MAC302: a jump to an alarm, where a block one digit away is never reached.
+#include "analyzer/queries/exits.hpp"
+#include "analyzer/queries/unreached_regions.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule goto_suspicious_target{
+    .code = "MAC302",
+    .name = "goto-suspicious-target",
+    .summary = "A jump leads to an alarm, and no path to a block whose number has one digit more or less",
+    .why =
+        "A digit is missing or too many: every run ends in the alarm, and the blocks that should have run, "
+        "often the end of the macro, never do.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .messages = {{"plain",
+                  "Jump to an alarm: '{0}' leads to line {1}, and nothing leads to N{2} in line {3}.",
+                  "Jump to N{2} if that was meant."}},
+    .bad = {{"fanuc", R"nc(
+O9302(DEPTH, Z)
+IF[#26EQ#0]GOTO6
+#33=0
+N70 #33=#33+2.
+G90 G0 Z-#33
+IF[#33GE#26]GOTO6
+GOTO70
+N60 G0 Z50.
+G69
+M99
+N6 #3000=1(Z MISSING)
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9302(DEPTH, Z)
+IF[#26EQ#0]GOTO6
+#33=0
+N70 #33=#33+2.
+G90 G0 Z-#33
+IF[#33GE#26]GOTO60
+GOTO70
+N60 G0 Z50.
+G69
+M99
+N6 #3000=1(Z MISSING)
+)nc"}},
+    .sources = {"SEED-002:518-525"},
+    .check = &check,
+};
+
+namespace {
+
+/// Whether one is the other with a digit put in or left out.
+bool differ_by_a_digit(std::int64_t one, std::int64_t other) {
+    std::string longer = std::to_string(one), shorter = std::to_string(other);
+    if (longer.size() < shorter.size()) longer.swap(shorter);
+    if (longer.size() != shorter.size() + 1) return false;
+    const auto at = std::ranges::mismatch(longer, shorter).in1;
+    longer.erase(at);
+    return longer == shorter;
+}
+
+/// The last jump before the region that goes to an alarm by such a number.
+const flow::ResolvedJump* find_jump(const ProgramAnalysis& analysis, const queries::UnreachedRegion& region) {
+    const flow::ResolvedJump* found = nullptr;
+    for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
+        const auto* number = jump.label ? std::get_if<std::int64_t>(&*jump.label) : nullptr;
+        if (jump.node < region.first && number != nullptr && jump.target &&
+            analysis.data().reached(jump.node) && differ_by_a_digit(*number, *region.number) &&
+            queries::ends_in_alarm(analysis, jump.node, true))
+            found = &jump;
+    }
+    return found;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    for (const queries::UnreachedRegion& region : queries::unreached_regions(analysis)) {
+        if (!region.number || region.is_alarm || !region.work || region.is_meant || region.is_explained)
+            continue;
+        const flow::ResolvedJump* jump = find_jump(analysis, region);
+        if (jump == nullptr) continue;
+        const Span span = analysis.program().effects[jump->jump].span;
+        const auto line = [&](Span of) { return line_number(analysis.file(), of.begin); };
+        reporter
+            .report({analysis, region.text}, span, "plain",
+                    {quoted(analysis.program(), span), line(jump->target->block),
+                     std::to_string(*region.number), line(region.head)})
+            .related.push_back({analysis.source(), region.head, "no path leads here"});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

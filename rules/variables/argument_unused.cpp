@@ -1,0 +1,129 @@
+//! MAC211: a call passes a value that the called program never reads.
+#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/unread_arguments.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule argument_unused{
+    .code = "MAC211",
+    .name = "argument-unused",
+    .aliases = "DIN513",
+    .summary = "A call passes a value that the called program never reads, or overwrites first",
+    .why =
+        "Whoever wrote the call counts on a depth, a radius or a clearance that changes nothing. Often the "
+        "letter is the wrong one, or the program is another version than the call was written for.",
+    .severity = Severity::warning,
+    .severity_elsewhere = {{"dinplus", Severity::note}},
+    .precision = Precision::high,
+    .messages = {{"unread", "Argument never read: {0} does not read {1}, which '{2}' passes.",
+                  "Correct the letter, or leave it out."},
+                 {"several", "Arguments never read: {0} reads none of {1}, which this call passes.",
+                  "Correct the letters, or leave them out."},
+                 {"overwritten",
+                  "Argument never read: {0} sets {1}, which '{2}' passes, in line {3} before it reads it.",
+                  "Read it first, or leave it out of the call."}},
+    .bad = {{"fanuc", R"nc(
+O0211(PLATE)
+G65 P9211 Z-5. K2. F100.
+M30
+O9211(DRILL, Z Q F)
+G90 G1 Z#26 F#9
+IF[#17EQ#0]GOTO1
+G0 Z[#26+#17]
+N1 M99
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 L"CHAMFER" LA50 LB2
+N20 M30
+SUBPROGRAM "CHAMFER"
+N30 G0 X#__la
+RETURN
+END
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O0211(PLATE)
+G65 P9211 Z-5. Q2. F100.
+M30
+O9211(DRILL, Z Q F)
+G90 G1 Z#26 F#9
+IF[#17EQ#0]GOTO1
+G0 Z[#26+#17]
+N1 M99
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 L"CHAMFER" LA50 LB2
+N20 M30
+SUBPROGRAM "CHAMFER"
+N30 G0 X#__la
+N40 IF DEF(__lb)
+N50 THEN
+N60 G1 Zi-#__lb
+N70 ENDIF
+RETURN
+END
+)nc"}},
+    .sources = {"SEED-003:19938", "T"},
+    .check = &check,
+};
+
+namespace {
+
+using queries::UnreadArgument;
+
+/// "#2 (B), #6 (K) and #17 (Q)"
+std::string names_of(const std::vector<UnreadArgument>& unread) {
+    std::string names;
+    for (const UnreadArgument& one : unread) {
+        if (!names.empty()) names += &one == &unread.back() ? " and " : ", ";
+        names += with_letter(*one.called, one.variable);
+    }
+    return names;
+}
+
+/// Of one call: those that nothing names, or one that is overwritten.
+void report(const ProgramAnalysis& analysis, const std::vector<UnreadArgument>& unread, Reporter& reporter) {
+    const UnreadArgument& first = unread.front();
+    const Program& called = first.called->program();
+    const Span span = first.argument->span;
+    std::vector<std::string> words{called.name, names_of(unread), quoted(analysis.program(), span)};
+    if (first.overwritten) {
+        const Span store = called.effects[*first.overwritten].span;
+        words.push_back(line_number(first.called->file(), store.begin));
+    }
+    std::string_view message = unread.size() == 1 ? "unread" : "several";
+    if (first.overwritten) message = "overwritten";
+    Finding& finding = reporter.report({analysis, span}, span, message, std::move(words));
+    for (const Caller& other : first.others)
+        finding.related.push_back(related_at_effect(queries::calling_program(analysis, other), other.effect,
+                                                    "this call passes it, too"));
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    std::vector<UnreadArgument> together;
+    const auto flush = [&] {
+        if (!together.empty()) report(analysis, std::exchange(together, {}), reporter);
+    };
+    for (UnreadArgument& unread : queries::unread_arguments(analysis)) {
+        if (!together.empty() && together.front().call != unread.call) flush();
+        if (unread.overwritten)
+            report(analysis, {unread}, reporter);
+        else
+            together.push_back(std::move(unread));
+    }
+    flush();
+}
+
+} // namespace
+} // namespace maclint::rules

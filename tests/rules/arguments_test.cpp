@@ -1,0 +1,61 @@
+//! Rules about what calls pass, in corner cases: MAC211.
+#include "tests/rules/raised.hpp"
+
+#include <string>
+
+#include <gmock/gmock.h>
+
+namespace maclint {
+namespace {
+
+using test::judged;
+using test::lines_raised;
+using test::messages_raised;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// A program that calls another one with these arguments.
+std::string call(const std::string& arguments, const std::string& body) {
+    return "O1\nG65 P9001 " + arguments + "\nM30\nO9001\n" + body + "M99\n";
+}
+
+TEST(ArgumentUnused, IsOneThatNoBlockReadsOrThatIsOverwrittenFirst) {
+    EXPECT_THAT(judged("MAC211", call("X1. Z2.", "G0 X#24 Z#26\n")), IsEmpty());
+    EXPECT_THAT(messages_raised("MAC211", call("X1. Z2.", "G0 X#24\n")),
+                ElementsAre(HasSubstr("O9001 does not read #26 (Z), which 'Z2.' passes")));
+    EXPECT_THAT(messages_raised("MAC211", call("X1. Z2. R3. Q4.", "G0 X#24\n")),
+                ElementsAre(HasSubstr("reads none of #26 (Z), #18 (R) and #17 (Q)")));
+    EXPECT_THAT(
+        messages_raised("MAC211", call("X1. F2.", "#9=80.\nG1 X#24 F#9\n")),
+        ElementsAre(HasSubstr("O9001 sets #9 (F), which 'F2.' passes, in line 5 before it reads it")));
+    EXPECT_THAT(judged("MAC211", call("X1. F2.", "IF[#9EQ#0]THEN #9=80.\nG1 X#24 F#9\n")), IsEmpty());
+}
+
+TEST(ArgumentUnused, IsUnknownWhereTheProgramMayReadAllOfThem) {
+    EXPECT_THAT(judged("MAC211", call("X1. Z2.", "#100=#[#24]\n")), IsEmpty());
+    EXPECT_THAT(judged("MAC211", call("X1. Z2.", "G0 X#24\nM98 P9002\n")), IsEmpty());
+    EXPECT_THAT(judged("MAC211", call("X1. Z2.", "G0 X#24\nHERE IT ENDS\n")), IsEmpty());
+    // Another call has locals of its own.
+    EXPECT_THAT(lines_raised("MAC211", call("X1. Z2.", "G0 X#24\nG65 P9002 A1.\n")), ElementsAre(2));
+    // M98 passes nothing, and nothing is known of who else reads the variables.
+    EXPECT_THAT(
+        judged("MAC211", "O1\nG65 P9001 X1. Z2.\nM30\nO9001\nG0 X#24\nM98 P9002\nM99\nO9002\nZ#26\nM99\n"),
+        IsEmpty());
+}
+
+TEST(ArgumentUnused, IsMeantForAProgramThatIsNotWrittenYetOrTellsOfIt) {
+    EXPECT_THAT(judged("MAC211", call("X1. Z2.", "")), IsEmpty());
+    EXPECT_THAT(judged("MAC211", call("X1. Z2.", "(#26: DEPTH, LATER)\nG0 X#24\n")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC211", call("X1. Z2.", "(#260: DEPTH)\nG0 X#24\n")), ElementsAre(2));
+    EXPECT_THAT(judged("MAC211", "O9001\nIF[#24EQ1]GOTO5\nG65 P9001 X1. Z2.\nN5 M99\n"), IsEmpty());
+}
+
+TEST(ArgumentUnused, IsToldOnceForAllCallsOfAProgram) {
+    EXPECT_THAT(
+        lines_raised("MAC211", "O1\nG65 P9001 X1. Z2.\nG65 P9001 X1. Z2.\nM30\nO9001\nG0 X#24\nM99\n"),
+        ElementsAre(2));
+}
+
+} // namespace
+} // namespace maclint
