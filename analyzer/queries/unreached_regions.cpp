@@ -38,9 +38,12 @@ bool moves_or_calls(const Effect& effect) {
            std::holds_alternative<ToolChange>(effect.what);
 }
 
+bool does_more_than_switch(const Effect& effect) {
+    return moves_or_calls(effect) || std::holds_alternative<Assign>(effect.what);
+}
+
 bool works(const Effect& effect) {
-    return moves_or_calls(effect) || std::holds_alternative<Assign>(effect.what) ||
-           std::holds_alternative<SetModal>(effect.what);
+    return does_more_than_switch(effect) || std::holds_alternative<SetModal>(effect.what);
 }
 
 /// Nodes of loops that nothing ends, which have rules of their own.
@@ -142,6 +145,7 @@ void look_at_block(const Program& program, const BlockView& block, UnreachedRegi
     region.moves |= block.moves || std::ranges::any_of(effects, moves_or_calls);
     const bool works_here = block.moves || !block.settings.empty() || std::ranges::any_of(effects, works);
     if (works_here && !region.work) region.work = block.span;
+    if (block.moves || std::ranges::any_of(effects, does_more_than_switch)) region.only_switches = false;
     if (region.head.empty()) {
         region.head = block.span;
         region.number = block.number;

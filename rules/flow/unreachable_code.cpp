@@ -95,6 +95,7 @@ std::string_view message_for(const ProgramAnalysis& analysis, const UnreachedReg
     if (region.is_meant || region.is_explained) return {};
     if (region.number && region.is_alarm) return raises_another(analysis) ? "alarm" : std::string_view();
     if (region.leaves || !region.work) return {};
+    if (ends && region.only_switches) return {}; // the end of a program switches off as well
     if (!region.number || ends) return "after";
     return region.moves && !region.is_alarm ? "block" : std::string_view();
 }

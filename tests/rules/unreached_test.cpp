@@ -40,7 +40,9 @@ TEST(UnreachableCode, StandsBehindAJumpAnAlarmOrAnEnd) {
                 ElementsAre(HasSubstr("'G0 Z5.' stands behind 'GOTO5' in line 4 and is never run")));
     EXPECT_THAT(lines_raised("MAC460", begin + "M99\nM0\n#100=1\n" + end), ElementsAre(6));
     EXPECT_THAT(lines_raised("MAC460", begin + "#3000=1(X)\nG28 G91 Z0\n" + end), ElementsAre(5));
-    EXPECT_THAT(lines_raised("MAC460", "O1\nG0 X1.\nM30\nN9 M5\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC460", "O1\nG0 X1.\nM30\nN9 M5\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC460", "O1\nG0 X1.\nM30\nN9 M5\n#500=1\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC460", "O1\nG0 X1.\nM30\nN9 G0 X5.\n"), ElementsAre(4));
     // A stop behind a stop does nothing by itself, nor does the wait of G4.
     EXPECT_THAT(judged("MAC460", begin + "#3000=1(X)\nM0\nG4 X999.\nM99\n" + end), IsEmpty());
 }
