@@ -39,9 +39,8 @@ std::optional<CopySource> copy_source(const ProgramAnalysis& analysis, Expressio
         if (const auto* machine = std::get_if<LoadMachine>(&node))
             return CopySource{
                 expression, {}, analysis.control().families[machine->family].find(machine->number)};
-        const auto* load = std::get_if<Load>(&node);
-        if (load == nullptr) return std::nullopt;
-        const dataflow::Store* store = only_store_of(analysis, load->variable, now);
+        if (!std::holds_alternative<Load>(node)) return std::nullopt;
+        const dataflow::Store* store = store_of(analysis, now);
         if (store == nullptr) return std::nullopt;
         expression = store->expression;
         now = store->value;

@@ -28,8 +28,7 @@ struct CopySource {
     const VariableRange* range;   ///< of a machine value, or nullptr
 };
 
-/// What the expression, whose value is this, is a plain copy of on the paths on which it is stored; nothing
-/// for everything else.
+/// What the expression, whose value is this, is a plain copy of; nothing for everything else.
 [[nodiscard]] std::optional<CopySource> copy_source(const ProgramAnalysis& analysis, ExpressionId expression,
                                                     const dataflow::Value& value);
 

@@ -78,14 +78,16 @@ std::string right_save(const ProgramAnalysis& analysis, GroupId group, const dat
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
-        const auto source = queries::copy_source(analysis, write.expression, write.value);
+        const auto variable = queries::plain_variable(program, write.expression);
+        const dataflow::Store* store =
+            variable ? queries::only_store_of(analysis, *variable, write.value) : nullptr;
+        const auto source = store == nullptr
+                                ? queries::copy_source(analysis, write.expression, write.value)
+                                : queries::copy_source(analysis, store->expression, store->value);
         if (!source || !is_wrong(analysis, write, *source)) continue;
         const Span span = program.effects[write.effect].span;
         const std::string text = quoted(program, span);
         const Span read = program.expressions[source->expression].span;
-        const auto variable = queries::plain_variable(program, write.expression);
-        const dataflow::Store* store =
-            variable ? queries::only_store_of(analysis, *variable, write.value) : nullptr;
         const std::string line = line_number(analysis.file(), read.begin);
         Finding& finding = write.stated
                                ? reporter.report({analysis, write.effect}, span, "value",

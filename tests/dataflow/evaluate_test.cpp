@@ -79,6 +79,15 @@ TEST(Evaluate, AnInputIsZeroOrOneAndAPositionANumber) {
     const Value input = last_read("#1=#1000\nX#1\nM30\n");
     EXPECT_TRUE(input.integer);
     EXPECT_EQ(input.exactness, Exactness::exact);
+    // Of few numbers those are left that the test lets through.
+    const Value narrowed =
+        last_read("IF[#500EQ1]GOTO1\n#1=5\nGOTO3\nN1IF[#500EQ2]GOTO2\n#1=6\nGOTO3\nN2#1=7\n"
+                  "N3IF[#1EQ7]GOTO9\nX#1\nN9M30\n");
+    EXPECT_EQ(narrowed.low, 5);
+    EXPECT_EQ(narrowed.high, 6);
+    const Value tool = last_read("#1=#4120\nX#1\nM30\n");
+    EXPECT_TRUE(tool.integer);
+    EXPECT_EQ(tool.exactness, Exactness::exact);
     const Value position = last_read("#1=#5041\nX#1\nM30\n");
     EXPECT_FALSE(position.integer);
     EXPECT_EQ(position.exactness, Exactness::unknown);

@@ -93,6 +93,18 @@ TEST(Conditions, ComeAcrossVacantVariablesWhereTheControlHasThem) {
     EXPECT_FALSE(queries::may_hold_vacant(lathe, {0, 1})); // what a local holds at first is not defined
 }
 
+TEST(Conditions, TestForZeroByEqualityAlone) {
+    const auto tests_zero = [](const std::string& condition) {
+        const auto workspace = test::analyse_fanuc(text_of({condition}));
+        const ProgramAnalysis& analysis = workspace->programs().front();
+        return queries::zero_test_of(analysis, analysis.facts().all<dataflow::Read>().front()) != nullptr;
+    };
+    for (const std::string condition : {"#1EQ0", "#1NE0", "0EQ#1"})
+        EXPECT_TRUE(tests_zero(condition)) << condition;
+    for (const std::string condition : {"#1LT0", "#1GT0", "#1EQ1", "-#1EQ0"})
+        EXPECT_FALSE(tests_zero(condition)) << condition;
+}
+
 TEST(Conditions, TellWhetherTheyTestVacancy) {
     const auto workspace = test::analyse_fanuc(text_of({"#1EQ#0", "[#2EQ1]AND[#1NE#0]", "#1EQ0"}));
     const ProgramAnalysis& analysis = workspace->programs().front();

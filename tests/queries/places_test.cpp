@@ -1,6 +1,7 @@
 //! Where programs are left, which numbers stand twice, which branches go on into the next.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/fall_throughs.hpp"
 #include "analyzer/queries/repeated_numbers.hpp"
@@ -53,6 +54,19 @@ TEST(Exits, OfWhichOneSideOfATestEndsInAnAlarm) {
     EXPECT_TRUE(ends(text, true));
     EXPECT_FALSE(ends(text, false));
     EXPECT_FALSE(ends("IF[#1GT5]GOTO9\nM99\nN9 IF[#2GT5]GOTO8\nM99\nN8 #3000=1\n", true));
+}
+
+TEST(Exits, NothingLeadsAroundTheFirstNodeNorAroundWhatAllPathsShare) {
+    const auto holds_for_the_store = [](const std::string& text) {
+        const auto workspace = test::analyse_fanuc("O9001\n" + text);
+        const ProgramAnalysis& analysis = workspace->programs().front();
+        return is_on_every_path(analysis, analysis.facts().all<dataflow::Store>().front().node);
+    };
+    EXPECT_TRUE(holds_for_the_store("#1=1\nX#1\nM99\n"));
+    EXPECT_TRUE(holds_for_the_store("IF[#1EQ1]GOTO5\nX2.\nN5#1=1\nM99\n"));
+    EXPECT_FALSE(holds_for_the_store("IF[#1EQ1]GOTO5\n#1=1\nN5M99\n"));
+    const auto workspace = test::analyse_fanuc("O9001\nM99X#1\n"); // it is left at its first node
+    EXPECT_TRUE(is_on_every_path(workspace->programs().front(), 0));
 }
 
 struct Repeated {

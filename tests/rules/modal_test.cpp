@@ -221,8 +221,10 @@ TEST(ForcedState, IsANoteUnlessTheStateWasSaved) {
 
 TEST(ModalCode, IsNoAmount) {
     EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4019\n#12=#3*SIN[#10]\nM99\n"), ElementsAre(3));
-    EXPECT_THAT(lines_raised("MAC574", "O9001\n#3=#4003\n#4=#3\nX[-#4/2]\nY[SQRT[#3]]\nZ[FIX[#3]*2]\nM99\n"),
-                ElementsAre(4, 5, 6));
+    EXPECT_THAT(
+        lines_raised("MAC574",
+                     "O9001\n#3=#4003\n#4=#3\nX[-#4/2]\nY[SQRT[#3]]\nZ[FIX[#3]*2]\nZ[FUP[#3]*2]\nM99\n"),
+        ElementsAre(4, 5, 6, 7));
     EXPECT_THAT(lines_raised("MAC574", "O9001\nX[#4003*2]\nM99\n"), ElementsAre(2));
     EXPECT_THAT(path_raised("MAC574", "O9001\n#3=#4003\nIF[#1EQ1]GOTO5\n#5=1\nN5 #2=#3*2\nM99\n"),
                 ElementsAre(2, 3, 5));

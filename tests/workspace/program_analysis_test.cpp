@@ -1,6 +1,7 @@
 //! Who uses a label, where a jump can lead, and which modal calls of a program are still active.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "analyzer/workspace/written_as_macro.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <set>
@@ -44,6 +45,18 @@ TEST(Kind, OfAProgramWithANumberOfMacrosThatReadsArgumentsIsAMacro) {
     EXPECT_EQ(kind_of("O7999\nX#1\nM30\n"), "main");
     EXPECT_EQ(kind_of("O9993\n#1=5\nX#1\nM30\n"), "main"); // it sets what it reads
     EXPECT_EQ(kind_of("O9993\nX#33\nM30\n"), "main");      // no letter reaches #33
+}
+
+TEST(ArgumentReads, AreTheFirstOfEachLetterBeforeAnAssignment) {
+    const auto spans = [](const std::string& text) {
+        const auto workspace = test::analyse_fanuc("O9001\n" + text);
+        const ProgramAnalysis& analysis = workspace->programs().front();
+        std::vector<std::string> found;
+        for (const ExpressionId read : argument_reads(analysis.program()))
+            found.push_back(test::text_of(analysis, analysis.program().expressions[read].span));
+        return found;
+    };
+    EXPECT_THAT(spans("X#24\nY#25\nX#24\n#26=1\nZ#26\nZ#33\nM99\n"), ElementsAre("#24", "#25"));
 }
 
 TEST(Kind, OfAProgramThatAsksWhetherAnArgumentWasPassedIsAMacro) {
