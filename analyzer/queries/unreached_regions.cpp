@@ -115,6 +115,21 @@ std::vector<std::int64_t> numbers_jumped_to(const ProgramAnalysis& analysis) {
     return numbers;
 }
 
+/// Whether the number stands behind an N elsewhere in the text.
+bool is_named_elsewhere(const Program& program, const UnreachedRegion& region) {
+    const std::string_view text = program.slice(program.span);
+    for (auto at = text.find_first_of("Nn"); at != text.npos; at = text.find_first_of("Nn", at + 1)) {
+        const auto place = static_cast<Offset>(program.span.begin + at);
+        std::int64_t number = 0;
+        const char* const digits = text.data() + at + 1;
+        if (!region.text.contains(place) && region.head.begin != place &&
+            std::from_chars(digits, text.data() + text.size(), number).ec == std::errc() &&
+            number == region.number)
+            return true;
+    }
+    return false;
+}
+
 /// Whether a jump, or a called program when it returns, looks for a number that no block bears.
 bool misses_a_number(const ProgramAnalysis& analysis) {
     const auto is_lost = [](const flow::ResolvedJump& jump) { return jump.label && !jump.target; };
@@ -203,6 +218,7 @@ std::vector<UnreachedRegion> unreached_regions(const ProgramAnalysis& analysis) 
         region.is_meant = is_passed_on_purpose(analysis, region) ||
                           (region.number && std::ranges::binary_search(jumped_to, *region.number));
         region.is_explained = is_explained(analysis, region, misses);
+        region.is_named = region.number && is_named_elsewhere(analysis.program(), region);
     }
     return found;
 }

@@ -31,6 +31,16 @@ bool reads_by_name(const Program& program) {
     return by_name;
 }
 
+/// `K1.I2.`: whether I begins another set of I, J and K, and means #7, depends on their order and on a
+/// parameter of the control.
+bool is_of_a_series(const ControlModel& control, Variable variable, const Program& program,
+                    const Argument& argument) {
+    const auto holds = [&](const auto& set) { return std::ranges::find(set, variable) != set.end(); };
+    const auto letter = control.letter_of(variable);
+    return letter && std::ranges::any_of(control.series, holds) &&
+           program.text[argument.span.begin] != *letter;
+}
+
 /// The first store of the variable, when no block before it in the text reads it.
 std::optional<EffectId> first_store(const Program& program, Variable variable) {
     std::optional<EffectId> store;
@@ -132,6 +142,7 @@ std::vector<UnreadArgument> unread_arguments(const ProgramAnalysis& analysis) {
                 std::ranges::find(looked.at, *variable) != looked.at.end())
                 continue;
             looked.at.push_back(*variable);
+            if (is_of_a_series(called->control(), *variable, analysis.program(), argument)) continue;
             const auto fate = fate_of(called->program(), *variable);
             std::vector<Caller> callers = fate ? all_that_pass(*called, *variable) : std::vector<Caller>{};
             if (callers.empty() || callers.front().effect != site.effect ||

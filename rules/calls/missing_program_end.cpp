@@ -97,7 +97,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     Finding& finding =
         reporter.report({analysis, span}, span, "plain",
                         {analysis.program().name, std::string(analysis.control().return_word)});
-    if (finding.alarm.empty()) finding.severity = std::min(finding.severity, Severity::warning);
+    if (finding.alarm.empty()) finding.severity = std::min(finding.severity, Severity::note);
     trace(finding, analysis, exit->exit.node, "the program ends after this block");
 }
 

@@ -116,7 +116,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             words = {number, quoted(program, program.effects[region.alarms.front()].span)};
         const Span place = message == "after" ? *region.work : region.head;
         Finding& finding = reporter.report({analysis, region.text}, place, message, std::move(words));
-        if (message == "block") finding.severity = std::min(finding.severity, Severity::note);
+        const bool is_sure = message == "after" || (message == "alarm" && region.is_named);
+        if (!is_sure) finding.severity = std::min(finding.severity, Severity::note);
         if (message != "alarm") continue;
         for (const EffectId other : region.alarms)
             if (other != region.alarms.front())

@@ -33,22 +33,24 @@ O0210(PLATE)
 G65 P9210 X10. Z-5. F100.
 M30
 O9210(DRILL, X Z R F)
+IF[#24LT0]GOTO9
 G0 X#24
 G0 Z[#18+2.]
 G1 Z#26 F#9
 F100.
-M99
+N9 M99
 )nc"}},
     .good = {{"fanuc", R"nc(
 O0210(PLATE)
 G65 P9210 X10. Z-5. R0 F100.
 M30
 O9210(DRILL, X Z R F)
+IF[#24LT0]GOTO9
 G0 X#24
 G0 Z[#18+2.]
 G1 Z#26 F#9
 F100.
-M99
+N9 M99
 )nc"}},
     .sources = {"SEED-001:187", "ZAPP-ARG"},
     .check = &check,

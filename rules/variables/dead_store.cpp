@@ -83,9 +83,10 @@ bool is_only_repeated(const queries::DeadStore& dead) {
     });
 }
 
-/// #32=#5001, which nobody reads: it keeps a place for something.
+/// #32=#5001, which nobody reads: it keeps a place for something. #576=#572 loses nothing: #572 has it still.
 bool is_spare_copy(const ProgramAnalysis& analysis, const queries::DeadStore& dead) {
-    return !dead.read_elsewhere &&
+    const VariableSpace& space = analysis.control().spaces[dead.store->variable.space];
+    return (!dead.read_elsewhere || space.scope != Scope::frame) &&
            !std::holds_alternative<Apply>(analysis.program().expressions[dead.store->expression].node);
 }
 

@@ -32,7 +32,8 @@ TEST(MissingArguments, AreCalculatedWithOnAPathThatTheCallGoes) {
     EXPECT_THAT(missing_in("IF[#1EQ2]GOTO5\nZ[#26+1.]\nN5M99\n"), ElementsAre(26));
     EXPECT_THAT(missing_in("IF[#2EQ#0]GOTO5\nZ[#26+1.]\nN5M99\n"), IsEmpty()); // B is left out, too
     EXPECT_THAT(missing_in("IF[#500EQ0]GOTO5\nZ[#26+1.]\nN5M99\n"), ElementsAre(26));
-    EXPECT_THAT(missing_in("IF[#1EQ1]GOTO5\nGOTO6\nN5#3000=1\nN6Z[#26+1.]\nM99\n"), ElementsAre(26));
+    EXPECT_THAT(missing_in("IF[#1EQ2]GOTO5\nGOTO6\nN5#3000=1\nN6Z[#26+1.]\nM99\n"), ElementsAre(26));
+    EXPECT_THAT(missing_in("IF[#1EQ1]GOTO5\nGOTO6\nN5#3000=1\nN6Z[#26+1.]\nM99\n"), IsEmpty()); // the alarm
 }
 
 TEST(MissingArguments, AreNotThoseThatSomeCallPasses) {

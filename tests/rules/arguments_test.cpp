@@ -22,6 +22,9 @@ std::string call(const std::string& arguments, const std::string& body) {
 
 TEST(ArgumentUnused, IsOneThatNoBlockReadsOrThatIsOverwrittenFirst) {
     EXPECT_THAT(judged("MAC211", call("X1. Z2.", "G0 X#24 Z#26\n")), IsEmpty());
+    // I behind K: as which variable it arrives a parameter decides.
+    EXPECT_THAT(judged("MAC211", call("X1. K2. I3.", "G0 X#24 Z#6\n")), IsEmpty());
+    EXPECT_THAT(judged("MAC211", call("X1. K2. D3.", "G0 X#24 Z#6\n")), ElementsAre("warning 2"));
     EXPECT_THAT(messages_raised("MAC211", call("X1. Z2.", "G0 X#24\n")),
                 ElementsAre(HasSubstr("O9001 does not read #26 (Z), which 'Z2.' passes")));
     EXPECT_THAT(messages_raised("MAC211", call("X1. Z2. R3. Q4.", "G0 X#24\n")),

@@ -59,6 +59,7 @@ TEST(DeadStore, IsNoneWhereSomebodyElseMayRead) {
     EXPECT_THAT(dead("#500=#1-#2\nM00\n#500=#24\nG0X#500\n"), IsEmpty());
     EXPECT_THAT(dead("#500=#1-#2\n"), IsEmpty());
     EXPECT_THAT(dead("#500=#1-#2\n#501=#24\n#500=#24\nG0X#500\n"), ElementsAre("warning 2"));
+    EXPECT_THAT(dead("#500=#1\n#501=#24\n#500=#24\nG0X#500\n"), IsEmpty()); // #1 has it still
     EXPECT_THAT(dead("#33=#1-#2\n#32=#[30+#24]\n#33=#24\nG0X#33Y#32\n"), IsEmpty());
     EXPECT_THAT(dead("#33=#1-#2\nDPRNT[#33[53]]\n#33=#24\nG0X#33\n"), IsEmpty());
 }
@@ -167,6 +168,8 @@ TEST(RedundantRecompute, IsWhatTheVariableHolds) {
     EXPECT_THAT(again("#33=#1-#2\nG0X#33\n#1=#24\n#33=#1-#2\nG0Y#33\n"), IsEmpty());
     EXPECT_THAT(again("#33=#1-#2\nG0X#33\n#33=#24\nG0X#33\n#33=#1-#2\nG0Y#33\n"), IsEmpty());
     EXPECT_THAT(again("#33=#5001-#2\nG0X#33\n#33=#5001-#2\nG0Y#33\n"), IsEmpty());
+    // an operator measures and corrects while the program stands
+    EXPECT_THAT(again("#33=#1-#500\nG0X#33\nM00\n#33=#1-#500\nG0Y#33\n"), IsEmpty());
     EXPECT_THAT(again("#33=5\nG0X#33\n#33=5\nG0Y#33\n"), IsEmpty());
     EXPECT_THAT(again("IF[#1GT1]GOTO5\n#33=#1-#2\nG0X#33\nN5#33=#1-#2\nG0Y#33\n"), IsEmpty());
 }

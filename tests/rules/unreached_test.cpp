@@ -31,7 +31,12 @@ TEST(UnreachableCode, IsSilentOnAlarmsWhoseTestIsARemark) {
     EXPECT_THAT(judged("MAC460", "O9001\nIF[#24EQ#0]GOTO91\n(IF[#25EQ#0]GOTO92)\n" + alarms), IsEmpty());
     EXPECT_THAT(judged("MAC460", "O9001\nIF[#24EQ#0]GOTO91\n(IF[#25EQ#0]GOTO 0092)\n" + alarms), IsEmpty());
     EXPECT_THAT(judged("MAC460", "O9001\nIF[#24EQ#0]GOTO91\n(IF[#25EQ#0]GOTO921)\n" + alarms),
+                ElementsAre("note 7"));
+    // Tables of alarms are copied from macro to macro; a remark that names the number says what was meant.
+    EXPECT_THAT(judged("MAC460", "O9001\nIF[#24EQ#0]GOTO91\n(WITHOUT Y TO N0092)\n" + alarms),
                 ElementsAre("warning 7"));
+    EXPECT_THAT(judged("MAC460", "O9001\nIF[#24EQ#0]GOTO91\n(WITHOUT Y TO N924)\n" + alarms),
+                ElementsAre("note 7"));
 }
 
 TEST(UnreachableCode, StandsBehindAJumpAnAlarmOrAnEnd) {
