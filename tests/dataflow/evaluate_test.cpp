@@ -81,10 +81,10 @@ TEST(Evaluate, AnInputIsZeroOrOneAndAPositionANumber) {
     EXPECT_EQ(input.exactness, Exactness::exact);
     // Of few numbers those are left that the test lets through.
     const Value narrowed =
-        last_read("IF[#500EQ1]GOTO1\n#1=5\nGOTO3\nN1IF[#500EQ2]GOTO2\n#1=6\nGOTO3\nN2#1=7\n"
+        last_read("IF[#500EQ1]GOTO1\n#1=5\nGOTO3\nN1IF[#500EQ2]GOTO2\n#1=5.5\nGOTO3\nN2#1=7\n"
                   "N3IF[#1EQ7]GOTO9\nX#1\nN9M30\n");
     EXPECT_EQ(narrowed.low, 5);
-    EXPECT_EQ(narrowed.high, 6);
+    EXPECT_EQ(narrowed.high, 5.5);
     const Value tool = last_read("#1=#4120\nX#1\nM30\n");
     EXPECT_TRUE(tool.integer);
     EXPECT_EQ(tool.exactness, Exactness::exact);
