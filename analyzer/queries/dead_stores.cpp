@@ -66,6 +66,8 @@ class Search {
             found_.replaced_by.push_back(next);
         else
             go_on();
+        // A loop that nothing ends has rules of its own.
+        if (found_.replaced_by.empty() && !found_.may_end) return std::nullopt;
         std::ranges::sort(found_.replaced_by, {}, &dataflow::Store::effect);
         if (found_.replaced_by.size() == 1 && !found_.may_end)
             found_.only_if = deciding_condition(found_.replaced_by.front()->node);

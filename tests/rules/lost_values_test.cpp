@@ -44,6 +44,10 @@ TEST(DeadStore, IsANoteWhereNothingFollowsThatReads) {
                 ElementsAre(HasSubstr("no block reads it")));
 }
 
+TEST(DeadStore, IsNoneInFrontOfALoopThatNothingEnds) {
+    EXPECT_THAT(dead("IF[#1EQ1]GOTO5\n#33=#1-#2\nN1G0X0\nGOTO1\nN5#33=#24*2\nG0X#33\n"), IsEmpty());
+}
+
 TEST(DeadStore, IsNoneOfNumbersThatSomebodyEdits) {
     EXPECT_THAT(dead("#33=5.\n#33=#24\nG0X#33\n"), IsEmpty());
     EXPECT_THAT(dead("#33=40./2\n#33=#24\nG0X#33\n"), IsEmpty());
