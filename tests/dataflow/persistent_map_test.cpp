@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/domain/persistent_map.hpp"
 #include "analyzer/dataflow/domain/small_vector.hpp"
 
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -52,9 +53,11 @@ TEST(PersistentMap, UnitedMapsHoldTheKeysOfBothAndTheValuesOfTheFirst) {
     maps.push_back(trees.set(0, 5, 99));
     for (const Root a : maps)
         for (const Root b : maps) {
+            std::vector<std::pair<Key, std::uint32_t>>
+                of_a; // maps must not be made while one is gone through
+            trees.for_each(a, [&](Key key, std::uint32_t value) { of_a.emplace_back(key, value); });
             Root expected = b;
-            trees.for_each(a,
-                           [&](Key key, std::uint32_t value) { expected = trees.set(expected, key, value); });
+            for (const auto& [key, value] : of_a) expected = trees.set(expected, key, value);
             EXPECT_TRUE(trees.equal(trees.united(a, b), expected)) << a << " and " << b;
         }
 }
