@@ -18,9 +18,8 @@ extern const Rule unreachable_code{
     .name = "unreachable-code",
     .aliases = "DIN414",
     .summary = "Blocks behind a jump, an alarm or an end of the program that nothing leads to",
-    .why = "The control never runs them: an alarm that no test raises, a retract that stands behind the end. "
-           "What a remark switches off on purpose, further starts of a program and messages behind an alarm "
-           "are not meant.",
+    .why = "The control never runs them: an alarm that no test raises, a retract behind the end. What stands "
+           "behind a GOTO may be switched off for a while: a note, and nothing where a remark says so.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .yields_to = "MAC302",
@@ -116,7 +115,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             words = {number, quoted(program, program.effects[region.alarms.front()].span)};
         const Span place = message == "after" ? *region.work : region.head;
         Finding& finding = reporter.report({analysis, region.text}, place, message, std::move(words));
-        const bool is_sure = message == "after" || (message == "alarm" && region.is_named);
+        // Who puts a GOTO in front of blocks switches them off for a while.
+        const bool jump = std::holds_alternative<Jump>(program.effects[*region.ender].what);
+        const bool is_sure = message == "after" ? !jump : message == "alarm" && region.is_named;
         if (!is_sure) finding.severity = std::min(finding.severity, Severity::note);
         if (message != "alarm") continue;
         for (const EffectId other : region.alarms)

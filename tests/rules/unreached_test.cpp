@@ -43,7 +43,8 @@ TEST(UnreachableCode, StandsBehindAJumpAnAlarmOrAnEnd) {
     const std::string begin = "O9001\nIF[#1EQ2]GOTO5\nG0 X1.\n", end = "N5 M99\n";
     EXPECT_THAT(messages_raised("MAC460", begin + "GOTO5\nG0 Z5.\n" + end),
                 ElementsAre(HasSubstr("'G0 Z5.' stands behind 'GOTO5' in line 4 and is never run")));
-    EXPECT_THAT(lines_raised("MAC460", begin + "M99\nM0\n#100=1\n" + end), ElementsAre(6));
+    EXPECT_THAT(judged("MAC460", begin + "GOTO5\nG0 Z5.\n" + end), ElementsAre("note 5"));
+    EXPECT_THAT(judged("MAC460", begin + "M99\nM0\n#100=1\n" + end), ElementsAre("warning 6"));
     EXPECT_THAT(lines_raised("MAC460", begin + "#3000=1(X)\nG28 G91 Z0\n" + end), ElementsAre(5));
     EXPECT_THAT(lines_raised("MAC460", "O1\nG0 X1.\nM30\nN9 M5\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC460", "O1\nG0 X1.\nM30\nN9 M5\n#500=1\n"), ElementsAre(4));
