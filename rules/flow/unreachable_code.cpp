@@ -100,8 +100,7 @@ std::string_view message_for(const ProgramAnalysis& analysis, const UnreachedReg
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const flow::Regions& paired = analysis.regions();
-    if (paired.balance_unknown || !paired.faults.empty()) return;
+    if (analysis.regions().balance_unknown || !analysis.regions().faults.empty()) return;
     const Program& program = analysis.program();
     for (const UnreachedRegion& region : queries::unreached_regions(analysis)) {
         const std::string_view message = message_for(analysis, region);
