@@ -12,6 +12,10 @@ namespace {
 /// The searches that are kept have no more steps than so many that go through all programs.
 constexpr std::size_t most_kept = 4;
 
+/// A search looks at so many calls: where thousands of programs call each other in circles, each circle has
+/// its own.
+constexpr std::size_t most_looked_at = 1000;
+
 constexpr std::size_t half = CallPath::most / 2;
 
 } // namespace
@@ -35,11 +39,12 @@ CallPath CallPaths::between(ProgramIndex from, ProgramIndex to) {
 const CallPaths::Step* CallPaths::reach(Search& search, ProgramIndex from, ProgramIndex to) {
     if (search.reached.empty()) search.pending = {from};
     auto found = search.reached.find(to);
-    while (found == search.reached.end() && !search.pending.empty()) {
+    while (found == search.reached.end() && !search.pending.empty() && search.looked_at <= most_looked_at) {
         const ProgramAnalysis& at = programs_[search.pending.front()];
         search.pending.pop_front();
         const auto own = search.reached.find(at.index());
         const Step before = own == search.reached.end() ? Step{from, 0, 0, from} : own->second;
+        search.looked_at += at.calls().size();
         for (const CallSite& site : at.calls()) {
             if (!site.target || *site.target == from) continue;
             const std::uint32_t near = before.length < half ? *site.target : before.near;

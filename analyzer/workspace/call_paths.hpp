@@ -24,14 +24,14 @@ struct CallPath {
 };
 
 /// The shortest paths of calls. A search from one program serves all questions that begin there, and goes
-/// only as far as they want.
+/// only as far as they want and a bound allows.
 class CallPaths {
   public:
     /// The programs must outlive it.
     explicit CallPaths(const std::deque<ProgramAnalysis>& programs)
         : programs_(programs) {}
 
-    /// Empty when there is no such path or it is the same program. May be asked on several threads.
+    /// Empty when no path is found or it is the same program. May be asked on several threads.
     [[nodiscard]] CallPath between(std::uint32_t from, std::uint32_t to);
 
   private:
@@ -45,8 +45,9 @@ class CallPaths {
     struct Search {
         std::unordered_map<std::uint32_t, Step> reached;
         std::deque<std::uint32_t> pending;
+        std::size_t looked_at = 0; ///< calls
     };
-    /// Goes on until the program is reached, or nothing is left; nullptr for that.
+    /// Goes on until the program is reached, nothing is left or enough is looked at; nullptr for these.
     [[nodiscard]] const Step* reach(Search& search, std::uint32_t from, std::uint32_t to);
     /// The last `count` calls on the path to the program.
     [[nodiscard]] static std::vector<Caller> last_calls(const Search& search, std::uint32_t to,

@@ -89,6 +89,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Span span = analysis.program().effects[site.effect].span;
         const ProgramAnalysis& callee = *queries::called_program(analysis, site);
         const CallPath circle = callee.path_to(analysis.index());
+        const bool self = &callee == &analysis;
         std::vector<RelatedLocation> path;
         std::string words = callee.program().name;
         for (const Caller& call : circle.calls) {
@@ -99,8 +100,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             words += " > " + queries::called_program(calling, *calling.call_at(call.effect))->program().name;
             path.push_back(related_at_effect(calling, call.effect, "calls the next program of the circle"));
         }
+        if (!self && circle.calls.empty()) words += " > other programs > " + analysis.program().name;
         Finding& finding = reporter.report(
-            {analysis, site.effect}, span, circle.calls.empty() ? "self" : "plain",
+            {analysis, site.effect}, span, self ? "self" : "plain",
             {quoted(analysis.program(), span), callee.program().name, words + " > " + callee.program().name});
         finding.path = std::move(path);
         finding.path.push_back({analysis.source(), span, "calls " + callee.program().name + " again"});

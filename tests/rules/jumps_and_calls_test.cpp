@@ -172,6 +172,20 @@ TEST(RecursiveCall, OfALongCircleSomeProgramsAreNamed) {
     EXPECT_EQ(findings.front().path.size(), 9U);
 }
 
+TEST(RecursiveCall, OfAVeryLongCircleNoProgramsAreNamed) {
+    for (const int programs : {900, 1100}) {
+        std::string text;
+        for (int i = 1; i <= programs; ++i)
+            text += "O" + std::to_string(i) + "\nM98 P" + std::to_string(i % programs + 1) + "\nM99\n";
+        const auto workspace = test::analyse_fanuc(text);
+        const auto findings = run_rules(*workspace, {{find_rule("MAC412")}}, 1);
+        ASSERT_EQ(findings.size(), 1U);
+        EXPECT_THAT(
+            findings.front().statement(),
+            testing::HasSubstr(programs == 900 ? " 891 more > " : "(O1 > other programs > O1100 > O1)"));
+    }
+}
+
 TEST(MissingReturn, IsToldWithTheCallOfAnotherFile) {
     const auto workspace =
         test::analyse_files({{"O1.nc", "O1\nG65 P2\nM30\n"}, {"O2.nc", "O2\nG0 X1.\n"}}, {false, 1});

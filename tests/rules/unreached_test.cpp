@@ -60,7 +60,7 @@ TEST(UnreachableCode, IsMeantBehindARemarkOrWithAnEndOfItsOwn) {
     EXPECT_THAT(judged("MAC460", "O1\nT1 M6\nM30\nN6 T6 M6\nG0 X1.\nM30\n"), IsEmpty());
     // The whole program is switched off.
     EXPECT_THAT(judged("MAC460", "O9001\n#3000=1(SET ME UP)\nG0 X1.\n"), IsEmpty());
-    EXPECT_THAT(judged("MAC460", "O9001\nGOTO1\nG0 X1.\nN1 #3000=1(SET ME UP)\n"), ElementsAre("warning 3"));
+    EXPECT_THAT(judged("MAC460", "O9001\nGOTO1\nG0 X1.\nN1 #3000=1(SET ME UP)\n"), ElementsAre("note 3"));
 }
 
 TEST(UnreachableCode, WithANumberIsANoteWhenItMoves) {
