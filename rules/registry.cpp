@@ -85,6 +85,7 @@
     RULE(offset_not_restored)                   /* MAC519 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
     RULE(modal_code_as_number)                  /* MAC574 */ \
+    RULE(missing_argument_validation)           /* MAC604 */ \
     RULE(position_read_ahead)                   /* MAC605 */ \
     RULE(bracket_depth)                         /* MAC701 */ \
     RULE(division_by_zero)                      /* MAC702 */ \

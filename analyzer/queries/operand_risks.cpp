@@ -198,13 +198,13 @@ std::optional<OperandRisk> OperandRisks::risk_of_root(const Value& operand) cons
     return unchecked(variables.front());
 }
 
-std::optional<OperandRisk> OperandRisks::risk_of_argument(const dataflow::Read& read) const {
+std::optional<OperandRisk> OperandRisks::risk_of_argument(const dataflow::Read& read,
+                                                          std::optional<Variable> counter) const {
     const Symbol& symbol = analysis_.data().table().symbols[read.value.symbol];
     const bool is_as_passed =
         symbol.kind == Symbol::Kind::entry && symbol.a == dataflow::key_of(read.variable);
     if (!is_as_passed || !analysis_.program().is_formal(read.variable) || analysis_.is_main() ||
-        contains(asked_, read.variable) ||
-        std::ranges::find(checks_, read.variable, &Check::variable) != checks_.end())
+        contains(asked_, read.variable) || is_checked(read.variable, counter))
         return std::nullopt;
     if (const Caller* caller = find_caller_without(analysis_, read.variable);
         caller != nullptr && is_on_every_path(analysis_, read.node))
@@ -242,6 +242,17 @@ std::optional<OperandRisk> OperandRisks::shown_by_call(const Application& applic
                            {}};
     }
     return std::nullopt;
+}
+
+/// Whether the variable is compared with anything but the counter of a loop.
+bool OperandRisks::is_checked(Variable variable, std::optional<Variable> counter) const {
+    const auto is_counter = [&](ExpressionId expression) {
+        return counter && plain_variable(analysis_.program(), expression) == counter;
+    };
+    return std::ranges::any_of(checks_, [&](const Check& check) {
+        return check.variable == variable && !is_counter(check.comparison->left_expression) &&
+               !is_counter(check.comparison->right_expression);
+    });
 }
 
 /// Whether the variable can be anything when the program begins.

@@ -39,8 +39,10 @@ class OperandRisks {
     [[nodiscard]] std::optional<OperandRisk> risk_of(const dataflow::Application& application);
 
     /// The risk that the argument which is read holds anything, or nothing: the program neither compares it
-    /// nor asks whether it was passed. Nothing where all known calls pass it.
-    [[nodiscard]] std::optional<OperandRisk> risk_of_argument(const dataflow::Read& read) const;
+    /// nor asks whether it was passed; holding it against `counter` is no check. Nothing where all known
+    /// calls pass it.
+    [[nodiscard]] std::optional<OperandRisk>
+    risk_of_argument(const dataflow::Read& read, std::optional<Variable> counter = std::nullopt) const;
 
   private:
     /// A variable whose value at the start, or what is calculated from it, is compared.
@@ -48,6 +50,7 @@ class OperandRisks {
         Variable variable;
         const dataflow::Comparison* comparison;
     };
+    [[nodiscard]] bool is_checked(Variable variable, std::optional<Variable> counter) const;
     [[nodiscard]] std::optional<OperandRisk> shown_by_call(const dataflow::Application& application) const;
     [[nodiscard]] bool may_be_anything(Variable variable) const;
     [[nodiscard]] std::optional<OperandRisk> risk_of_root(const dataflow::Value& operand) const;

@@ -1,4 +1,4 @@
-//! Rules about vacant variables: MAC209, MAC220, MAC225, MAC221, MAC222, MAC228.
+//! Rules about vacant variables: MAC209, MAC220, MAC225, MAC221, MAC222, MAC228, MAC604.
 #include "tests/rules/raised.hpp"
 
 #include <gmock/gmock.h>
@@ -306,6 +306,25 @@ TEST(TestOfAnOverwrittenVariable, IsNoneOfAVariableThatNoTableKnows) {
     EXPECT_THAT(lines_raised("MAC228", "O9001\n#24=#9123\nIF[#24EQ#0]GOTO9\nG0X#24\nN9M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC228", "O9001\n#24=#4120\nIF[#24EQ#0]GOTO9\nG0X#24\nN9M99\n"),
                 ElementsAre(3));
+}
+
+TEST(MissingArgumentValidation, IsToldOfABoundThatNothingElseIsHeldAgainst) {
+    const std::string loop = "#33=0\nWHILE[#33LT#3]DO1\n#33=#33+1.\nG1X#33\nEND1\nM99\n";
+    EXPECT_THAT(judged("MAC604", "O9001\n" + loop), ElementsAre("note 3"));
+    EXPECT_THAT(judged("MAC604", "O9001\nIF[#3GT99]THEN#3000=1\n" + loop), IsEmpty());
+    EXPECT_THAT(judged("MAC604", "O9001\nIF[#3EQ#0]THEN#3=9\n" + loop), IsEmpty());
+    EXPECT_THAT(judged("MAC604", "O9001\nIF[#4EQ#0]THEN#3000=1\n" + loop), ElementsAre("note 4"));
+    // The counter is no check, wherever it is held against the argument; a second counter has nothing to add.
+    EXPECT_THAT(judged("MAC604", "O9001\n#33=0\nN1G1X#33\n#33=#33+1.\nIF[#33LT#3]GOTO1\nM99\n"),
+                ElementsAre("note 5"));
+    EXPECT_THAT(
+        judged("MAC604",
+               "O9001\n#33=0\nWHILE[#33LT#3]DO1\n#33=#33+1.\nIF[#33GT#3]THEN#33=#3\nG1X#33\nEND1\nM99\n"),
+        ElementsAre("note 3"));
+    // Another bound than the argument as it was passed; a program that is no macro; all calls pass it.
+    EXPECT_THAT(judged("MAC604", "O9001\n#3=5.\n" + loop), IsEmpty());
+    EXPECT_THAT(judged("MAC604", "O1\nG65P9001C5.\nM30\nO9001\n" + loop), IsEmpty());
+    EXPECT_THAT(judged("MAC604", "O1\nG65P9001C5.\nG65P9001\nM30\nO9001\n" + loop), ElementsAre("note 7"));
 }
 
 TEST(OffsetNumber, ThatNothingChecksIsANote) {

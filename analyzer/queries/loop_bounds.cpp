@@ -1,0 +1,34 @@
+//! Goes through the loops that a counter ends.
+#include "analyzer/queries/loop_bounds.hpp"
+
+#include "analyzer/queries/loop_counter.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace maclint::queries {
+
+std::vector<UncheckedBound> unchecked_bounds(const ProgramAnalysis& analysis) {
+    std::vector<UncheckedBound> found;
+    std::optional<OperandRisks> risks;
+    for (const dataflow::Loop& loop : analysis.loops()) {
+        const auto counter = counter_of(analysis, loop);
+        if (!counter) continue;
+        for (const CounterTest& test : counter->tests) {
+            const auto reads = analysis.facts().at<dataflow::Read>(test.comparison->effect);
+            const auto read = std::ranges::find(reads, test.bound, &dataflow::Read::expression);
+            if (read == reads.end()) continue;
+            if (!risks) risks.emplace(analysis);
+            const auto risk = risks->risk_of_argument(*read, counter->variable);
+            const auto is_same = [&](const UncheckedBound& other) {
+                return other.read->variable == read->variable;
+            };
+            if (risk && std::ranges::none_of(found, is_same))
+                found.push_back({test.comparison, &*read, counter->variable, *risk});
+        }
+    }
+    std::ranges::sort(found, {}, [](const UncheckedBound& bound) { return bound.test->effect; });
+    return found;
+}
+
+} // namespace maclint::queries

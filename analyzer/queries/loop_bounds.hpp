@@ -1,0 +1,24 @@
+//! Arguments that decide when a loop ends.
+#pragma once
+
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/queries/operand_risks.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <vector>
+
+namespace maclint::queries {
+
+/// A loop that goes on until its counter passes an argument. The pointers lead to facts of the program.
+struct UncheckedBound {
+    const dataflow::Comparison* test; ///< of the counter and the argument
+    const dataflow::Read* read;       ///< of the argument, in the test
+    Variable counter;
+    OperandRisk risk;
+};
+
+/// The loops whose bound is an argument that the program holds against nothing but their counter, one for
+/// each argument, in the order of the program.
+[[nodiscard]] std::vector<UncheckedBound> unchecked_bounds(const ProgramAnalysis& analysis);
+
+} // namespace maclint::queries
