@@ -155,5 +155,15 @@ TEST(SyntaxErrors, NoCauseIsToldOfAGoodBlock) {
     if (std::filesystem::is_directory(outer)) expect_no_cause_in_good_blocks(outer);
 }
 
+TEST(SyntaxErrors, AWordOfAnotherLanguageHasOneCauseInNoiseAndElsewhere) {
+    for (const std::string code : {"ENDWHILE", "ENDIF", "ELSE", "NEXT", "WEND", "N27 ENDWHILE"}) {
+        const SyntaxError alone = test::read(code).syntax_errors.at(0);
+        const auto in_noise = fanuc::find_cause(code, {0, static_cast<Offset>(code.size())});
+        ASSERT_TRUE(in_noise) << code;
+        EXPECT_EQ(in_noise->kind, alone.kind) << code;
+        EXPECT_EQ(in_noise->cure, alone.cure) << code;
+    }
+}
+
 } // namespace
 } // namespace maclint

@@ -62,6 +62,10 @@ constexpr Foreign foreign_words[] = {
     {"ENDIF", "", in_place_of_block_if},
 };
 
+bool is_foreign(std::string_view capitals) {
+    return std::ranges::find(foreign_words, capitals, &Foreign::word) != std::end(foreign_words);
+}
+
 bool holds(std::span<const std::string_view> words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
 }
@@ -101,6 +105,7 @@ std::string_view comparison_word(std::string_view sign) {
 }
 
 std::vector<std::string_view> split_keywords(std::string_view capitals) {
+    if (is_foreign(capitals)) return {}; // ENDWHILE
     // reach[i]: length of the keyword that ends at i and joins a row of keywords from the start, 0 for none.
     std::vector<std::uint8_t> reach(capitals.size() + 1, 0);
     for (std::size_t end = 1; end <= capitals.size(); ++end) {

@@ -16,7 +16,8 @@ namespace maclint::fanuc {
 /// EQ for `=`, GE for `>=`; empty for what is no sign of a comparison in any language.
 [[nodiscard]] std::string_view comparison_word(std::string_view sign);
 
-/// The keywords that a row of capitals consists of; empty when it does not consist of keywords alone.
+/// The keywords that a row of capitals consists of; empty when it does not consist of keywords alone, or is a
+/// word of another language.
 [[nodiscard]] std::vector<std::string_view> split_keywords(std::string_view capitals);
 
 /// [4: there is no ELSE]
