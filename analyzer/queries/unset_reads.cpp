@@ -93,16 +93,23 @@ bool is_as_nothing_set_it(const ProgramAnalysis& analysis, const dataflow::Read&
            analysis.data().is_vacant_at_entry(read.variable);
 }
 
+/// The program shares the local variables of its callers, of which none that is known sets it.
+bool is_as_callers_left_it(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    return is_as_at_entry(analysis, read) && analysis.data().is_set_by_no_caller(read.variable);
+}
+
 /// Whether the read uses what is not there: a test takes care of it. It is unknown whether a control still
 /// looks at what decides nothing any more, as after NDEF(…) OR.
 bool uses_unset(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     return read.use != dataflow::Use::vacancy_test &&
-           (is_as_nothing_set_it(analysis, read) || is_as_tested(analysis, read)) &&
+           (is_as_nothing_set_it(analysis, read) || is_as_callers_left_it(analysis, read) ||
+            is_as_tested(analysis, read)) &&
            !asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node, read.variable) &&
            !may_be_a_test(analysis, read) && is_used(analysis, read);
 }
 
 Unset kind_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    if (is_as_callers_left_it(analysis, read)) return Unset::by_callers;
     if (read.value.vacancy != dataflow::Vacancy::vacant) return Unset::in_some_cases;
     if (is_as_tested(analysis, read)) return Unset::as_tested;
     const auto& formals = analysis.control().formals;

@@ -36,6 +36,7 @@ enum class Unset : std::uint8_t {
     always,        ///< by no path, and no argument stands for it
     as_argument,   ///< by no path, and no call passes it
     as_tested,     ///< on no path that comes here: the program has found that it is vacant
+    by_callers,    ///< on no path that comes here, nor by a known caller, whose variables the program shares
     in_some_cases, ///< by some paths only
 };
 
@@ -49,8 +50,8 @@ struct UnsetReads {
 
 /// The first such read of each variable. Left out are reads that ask for the vacancy or stand beside a
 /// question for it, counting (#33=#33+1 takes vacant for 0), those that make no use of the value, and what
-/// repeated I, J and K of a call may set. In a program that may share the variables of its caller only
-/// those which it has found vacant itself.
+/// repeated I, J and K of a call may set. In a program that shares the variables of its callers
+/// only what no known caller sets, and what it has found vacant itself.
 [[nodiscard]] std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis);
 
 } // namespace maclint::queries

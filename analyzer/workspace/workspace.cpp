@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/flow/components.hpp"
 #include "analyzer/workspace/bind.hpp"
+#include "analyzer/workspace/callers_locals.hpp"
 #include "analyzer/workspace/handed_down.hpp"
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -45,6 +46,7 @@ class WorkspaceBuilder {
         components_ = flow::find_components(adjacency_);
         find_needed();
         handed_down_.emplace(programs_, components_);
+        callers_locals_.emplace(programs_, components_, &runs_on_its_own);
         for (const auto& layer : flow::layers_of(adjacency_, components_)) analyse_layer(layer);
         mark_cycles();
         measure_depth();
@@ -299,6 +301,8 @@ class WorkspaceBuilder {
         passed = passed_by(analysis.callers_, &analysis.program());
         entry.ambiguous_names = workspace_.ambiguous_names_;
         entry.locals_are_callers = analysis.locals_are_callers_;
+        if (entry.locals_are_callers && !may_be_computed(analysis))
+            entry.set_by_callers = callers_locals_->set_before(analysis);
         for (const auto& calls : analysis.undecided_) {
             passed.insert(passed.end(), calls->passed.begin(), calls->passed.end());
             if (analysis.program().formals.empty()) continue;
@@ -457,6 +461,7 @@ class WorkspaceBuilder {
     flow::Adjacency adjacency_;
     flow::Components components_;
     std::optional<HandedDown> handed_down_;
+    std::optional<CallersLocals> callers_locals_;
     std::vector<bool> needed_;               ///< by program: its flow and data flow are asked for
     std::set<const ProgramFile*> computing_; ///< files with a call that may mean any program
     std::map<std::shared_ptr<const NamesakeList>, std::shared_ptr<UndecidedCalls>> undecided_by_list_;

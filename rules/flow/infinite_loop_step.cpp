@@ -36,6 +36,7 @@ extern const Rule infinite_loop_step{
                   "Turn the sign of the step or the comparison around."}},
     .bad = {{"fanuc", R"nc(
 O9320(DEPTH PASSES, Z DEPTH K STEP)
+IF[#26GE0]THEN#3000=1(Z MUST BE NEGATIVE)
 #33=0
 WHILE[#33GT#26]DO1
 #33=#33-#6
@@ -56,6 +57,7 @@ END
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9320(DEPTH PASSES, Z DEPTH K STEP)
+IF[#26GE0]THEN#3000=1(Z MUST BE NEGATIVE)
 IF[#6LE0]GOTO9
 #33=0
 WHILE[#33GT#26]DO1
@@ -63,7 +65,7 @@ WHILE[#33GT#26]DO1
 G90 G1 Z#33
 END1
 M99
-N9 #3000=1(K MUST BE POSITIVE)
+N9 #3000=2(K MUST BE POSITIVE)
 )nc"},
              {"dinplus", R"nc(
 MACHINING

@@ -1,7 +1,6 @@
 //! MAC209: a local variable is read although nothing can have set it.
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/queries/unset_reads.hpp"
-#include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -18,9 +17,8 @@ extern const Rule uninitialised_local{
     .name = "uninitialised-local",
     .aliases = "DIN301",
     .summary = "A local variable is read before anything has set it, and no argument can have done so",
-    .why = "Such a variable is vacant: a word that uses it is ignored (the axis stays where it is, the feed "
-           "does not change), and arithmetic takes it for 0, without an alarm. Where the language knows no "
-           "vacant value, it is undefined and may read as 0.",
+    .why = "Such a variable is vacant: a word with it is ignored (the axis stays, the feed does not change), "
+           "and arithmetic takes it for 0. Where the language knows no vacant value, it may read as 0.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::unset_locals},
@@ -38,6 +36,9 @@ extern const Rule uninitialised_local{
                  {"as-tested",
                   "Variable {0} is always vacant here: the program only comes to this block when it is.",
                   "Correct the test (EQ #0 or NE #0), or its jump."},
+                 {"by-callers",
+                  "Nothing has set {0} on a path to this block, nor do the programs that call this one.",
+                  "Set it on every path, or before the call."},
                  {"cases", "{2} {0} may be vacant here: set only for {1}.",
                   "Set a value in the other cases, too, or refuse them with an alarm."},
                  {"depends", "{2} {0} may be vacant here, depending on {1}.",
@@ -93,6 +94,7 @@ std::string_view message_for(const ProgramAnalysis& analysis, const queries::Uns
     const bool vacant = queries::may_hold_vacant(analysis.program(), reads.first.read->variable);
     switch (reads.kind) {
     case queries::Unset::as_tested: return "as-tested";
+    case queries::Unset::by_callers: return "by-callers";
     case queries::Unset::always: return !vacant ? "undefined" : analysis.is_main() ? "main" : "called";
     case queries::Unset::as_argument: return vacant ? "not-passed" : "undefined-not-passed";
     case queries::Unset::in_some_cases: break;
@@ -107,16 +109,15 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const dataflow::Read& read = *reads.first.read;
         const Span span = analysis.program().expressions[read.expression].span;
         const std::string name = as_written(analysis, read.expression);
-        const std::string subject = reads.others.empty() ? "Variable" : "Variables";
         Finding& finding =
             reporter.report({analysis, read}, span, message_for(analysis, reads),
-                            {names_of(analysis, reads), words_for_cases(analysis, reads.missing), subject});
+                            {names_of(analysis, reads), words_for_cases(analysis, reads.missing),
+                             reads.others.empty() ? "Variable" : "Variables"});
         for (const dataflow::Read* other : reads.others)
             finding.related.push_back({analysis.source(),
                                        analysis.program().expressions[other->expression].span,
                                        "the same is true of " + as_written(analysis, other->expression)});
-        const dataflow::OriginId origin = read.value.vacancy_origin;
-        if (origin != 0)
+        if (const dataflow::OriginId origin = read.value.vacancy_origin; origin != 0)
             finding.path.push_back(begin_of_vacancy(analysis, origin, reads.first.path,
                                                     name + " has no value when the program begins"));
         for (RelatedLocation& step : steps_along(analysis, reads.first.path))

@@ -45,7 +45,7 @@ TEST(UnsetReads, AreNoQuestionsAndNoCounting) {
 TEST(UnsetReads, AreNotWhatCallersMayPassOrShare) {
     EXPECT_THAT(unset_in("O9001\nX#24\nM99\n"), IsEmpty()); // a letter
     EXPECT_THAT(unset_in("O9001\nX#24Y#10\nM99\n"), ElementsAre(10));
-    EXPECT_THAT(unset_in("O1\nM98P2\nM30\nO2\nX#10\nM99\n"), IsEmpty()); // the locals of O1
+    EXPECT_THAT(unset_in("O1\n#10=1\nM98P2\nM30\nO2\nX#10Y#11\nM99\n"), ElementsAre(11)); // the locals of O1
     // I, J and K for the third time, of a caller that is unknown: only somebody who reads all of them expects
     // them.
     EXPECT_THAT(unset_in("O9001\nX#4Y#5Z#6\nX#7Y#8Z#9\nX#10Y#11Z#12\nM99\n"), IsEmpty());

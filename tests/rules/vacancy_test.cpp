@@ -14,6 +14,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 TEST(UninitialisedLocal, IsReportedOnceWithTheProgramAsItsOrigin) {
     EXPECT_THAT(lines_raised("MAC209", "O1\nG0 X#5\nG0 Y#5\nM30\n"), ElementsAre(2));
@@ -42,7 +43,8 @@ TEST(UninitialisedLocal, IsNoneWhenAProgramTakesASeriesOfIJAndK) {
 }
 
 TEST(UninitialisedLocal, MayBeSetByTheCallerOfASubprogram) {
-    EXPECT_THAT(lines_raised("MAC209", "O1\n#10=5\nM98 P2\nM30\nO2\nG0 X#10 Y#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O1\n#10=5\nM98 P2\nM30\nO2\nG0 X#10\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O2\nG0 X#10\nM99\n"), IsEmpty());
 }
 
 TEST(UninitialisedLocal, IsNoVacancyTestAndNoCountFromVacant) {
@@ -341,6 +343,32 @@ TEST(OffsetNumber, IsAWarningWhereACallLeavesItOutOrOtherArgumentsAreChecked) {
     EXPECT_THAT(judged("MAC225", "O1\nG65P9001B1.D1\nM30\n" + macro), IsEmpty());
     EXPECT_THAT(judged("MAC225", "O9001\nIF[#2EQ#0]THEN#3000=1\n#30=#[13000+#7]\nX#30\nM99\n"),
                 ElementsAre("warning 3"));
+}
+
+TEST(CallersLocals, ThatNoCallerSetsAreVacantOnAPath) {
+    const std::string called = "O9001\nIF[#500EQ1]GOTO2\n#1=1\nN2G#1X1.\nM99\n";
+    EXPECT_THAT(messages_raised("MAC209", "O1\nM98P9001\nM30\n" + called),
+                ElementsAre(AllOf(HasSubstr("#1"), HasSubstr("nor do the programs"))));
+    // Set before the call, or perhaps: in the caller, by another call of it, further up, through an index.
+    for (const std::string caller :
+         {"O1\n#1=2\nM98P9001\nM30\n", "O1\nIF[#501EQ1]THEN#1=2\nM98P9001\nM30\n",
+          "O1\nM98P9002\nM98P9001\nM30\nO9002\n#1=3\nM99\n",
+          "O1\n#1=2\nM98P9002\nM30\nO9002\nM98P9001\nM99\n", "O1\n#[#501]=2\nM98P9001\nM30\n",
+          "O1\nM98P#501\nM98P9001\nM30\n", "O1\nM98P9003\nM98P9001\nM30\n", "O9002\nM98P9001\nM99\n",
+          "O1\nG65P9002A1\nM30\nO9002\nM98P9001\nM99\n", "O1\nM98P9001\nG65P9001A1\nM30\n"})
+        EXPECT_THAT(messages_raised("MAC209", caller + called), IsEmpty()) << caller;
+    // What cannot be #1; the program itself, which has not run before.
+    for (const std::string caller :
+         {"O1\n#[500+#501]=2\n#2=1\n#101=1\nM98P9001\nM30\n",
+          "O1\nM98P9002\nM30\nO9002\n#2=1\nM98P9001\nM99\n",
+          "O1\nG65P9002A1\nM98P9001\nM30\nO9002\n#1=3\nM99\n", "O1\nM98P9001\nM98P9001\nM30\n"})
+        EXPECT_THAT(messages_raised("MAC209", caller + called), SizeIs(1)) << caller;
+}
+
+TEST(CallersLocals, DecideNothingAsOthersMayCallTheProgram) {
+    const std::string program = "O1\nM98P9001\nM30\nO9001\nIF[#1EQ#0]GOTO2\nG0X#1\nN2M99\n";
+    for (const std::string rule : {"MAC209", "MAC228", "MAC460", "MAC718"})
+        EXPECT_THAT(messages_raised(rule, program), IsEmpty()) << rule;
 }
 
 } // namespace

@@ -54,6 +54,7 @@ bool States::may_be_handed_down(Variable variable) const {
 
 Vacancy States::vacancy_at_entry(Variable variable) const {
     if (knowledge_.entry == Entry::main) return Vacancy::vacant;
+    if (is_set_by_no_caller(variable)) return Vacancy::maybe; // others may call it as well
     if (knowledge_.locals_are_callers || may_be_handed_down(variable)) return Vacancy::unknown;
     if (knowledge_.arguments) {
         const auto known =
@@ -69,6 +70,12 @@ bool States::is_vacant_at_entry(Variable variable) const {
     const VariableSpace& space = program_.control->spaces[variable.space];
     return space.scope == Scope::frame && !initial_number(variable) &&
            vacancy_at_entry(variable) == Vacancy::vacant;
+}
+
+bool States::is_set_by_no_caller(Variable variable) const {
+    const auto& set = knowledge_.set_by_callers;
+    return knowledge_.locals_are_callers && set && std::ranges::find(*set, variable) == set->end() &&
+           program_.control->spaces[variable.space].scope == Scope::frame;
 }
 
 /// What a local variable holds in front of the first store, unless the call sets it; nothing: it is vacant.

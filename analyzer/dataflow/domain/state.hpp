@@ -35,6 +35,8 @@ struct EntryKnowledge {
     std::optional<std::vector<std::pair<Variable, Vacancy>>> arguments;
     /// Some caller shares its locals with the program: what they hold at the start is unknown.
     bool locals_are_callers = false;
+    /// Which of these some known caller may have set; absent: any.
+    std::optional<std::vector<Variable>> set_by_callers = {};
     /// Numbers of shared names that several names have (SharedNames); sorted.
     std::span<const std::int32_t> ambiguous_names = {};
     /// Variables that a program further up may hand down; absent: it is unknown which.
@@ -91,6 +93,8 @@ class States {
 
     [[nodiscard]] State at_entry() const;
     [[nodiscard]] bool is_vacant_at_entry(Variable variable) const;
+    /// The program shares its callers' local variables, and no known caller sets this one.
+    [[nodiscard]] bool is_set_by_no_caller(Variable variable) const;
     [[nodiscard]] Value read(const State& state, Variable variable);
     [[nodiscard]] const ModalValue& read(const State& state, ChannelGroup of);
     /// All that the group can be in any of the channels.

@@ -126,5 +126,6 @@ ModalValue Analysis::modal(const State& state, flow::NodeId node, GroupId group)
     return value;
 }
 bool Analysis::is_vacant_at_entry(Variable variable) const { return states_->is_vacant_at_entry(variable); }
+bool Analysis::is_set_by_no_caller(Variable variable) const { return states_->is_set_by_no_caller(variable); }
 
 } // namespace maclint::dataflow

@@ -55,6 +55,8 @@ class Analysis {
     }
     /// Whether nothing can have set the variable when the program begins.
     [[nodiscard]] bool is_vacant_at_entry(Variable variable) const;
+    /// The program shares its callers' local variables, and no known caller sets this one.
+    [[nodiscard]] bool is_set_by_no_caller(Variable variable) const;
 
   private:
     friend class AnalysisBuilder;
