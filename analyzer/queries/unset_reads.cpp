@@ -98,18 +98,29 @@ bool is_as_callers_left_it(const ProgramAnalysis& analysis, const dataflow::Read
     return is_as_at_entry(analysis, read) && analysis.data().is_set_by_no_caller(read.variable);
 }
 
+/// No block of the program sets the variable, no letter of a call stands for it, and no caller is known: one
+/// that shares its variables may have set it.
+bool is_left_to_unknown_callers(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    const auto& kinds = analysis.control().calls;
+    return !has_own_locals(analysis) && analysis.callers().empty() && !analysis.has_possible_callers() &&
+           std::ranges::find(kinds, Frame::shared, &CallKind::frame) != kinds.end() &&
+           is_as_at_entry(analysis, read) && analysis.data().is_vacant_at_entry(read.variable) &&
+           !is_set_somewhere(analysis.program(), read.variable);
+}
+
 /// Whether the read uses what is not there: a test takes care of it. It is unknown whether a control still
 /// looks at what decides nothing any more, as after NDEF(…) OR.
 bool uses_unset(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     return read.use != dataflow::Use::vacancy_test &&
            (is_as_nothing_set_it(analysis, read) || is_as_callers_left_it(analysis, read) ||
-            is_as_tested(analysis, read)) &&
+            is_left_to_unknown_callers(analysis, read) || is_as_tested(analysis, read)) &&
            !asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node, read.variable) &&
            !may_be_a_test(analysis, read) && is_used(analysis, read);
 }
 
 Unset kind_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     if (is_as_callers_left_it(analysis, read)) return Unset::by_callers;
+    if (is_left_to_unknown_callers(analysis, read)) return Unset::unless_by_callers;
     if (read.value.vacancy != dataflow::Vacancy::vacant) return Unset::in_some_cases;
     if (is_as_tested(analysis, read)) return Unset::as_tested;
     const auto& formals = analysis.control().formals;

@@ -33,11 +33,12 @@ struct UnsetRead {
 };
 
 enum class Unset : std::uint8_t {
-    always,        ///< by no path, and no argument stands for it
-    as_argument,   ///< by no path, and no call passes it
-    as_tested,     ///< on no path that comes here: the program has found that it is vacant
-    by_callers,    ///< on no path that comes here, nor by a known caller, whose variables the program shares
-    in_some_cases, ///< by some paths only
+    always,      ///< by no path, and no argument stands for it
+    as_argument, ///< by no path, and no call passes it
+    as_tested,   ///< on no path that comes here: the program has found that it is vacant
+    by_callers,  ///< on no path that comes here, nor by a known caller, whose variables the program shares
+    unless_by_callers, ///< by no path; a caller that nobody knows may share a variable that it has set
+    in_some_cases,     ///< by some paths only
 };
 
 /// Reads that go back to one mistake.

@@ -6,6 +6,8 @@
 #include "rules/trace.hpp"
 #include "rules/variables/unset_words.hpp"
 
+#include <algorithm>
+
 namespace maclint::rules {
 
 namespace {
@@ -24,33 +26,35 @@ extern const Rule uninitialised_local{
     .needs = {Capability::unset_locals},
     .facts = dataflow::facts<dataflow::Read, dataflow::Comparison, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"main",
-                  "Nothing has set {0} before this block: a program that nobody calls gets no arguments.",
-                  "Set it first, or correct the number."},
-                 {"called",
-                  "Nothing has set {0} before this block, and no letter of a call stands for it, unless I, J "
-                  "and K are repeated.",
-                  "Set it first, or correct the number."},
-                 {"not-passed", "Nothing has set {0} before this block, and no caller passes it.",
-                  "Set it first, or pass the argument."},
-                 {"as-tested",
-                  "Variable {0} is always vacant here: the program only comes to this block when it is.",
-                  "Correct the test (EQ #0 or NE #0), or its jump."},
-                 {"by-callers",
-                  "Nothing has set {0} on a path to this block, nor do the programs that call this one.",
-                  "Set it on every path, or before the call."},
-                 {"cases", "{2} {0} may be vacant here: set only for {1}.",
-                  "Set a value in the other cases, too, or refuse them with an alarm."},
-                 {"depends", "{2} {0} may be vacant here, depending on {1}.",
-                  "Set a value on every path, or test for EQ #0 first."},
-                 {"some-paths", "{2} {0} may be vacant here: not every path sets a value.",
-                  "Set one on every path, or test for EQ #0 first."},
-                 {"undefined", "Nothing has set {0} before this block: it has no value.",
-                  "Set it first, or correct the name."},
-                 {"undefined-not-passed", "Variable {0} has no value here: no caller passes it.",
-                  "Pass it in the call."},
-                 {"undefined-some-paths", "{2} {0} may have no value here: not every path sets one.",
-                  "Set one on every path."}},
+    .messages =
+        {{"main", "Nothing has set {0} before this block: a program that nobody calls gets no arguments.",
+          "Set it first, or correct the number."},
+         {"called",
+          "Nothing has set {0} before this block, and no letter of a call stands for it, unless I, J "
+          "and K are repeated.",
+          "Set it first, or correct the number."},
+         {"not-passed", "Nothing has set {0} before this block, and no caller passes it.",
+          "Set it first, or pass the argument."},
+         {"as-tested", "Variable {0} is always vacant here: the program only comes to this block when it is.",
+          "Correct the test (EQ #0 or NE #0), or its jump."},
+         {"by-callers",
+          "Nothing has set {0} on a path to this block, nor do the programs that call this one.",
+          "Set it on every path, or before the call."},
+         {"unless-by-callers",
+          "Nothing in this program sets {0}: vacant, unless a program that calls it by M98 has set {0}.",
+          "Set it here, or test for EQ #0 first."},
+         {"cases", "{2} {0} may be vacant here: set only for {1}.",
+          "Set a value in the other cases, too, or refuse them with an alarm."},
+         {"depends", "{2} {0} may be vacant here, depending on {1}.",
+          "Set a value on every path, or test for EQ #0 first."},
+         {"some-paths", "{2} {0} may be vacant here: not every path sets a value.",
+          "Set one on every path, or test for EQ #0 first."},
+         {"undefined", "Nothing has set {0} before this block: it has no value.",
+          "Set it first, or correct the name."},
+         {"undefined-not-passed", "Variable {0} has no value here: no caller passes it.",
+          "Pass it in the call."},
+         {"undefined-some-paths", "{2} {0} may have no value here: not every path sets one.",
+          "Set one on every path."}},
     .bad = {{"fanuc", R"nc(
 O0209(FACE)
 #100=10.
@@ -90,29 +94,17 @@ END
 
 namespace {
 
-std::string_view message_for(const ProgramAnalysis& analysis, const queries::UnsetReads& reads) {
-    const bool vacant = queries::may_hold_vacant(analysis.program(), reads.first.read->variable);
-    switch (reads.kind) {
-    case queries::Unset::as_tested: return "as-tested";
-    case queries::Unset::by_callers: return "by-callers";
-    case queries::Unset::always: return !vacant ? "undefined" : analysis.is_main() ? "main" : "called";
-    case queries::Unset::as_argument: return vacant ? "not-passed" : "undefined-not-passed";
-    case queries::Unset::in_some_cases: break;
-    }
-    if (!vacant) return "undefined-some-paths";
-    if (reads.missing.subjects.empty()) return "some-paths";
-    return reads.missing.numbers.empty() ? "depends" : "cases";
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const queries::UnsetReads& reads : queries::find_unset_reads(analysis)) {
         const dataflow::Read& read = *reads.first.read;
         const Span span = analysis.program().expressions[read.expression].span;
         const std::string name = as_written(analysis, read.expression);
         Finding& finding =
-            reporter.report({analysis, read}, span, message_for(analysis, reads),
+            reporter.report({analysis, read}, span, message_of(analysis, reads),
                             {names_of(analysis, reads), words_for_cases(analysis, reads.missing),
                              reads.others.empty() ? "Variable" : "Variables"});
+        if (reads.kind == queries::Unset::unless_by_callers)
+            finding.severity = std::min(finding.severity, Severity::note);
         for (const dataflow::Read* other : reads.others)
             finding.related.push_back({analysis.source(),
                                        analysis.program().expressions[other->expression].span,

@@ -28,6 +28,21 @@ std::string as_written(const ProgramAnalysis& analysis, ExpressionId expression)
     return name;
 }
 
+std::string_view message_of(const ProgramAnalysis& analysis, const queries::UnsetReads& reads) {
+    const bool vacant = queries::may_hold_vacant(analysis.program(), reads.first.read->variable);
+    switch (reads.kind) {
+    case queries::Unset::as_tested: return "as-tested";
+    case queries::Unset::by_callers: return "by-callers";
+    case queries::Unset::unless_by_callers: return "unless-by-callers";
+    case queries::Unset::always: return !vacant ? "undefined" : analysis.is_main() ? "main" : "called";
+    case queries::Unset::as_argument: return vacant ? "not-passed" : "undefined-not-passed";
+    case queries::Unset::in_some_cases: break;
+    }
+    if (!vacant) return "undefined-some-paths";
+    if (reads.missing.subjects.empty()) return "some-paths";
+    return reads.missing.numbers.empty() ? "depends" : "cases";
+}
+
 std::string names_of(const ProgramAnalysis& analysis, const queries::UnsetReads& reads) {
     std::string first = as_written(analysis, reads.first.read->expression);
     if (reads.others.empty()) return first;

@@ -18,4 +18,7 @@ namespace maclint::rules {
 [[nodiscard]] std::string words_for_cases(const ProgramAnalysis& analysis,
                                           const queries::MissingCase& missing);
 
+/// The name of the message that says why nothing may be there.
+[[nodiscard]] std::string_view message_of(const ProgramAnalysis& analysis, const queries::UnsetReads& reads);
+
 } // namespace maclint::rules

@@ -44,7 +44,6 @@ TEST(UninitialisedLocal, IsNoneWhenAProgramTakesASeriesOfIJAndK) {
 
 TEST(UninitialisedLocal, MayBeSetByTheCallerOfASubprogram) {
     EXPECT_THAT(lines_raised("MAC209", "O1\n#10=5\nM98 P2\nM30\nO2\nG0 X#10\nM99\n"), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC209", "O2\nG0 X#10\nM99\n"), IsEmpty());
 }
 
 TEST(UninitialisedLocal, IsNoVacancyTestAndNoCountFromVacant) {
@@ -369,6 +368,15 @@ TEST(CallersLocals, DecideNothingAsOthersMayCallTheProgram) {
     const std::string program = "O1\nM98P9001\nM30\nO9001\nIF[#1EQ#0]GOTO2\nG0X#1\nN2M99\n";
     for (const std::string rule : {"MAC209", "MAC228", "MAC460", "MAC718"})
         EXPECT_THAT(messages_raised(rule, program), IsEmpty()) << rule;
+}
+
+TEST(CallersLocals, OfAnUnknownCallerMayBeWhatNothingSets) {
+    EXPECT_THAT(judged("MAC209", "O9001\nG0Z#31\nM99\n"), ElementsAre("note 2"));
+    EXPECT_THAT(judged("MAC209", "O9001\nIF[#500EQ1]THEN#31=1\nG0Z#31\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC209", "O9001\nIF[#31EQ#0]THEN#3000=1\nG0Z#31\nM99\n"), IsEmpty());
+    // A program with arguments has its own; nobody calls a main program.
+    EXPECT_THAT(judged("MAC209", "O9001\nG0X#24Z#31\nM99\n"), ElementsAre("warning 2"));
+    EXPECT_THAT(judged("MAC209", "O1\nG0Z#31\nM30\n"), ElementsAre("warning 2"));
 }
 
 } // namespace
