@@ -27,6 +27,31 @@ bool is_refused(const ProgramAnalysis& analysis, Variable variable) {
     });
 }
 
+/// Whether the variable is set nowhere but behind IF and THEN in the same block.
+bool is_set_under_conditions(const ProgramAnalysis& analysis, Variable variable) {
+    const auto& effects = analysis.program().effects;
+    return std::ranges::all_of(analysis.facts().about<dataflow::Store>(variable), [&](const auto* store) {
+        return std::ranges::any_of(effects, [&](const Effect& effect) {
+            const auto* guarded = std::get_if<Guarded>(&effect.what);
+            return guarded != nullptr && store->effect - guarded->effects.first < guarded->effects.count;
+        });
+    });
+}
+
+/// S[#10] in a block of its own, behind IF[#1EQ1]THEN#10=800: without a value the speed stays as it is, and
+/// no other word waits for it.
+bool is_setting_for_some_cases(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+    const Program& program = analysis.program();
+    const auto* setting = std::get_if<SetModal>(&program.effects[read.effect].what);
+    const auto* block = std::get_if<Block>(&program.items[analysis.graph().nodes[read.node].item]);
+    if (read.value.vacancy != dataflow::Vacancy::maybe || setting == nullptr || !setting->group ||
+        block == nullptr)
+        return false;
+    const ModalRole role = analysis.control().groups[*setting->group].role;
+    return (role == ModalRole::speed || role == ModalRole::feed) && block->words.count == 1 &&
+           is_set_under_conditions(analysis, read.variable);
+}
+
 /// Follows the value through the assignments that copy it; `seen` are effects that were looked at before.
 bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read, std::set<EffectId>& seen) {
     using dataflow::Use;
@@ -35,6 +60,7 @@ bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read, std::s
     if (read.use == Use::argument)
         return read.value.vacancy == dataflow::Vacancy::vacant &&
                (analysis.is_main() || is_refused(analysis, read.variable));
+    if (read.use == Use::word && is_setting_for_some_cases(analysis, read)) return false;
     if (read.use != Use::copy && read.use != Use::arithmetic) return true;
     const auto stores = analysis.facts().at<dataflow::Store>(read.effect);
     if (stores.size() != 1) return true; // what it is made of is not known one by one

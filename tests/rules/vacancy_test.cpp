@@ -379,5 +379,15 @@ TEST(CallersLocals, OfAnUnknownCallerMayBeWhatNothingSets) {
     EXPECT_THAT(judged("MAC209", "O1\nG0Z#31\nM30\n"), ElementsAre("warning 2"));
 }
 
+TEST(UninitialisedLocal, MayBeASpeedForSomeCases) {
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nIF[#1EQ1]THEN#10=800\nS[#10]\nG1X#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nIF[#1EQ1]THEN#10=800\nS[#10]M3\nG1X#24\nM99\n"),
+                ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nIF[#1EQ1]THEN#10=800\nZ#10\nG1X#24\nM99\n"), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nIF[#1EQ1]GOTO2\n#10=800\nN2S#10\nG1X#24\nM99\n"),
+                ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC209", "O9001\nS[#10]\nG1X#24\nM99\n"), ElementsAre(2));
+}
+
 } // namespace
 } // namespace maclint
