@@ -2,6 +2,9 @@
 //! good one.
 #include "cli/command_line.hpp"
 
+#include "cli/shell/completions.hpp"
+#include "cli/shell/describe.hpp"
+#include "cli/shell/manual_page.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
@@ -16,7 +19,7 @@
 namespace maclint::cli {
 namespace {
 
-constexpr std::array<std::string_view, 3> commands = {"check", "rules", "explain"};
+constexpr std::array<std::string_view, 5> commands = {"check", "rules", "explain", "completions", "man"};
 constexpr std::string_view default_stdin_name = "stdin.nc";
 constexpr unsigned most_jobs = 1024;
 
@@ -35,6 +38,10 @@ constexpr std::array<Choice<ColourChoice>, 3> colours{
 constexpr std::array<Choice<PathDetail>, 3> path_details{
     {{"full", PathDetail::full}, {"short", PathDetail::shortened}, {"none", PathDetail::none}}};
 
+using ShellScript = std::string (*)(const std::vector<CommandText>&);
+constexpr std::array<Choice<ShellScript>, 3> shells{
+    {{"bash", bash_completions}, {"zsh", zsh_completions}, {"fish", fish_completions}}};
+
 /// Thrown while texts are made into values, caught in read_command_line.
 struct Refused {
     UsageError error;
@@ -49,12 +56,17 @@ struct Refused {
 }
 
 template<class Choices>
+std::vector<std::string> words_of(const Choices& choices) {
+    std::vector<std::string> words;
+    for (const auto& choice : choices) words.emplace_back(choice.word);
+    return words;
+}
+
+template<class Choices>
 auto choose(std::string_view option, const std::string& word, const Choices& choices) {
     for (const auto& choice : choices)
         if (choice.word == word) return choice.value;
-    std::vector<std::string> known;
-    for (const auto& choice : choices) known.emplace_back(choice.word);
-    refuse_word(option, word, known);
+    refuse_word(option, word, words_of(choices));
 }
 
 template<class Number>
@@ -273,7 +285,16 @@ void parse(CLI::App& app, std::vector<std::string> arguments) {
     refuse_unknown(app);
 }
 
-std::string help_of(const CLI::App& app) { return app.help("maclint"); }
+/// The text to print when help was asked for.
+std::optional<PrintRequest> parse_or_help(CLI::App& app, std::vector<std::string> arguments) {
+    try {
+        parse(app, std::move(arguments));
+    } catch (const Refused& refused) {
+        if (refused.error.message.empty()) return PrintRequest{app.help("maclint")};
+        throw;
+    }
+    return std::nullopt;
+}
 
 /// A path that does not exist but looks like a command was meant as one.
 void suggest_command(const std::vector<std::string>& paths) {
@@ -292,6 +313,8 @@ std::string overview(CLI::App& check) {
            "  maclint [check] [PATH...]   lint files and folders\n"
            "  maclint rules               the list of rules\n"
            "  maclint explain RULE        a rule's page\n"
+           "  maclint completions SHELL   what bash, zsh or fish need to complete maclint's words\n"
+           "  maclint man                 the manual page\n"
            "  maclint --version           the version\n\n" +
            check.help("maclint") +
            "\nExit status: 0 nothing at or above --fail-on, 1 findings, 2 wrong usage, configuration or "
@@ -314,20 +337,28 @@ Request read_check(std::vector<std::string> arguments, bool with_overview) {
     return check_request(words);
 }
 
+void declare_rules(CLI::App& app, std::string& format, std::string& docs_folder) {
+    app.add_option("--format", format, "text, json or markdown")->type_name("FORMAT");
+    app.add_option("--write-docs", docs_folder, "Write one page a rule and an index into this folder")
+        ->type_name("DIR");
+}
+
+void declare_explain(CLI::App& app, std::string& rule, std::string& colour) {
+    app.add_option("RULE", rule, "Code or name, in any case, or a part of it")->type_name("");
+    app.add_option("--color", colour, "auto, always or never; NO_COLOR is respected")->type_name("WHEN");
+}
+
+void declare_completions(CLI::App& app, std::string& shell) {
+    app.add_option("SHELL", shell, "bash, zsh or fish")->type_name("");
+}
+
 Request read_rules(std::vector<std::string> arguments) {
     CLI::App app("The list of rules.", "rules");
     std::string format = "text";
     RulesRequest request;
     app.set_help_flag("--help,-h", "This text");
-    app.add_option("--format", format, "text, json or markdown")->type_name("FORMAT");
-    app.add_option("--write-docs", request.docs_folder, "Write one page a rule and an index into this folder")
-        ->type_name("DIR");
-    try {
-        parse(app, std::move(arguments));
-    } catch (const Refused& refused) {
-        if (refused.error.message.empty()) return PrintRequest{help_of(app)};
-        throw;
-    }
+    declare_rules(app, format, request.docs_folder);
+    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
     request.format = choose("--format", format, list_formats);
     return request;
 }
@@ -337,21 +368,71 @@ Request read_explain(std::vector<std::string> arguments) {
     ExplainRequest request;
     app.set_help_flag("--help,-h", "This text");
     std::string colour = "auto";
-    app.add_option("RULE", request.rule, "Code or name, in any case, or a part of it")->type_name("");
-    app.add_option("--color", colour, "auto, always or never; NO_COLOR is respected")->type_name("WHEN");
-    try {
-        parse(app, std::move(arguments));
-    } catch (const Refused& refused) {
-        if (refused.error.message.empty()) return PrintRequest{help_of(app)};
-        throw;
-    }
+    declare_explain(app, request.rule, colour);
+    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
     request.colour = choose("--color", colour, colours);
     if (request.rule.empty())
         refuse("explain needs a rule. Write 'maclint explain MAC303', or see 'maclint rules'.");
     return request;
 }
 
+/// Options of all commands that take one of a few words; the others take any.
+std::vector<std::string> known_words(std::string_view command, std::string_view option) {
+    if (option == "--format") return command == "rules" ? words_of(list_formats) : words_of(formats);
+    if (option == "--dialect") {
+        auto names = dialect_names();
+        names.insert(names.begin(), "auto");
+        return names;
+    }
+    if (option == "--control") return control_names();
+    if (option == "--fail-on") return {"error", "warning", "note", "never"};
+    if (option == "--path") return words_of(path_details);
+    if (option == "--color") return words_of(colours);
+    if (option == "--select" || option == "--ignore" || option == "RULE") return rule_words();
+    if (option == "SHELL") return words_of(shells);
+    return {};
+}
+
+/// One command as it is declared; `declare` is given the application and does that.
+template<class Declare>
+CommandText described(const std::string& name, std::string text, Declare declare) {
+    CLI::App app("", name);
+    app.set_help_flag("--help,-h", "This text");
+    declare(app);
+    return describe(app, std::move(text),
+                    [&name](std::string_view option) { return known_words(name, option); });
+}
+
+Request read_completions(std::vector<std::string> arguments) {
+    CLI::App app("A script on standard output that lets a shell complete maclint's words.", "completions");
+    app.set_help_flag("--help,-h", "This text");
+    std::string shell;
+    declare_completions(app, shell);
+    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
+    if (shell.empty()) refuse("completions needs a shell. Write 'maclint completions bash', zsh or fish.");
+    return PrintRequest{choose("completions", shell, shells)(command_list())};
+}
+
+Request read_man(std::vector<std::string> arguments) {
+    CLI::App app("The manual page on standard output, as 'man' reads it.", "man");
+    app.set_help_flag("--help,-h", "This text");
+    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
+    return PrintRequest{manual_page(command_list(), MACLINT_VERSION)};
+}
+
 } // namespace
+
+std::vector<CommandText> command_list() {
+    CheckWords words;
+    std::string text;
+    return {
+        described("check", "Lint files and folders", [&](CLI::App& app) { declare_check(app, words); }),
+        described("rules", "List the rules", [&](CLI::App& app) { declare_rules(app, text, text); }),
+        described("explain", "Show a rule's page", [&](CLI::App& app) { declare_explain(app, text, text); }),
+        described("completions", "Print what a shell needs to complete maclint's words",
+                  [&](CLI::App& app) { declare_completions(app, text); }),
+        described("man", "Print the manual page", [](CLI::App&) {})};
+}
 
 Request read_command_line(std::vector<std::string> arguments) {
     const std::string first = arguments.empty() ? "" : arguments.front();
@@ -361,6 +442,8 @@ Request read_command_line(std::vector<std::string> arguments) {
     try {
         if (first == "rules") return read_rules(std::move(arguments));
         if (first == "explain") return read_explain(std::move(arguments));
+        if (first == "completions") return read_completions(std::move(arguments));
+        if (first == "man") return read_man(std::move(arguments));
         return read_check(std::move(arguments), first == "--help" || first == "-h");
     } catch (const Refused& refused) {
         return refused.error;

@@ -3,15 +3,17 @@ add_library(maclint_tree_sitter INTERFACE)
 
 if(MACLINT_TREE_SITTER)
   # The C library stands in lib/ of the repository, in tree_sitter/core/lib/ of the PyPI archive and at the top of the crate.
-  find_path(MACLINT_TREE_SITTER_ROOT src/lib.c NO_DEFAULT_PATH NO_CACHE
+  find_path(MACLINT_TREE_SITTER_ROOT src/lib.c NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH NO_CACHE
     PATHS "${MACLINT_TREE_SITTER}/lib" "${MACLINT_TREE_SITTER}/tree_sitter/core/lib" "${MACLINT_TREE_SITTER}")
   if(NOT MACLINT_TREE_SITTER_ROOT)
     message(FATAL_ERROR "MACLINT_TREE_SITTER names '${MACLINT_TREE_SITTER}', where no tree-sitter source (lib/src/lib.c) is.")
   endif()
   add_library(maclint_tree_sitter_runtime STATIC "${MACLINT_TREE_SITTER_ROOT}/src/lib.c")
-  target_include_directories(maclint_tree_sitter_runtime
-    PRIVATE "${MACLINT_TREE_SITTER_ROOT}/src" "${MACLINT_TREE_SITTER_ROOT}/src/wasm"
-    PUBLIC "${MACLINT_TREE_SITTER_ROOT}/include")
+  target_include_directories(maclint_tree_sitter_runtime PRIVATE
+    "${MACLINT_TREE_SITTER_ROOT}/include" "${MACLINT_TREE_SITTER_ROOT}/src" "${MACLINT_TREE_SITTER_ROOT}/src/wasm")
+  # For the one file that includes them: the others compile alike with any tree-sitter, so a compiler cache knows them.
+  set_source_files_properties("${CMAKE_SOURCE_DIR}/analyzer/syntax/tree.cpp" PROPERTIES
+    INCLUDE_DIRECTORIES "${MACLINT_TREE_SITTER_ROOT}/include")
   target_compile_definitions(maclint_tree_sitter_runtime PRIVATE _POSIX_C_SOURCE=200112L _DEFAULT_SOURCE)
   target_compile_options(maclint_tree_sitter_runtime PRIVATE -w)
   target_link_libraries(maclint_tree_sitter INTERFACE maclint_tree_sitter_runtime)
