@@ -26,8 +26,14 @@ struct Choice {
     Value value;
 };
 
-constexpr std::array<Choice<Format>, 4> formats{
-    {{"text", Format::text}, {"concise", Format::concise}, {"json", Format::json}, {"sarif", Format::sarif}}};
+constexpr std::array<Choice<Format>, 8> formats{{{"text", Format::text},
+                                                 {"concise", Format::concise},
+                                                 {"json", Format::json},
+                                                 {"sarif", Format::sarif},
+                                                 {"github", Format::github},
+                                                 {"gitlab", Format::gitlab},
+                                                 {"junit", Format::junit},
+                                                 {"checkstyle", Format::checkstyle}}};
 constexpr std::array<Choice<ListFormat>, 3> list_formats{
     {{"text", ListFormat::text}, {"json", ListFormat::json}, {"markdown", ListFormat::markdown}}};
 constexpr std::array<Choice<ColourChoice>, 3> colours{
@@ -49,12 +55,17 @@ struct Refused {
 }
 
 template<class Choices>
+std::vector<std::string> words_of(const Choices& choices) {
+    std::vector<std::string> words;
+    for (const auto& choice : choices) words.emplace_back(choice.word);
+    return words;
+}
+
+template<class Choices>
 auto choose(std::string_view option, const std::string& word, const Choices& choices) {
     for (const auto& choice : choices)
         if (choice.word == word) return choice.value;
-    std::vector<std::string> known;
-    for (const auto& choice : choices) known.emplace_back(choice.word);
-    refuse_word(option, word, known);
+    refuse_word(option, word, words_of(choices));
 }
 
 template<class Number>
@@ -91,7 +102,8 @@ struct CheckWords {
     std::vector<std::string> paths, outputs, select, ignore, severity;
     std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
                         max_findings, path = "short", colour = "auto";
-    bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false;
+    bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false,
+         statistics = false;
 };
 
 /// An empty name comes from a variable that nobody has set.
@@ -106,7 +118,8 @@ void declare_check(CLI::App& check, CheckWords& words) {
     const auto repeatable = [](CLI::Option* option) { return option->allow_extra_args(false); };
     check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)")
         ->type_name("");
-    check.add_option("--format", words.format, "What goes to standard output: text, concise, json or sarif")
+    check
+        .add_option("--format", words.format, "What goes to standard output: " + enumerate(words_of(formats)))
         ->type_name("FORMAT");
     repeatable(check.add_option("--output", words.outputs, "Also write a report to a file; may be repeated"))
         ->type_name("FORMAT:FILE");
@@ -147,6 +160,7 @@ void declare_check(CLI::App& check, CheckWords& words) {
     check.add_flag("--quiet", words.quiet, "No summary, notes or progress");
     check.add_flag("--no-timestamps", words.no_timestamps,
                    "No times in reports, so that equal runs give equal files");
+    check.add_flag("--statistics", words.statistics, "Count the findings by rule and by file, too");
     check.add_flag("--timing", words.timing, "Say on standard error where the time of the run went");
 }
 
@@ -243,6 +257,7 @@ CheckRequest check_request(const CheckWords& words) {
     request.quiet = words.quiet;
     request.timestamps = !words.no_timestamps;
     request.timing = words.timing;
+    request.statistics = words.statistics;
     return request;
 }
 
