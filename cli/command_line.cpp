@@ -29,8 +29,14 @@ struct Choice {
     Value value;
 };
 
-constexpr std::array<Choice<Format>, 4> formats{
-    {{"text", Format::text}, {"concise", Format::concise}, {"json", Format::json}, {"sarif", Format::sarif}}};
+constexpr std::array<Choice<Format>, 8> formats{{{"text", Format::text},
+                                                 {"concise", Format::concise},
+                                                 {"json", Format::json},
+                                                 {"sarif", Format::sarif},
+                                                 {"github", Format::github},
+                                                 {"gitlab", Format::gitlab},
+                                                 {"junit", Format::junit},
+                                                 {"checkstyle", Format::checkstyle}}};
 constexpr std::array<Choice<ListFormat>, 3> list_formats{
     {{"text", ListFormat::text}, {"json", ListFormat::json}, {"markdown", ListFormat::markdown}}};
 constexpr std::array<Choice<ColourChoice>, 3> colours{
@@ -103,7 +109,8 @@ struct CheckWords {
     std::vector<std::string> paths, outputs, select, ignore, severity;
     std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
                         max_findings, path = "short", colour = "auto";
-    bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false;
+    bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false,
+         statistics = false;
 };
 
 /// An empty name comes from a variable that nobody has set.
@@ -118,7 +125,8 @@ void declare_check(CLI::App& check, CheckWords& words) {
     const auto repeatable = [](CLI::Option* option) { return option->allow_extra_args(false); };
     check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)")
         ->type_name("");
-    check.add_option("--format", words.format, "What goes to standard output: text, concise, json or sarif")
+    check
+        .add_option("--format", words.format, "What goes to standard output: " + enumerate(words_of(formats)))
         ->type_name("FORMAT");
     repeatable(check.add_option("--output", words.outputs, "Also write a report to a file; may be repeated"))
         ->type_name("FORMAT:FILE");
@@ -159,6 +167,7 @@ void declare_check(CLI::App& check, CheckWords& words) {
     check.add_flag("--quiet", words.quiet, "No summary, notes or progress");
     check.add_flag("--no-timestamps", words.no_timestamps,
                    "No times in reports, so that equal runs give equal files");
+    check.add_flag("--statistics", words.statistics, "Count the findings by rule and by file, too");
     check.add_flag("--timing", words.timing, "Say on standard error where the time of the run went");
 }
 
@@ -255,6 +264,7 @@ CheckRequest check_request(const CheckWords& words) {
     request.quiet = words.quiet;
     request.timestamps = !words.no_timestamps;
     request.timing = words.timing;
+    request.statistics = words.statistics;
     return request;
 }
 

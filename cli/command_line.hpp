@@ -13,7 +13,7 @@
 
 namespace maclint::cli {
 
-enum class Format : std::uint8_t { text, concise, json, sarif };
+enum class Format : std::uint8_t { text, concise, json, sarif, github, gitlab, junit, checkstyle };
 
 /// One place where a report goes.
 struct Sink {
@@ -37,7 +37,8 @@ struct CheckRequest {
     ColourChoice colour = ColourChoice::automatic;
     bool quiet = false;
     bool timestamps = true;
-    bool timing = false; ///< say where the time went
+    bool timing = false;     ///< say where the time went
+    bool statistics = false; ///< count findings by rule and by file
 };
 
 enum class ListFormat : std::uint8_t { text, json, markdown };

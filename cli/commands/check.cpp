@@ -5,6 +5,7 @@
 #include "cli/engine/engine.hpp"
 #include "cli/report/limit.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report/statistics.hpp"
 #include "cli/report/timing.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
@@ -70,12 +71,16 @@ bool fails(const Report& report, std::optional<Severity> fail_on) {
 }
 
 bool is_for_people(Format format) { return format == Format::text || format == Format::concise; }
+/// The others have no place for numbers by rule and by file.
+bool holds_statistics(Format format) { return is_for_people(format) || format == Format::json; }
 
 Report report_of(const CheckRequest& request, Result result, std::vector<Notice> notices) {
     Report report;
     report.findings = std::move(result.findings);
     report.notices = std::move(notices);
     report.files = std::move(result.sources);
+    report.fail_on = request.fail_on;
+    report.statistics = request.statistics;
     if (fails(report, request.fail_on)) report.exit_status = exit_findings;
     if (std::ranges::any_of(report.notices, &Notice::is_error)) report.exit_status = exit_error;
     if (request.max_findings) limit(report, *request.max_findings);
@@ -88,6 +93,10 @@ std::string write(const Report& report, Format format, const TextStyle& style) {
     case Format::concise: return write_concise(report, style);
     case Format::json: return write_json(report);
     case Format::sarif: return write_sarif(report);
+    case Format::github: return write_github(report, style);
+    case Format::gitlab: return write_gitlab(report, style);
+    case Format::junit: return write_junit(report, style);
+    case Format::checkstyle: return write_checkstyle(report);
     }
     return {};
 }
@@ -110,6 +119,8 @@ int deliver(const CheckRequest& request, Report report) {
             report.exit_status = exit_error;
             report.notices.push_back(*std::move(failure));
         }
+        if (printed && report.statistics && !holds_statistics(sink.format))
+            print_aside(statistics_text(report));
     }
     return report.exit_status;
 }
