@@ -257,7 +257,7 @@ class SarifWriter {
         const auto& hashes = line_hashes_.at(finding.source.get());
         if (const auto hash = hashes.find(line); hash != hashes.end())
             prints["primaryLocationLineHash"] = hash->second;
-        prints["maclint/v1"] = fingerprints_.of(finding);
+        prints["maclint/v2"] = fingerprints_.of(finding);
         return prints;
     }
 
