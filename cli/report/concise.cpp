@@ -17,7 +17,7 @@ std::string write_concise(const Report& report, const TextStyle& style) {
                                                    std::string(finding.rule->code) + "]");
         out += " " + printable(finding.message()) + "\n";
     }
-    if (style.summary == Summary::at_the_end) out += summary_line(report) + "\n";
+    if (style.summary == Summary::at_the_end) out += summary_line(report) + "\n" + known_lines(report);
     return out;
 }
 

@@ -173,7 +173,7 @@ std::string write_text(const Report& report, const TextStyle& style) {
     const std::size_t left_out = writer.left_out();
     std::string out = writer.take();
     if (style.summary == Summary::left_out) return out;
-    out += summary_line(report) + "\n";
+    out += summary_line(report) + "\n" + known_lines(report);
     if (left_out > 0) out += counted(left_out, "step") + " of paths not shown; --path full shows them\n";
     return out;
 }
