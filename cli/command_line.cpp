@@ -108,9 +108,9 @@ void require_rules(std::string_view option, const std::vector<std::string>& word
 struct CheckWords {
     std::vector<std::string> paths, outputs, select, ignore, severity;
     std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
-                        max_findings, path = "short", colour = "auto";
+                        max_findings, path = "short", colour = "auto", baseline, write_baseline, since;
     bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false,
-         statistics = false;
+         statistics = false, no_baseline = false, prune_baseline = false;
 };
 
 /// An empty name comes from a variable that nobody has set.
@@ -119,6 +119,28 @@ auto not_empty(std::string_view option) {
         if (word.empty())
             refuse(std::string(option) + " wants the name of a file. Write one, or leave it out.");
     };
+}
+
+/// Which findings count, of those that there are.
+void declare_gate(CLI::App& check, CheckWords& words) {
+    check.add_option("--baseline", words.baseline, "Findings that this file knows do not count")
+        ->type_name("FILE")
+        ->each(not_empty("--baseline"));
+    check.add_flag("--no-baseline", words.no_baseline, "All findings count, whatever the configuration says");
+    check
+        .add_option("--write-baseline", words.write_baseline,
+                    "Write this file: what is found now is known from then on")
+        ->type_name("FILE")
+        ->each(not_empty("--write-baseline"));
+    check.add_flag("--prune-baseline", words.prune_baseline, "Take what is gone out of the baseline");
+    check
+        .add_option("--since", words.since,
+                    "Only findings that show a line changed since this git revision, such as HEAD")
+        ->type_name("REV")
+        ->each([](const std::string& word) {
+            if (word.empty() || word.starts_with('-'))
+                refuse("--since wants a git revision. Write a commit, a branch or a tag, for instance HEAD.");
+        });
 }
 
 void declare_check(CLI::App& check, CheckWords& words) {
@@ -169,6 +191,11 @@ void declare_check(CLI::App& check, CheckWords& words) {
                    "No times in reports, so that equal runs give equal files");
     check.add_flag("--statistics", words.statistics, "Count the findings by rule and by file, too");
     check.add_flag("--timing", words.timing, "Say on standard error where the time of the run went");
+    declare_gate(check, words);
+}
+
+bool is_standard_output(const std::string& path) {
+    return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 
 Sink sink_of(const std::string& output) {
@@ -177,8 +204,7 @@ Sink sink_of(const std::string& output) {
         refuse("--output does not take '" + output +
                "'. Write FORMAT:FILE, for instance sarif:maclint.sarif.");
     const std::string path = output.substr(colon + 1);
-    const bool printed = path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
-    return {choose("--output", output.substr(0, colon), formats), printed ? "-" : path};
+    return {choose("--output", output.substr(0, colon), formats), is_standard_output(path) ? "-" : path};
 }
 
 std::vector<Sink> sinks_of(const CheckWords& words) {
@@ -241,6 +267,31 @@ void require_control(const Overrides& overrides) {
     refuse_word("--control", overrides.control, control_names());
 }
 
+/// A baseline is read or written: what is known already is to be found when it is written.
+void read_gate(const CheckWords& words, CheckRequest& request) {
+    const auto exclude = [](std::string_view one, std::string_view other, std::string_view why) {
+        refuse(std::string(one) + " and " + std::string(other) + " exclude each other: " + std::string(why) +
+               ". Leave one out.");
+    };
+    if (!words.write_baseline.empty()) {
+        constexpr std::string_view write = "--write-baseline";
+        if (!words.baseline.empty()) exclude("--baseline", write, "what is written is all that is found");
+        if (words.prune_baseline) exclude("--prune-baseline", write, "what is written is never gone");
+        if (!words.since.empty()) exclude("--since", write, "what is written is all that is found");
+        if (is_standard_output(words.write_baseline))
+            refuse("--write-baseline wants the name of a file. Standard output has the report.");
+    }
+    if (words.no_baseline && !words.baseline.empty())
+        exclude("--baseline", "--no-baseline", "one of them names what the other leaves out");
+    if (words.no_baseline && words.prune_baseline)
+        exclude("--prune-baseline", "--no-baseline", "nothing is left to prune");
+    request.overrides.baseline = words.baseline;
+    request.overrides.no_baseline = words.no_baseline || !words.write_baseline.empty();
+    request.write_baseline = words.write_baseline;
+    request.prune_baseline = words.prune_baseline;
+    request.since = words.since;
+}
+
 CheckRequest check_request(const CheckWords& words) {
     CheckRequest request;
     request.paths = words.paths.empty() ? std::vector<std::string>{"."} : words.paths;
@@ -265,6 +316,7 @@ CheckRequest check_request(const CheckWords& words) {
     request.timestamps = !words.no_timestamps;
     request.timing = words.timing;
     request.statistics = words.statistics;
+    read_gate(words, request);
     return request;
 }
 

@@ -37,8 +37,11 @@ struct CheckRequest {
     ColourChoice colour = ColourChoice::automatic;
     bool quiet = false;
     bool timestamps = true;
-    bool timing = false;     ///< say where the time went
-    bool statistics = false; ///< count findings by rule and by file
+    bool timing = false;        ///< say where the time went
+    bool statistics = false;    ///< count findings by rule and by file
+    std::string write_baseline; ///< file for what is found; empty: none
+    bool prune_baseline = false;
+    std::string since; ///< git revision; empty: all findings count
 };
 
 enum class ListFormat : std::uint8_t { text, json, markdown };

@@ -11,6 +11,7 @@ enum class NoticeKind : std::uint8_t {
     configuration, ///< a configuration file is wrong
     foreign,       ///< a file in a language that maclint does not lint
     left_out,      ///< something was not looked at, on purpose
+    baseline,      ///< how the findings differ from those known, or what became of the file
 };
 
 /// Text is UTF-8 and may hold anything: reports escape it.

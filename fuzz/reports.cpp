@@ -67,8 +67,9 @@ void require_writable_again(const std::string& report) {
     static const test::TemporaryFolder folder;
     const std::string path = folder.write("report", report);
     const cli::Settings settings(cli::Overrides{});
-    fuzz::require(!cli::refuse_targets({{cli::Format::text, path}}, {}, settings),
-                  "a report is taken for a program");
+    cli::CheckRequest request;
+    request.sinks = {{cli::Format::text, path}};
+    fuzz::require(!cli::refuse_targets(request, {}, settings), "a report is taken for a program");
 }
 
 } // namespace

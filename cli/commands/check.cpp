@@ -3,6 +3,7 @@
 #include "cli/commands/report_target.hpp"
 #include "cli/commands/show_config.hpp"
 #include "cli/engine/engine.hpp"
+#include "cli/gate/gate.hpp"
 #include "cli/report/limit.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/statistics.hpp"
@@ -141,7 +142,7 @@ int run_check(const CheckRequest& request) {
     std::vector<Notice> notices;
     const auto inputs = inputs_of(request, settings, notices);
     const Snapshot snapshot = snapshot_of(inputs, settings);
-    if (const auto refused = refuse_targets(request.sinks, inputs, settings)) {
+    if (const auto refused = refuse_targets(request, inputs, settings)) {
         progress.reset();
         print_notice(*refused);
         return exit_error;
@@ -150,10 +151,21 @@ int run_check(const CheckRequest& request) {
     RunTiming timing{.finding = std::chrono::steady_clock::now() - begun};
     ShownConfig config;
     Result result;
-    if (request.show_config == ShowConfig::yes)
+    bool has_baseline = false;
+    if (request.show_config == ShowConfig::yes) {
         config = show_config(snapshot);
-    else
+    } else {
+        auto opened = Gate::open(request, snapshot);
+        if (const auto* refused = std::get_if<Notice>(&opened)) {
+            progress.reset();
+            print_notice(*refused);
+            return exit_error;
+        }
+        auto& gate = std::get<Gate>(opened);
         result = Engine({.jobs = request.jobs}, *progress).analyse(snapshot);
+        std::ranges::move(gate.judge(snapshot, result), std::back_inserter(notices));
+        has_baseline = gate.has_baseline();
+    }
     for (auto* more : {&config.notices, &result.notices})
         std::ranges::move(*more, std::back_inserter(notices));
     std::ranges::stable_sort(notices, {}, &Notice::path);
@@ -163,6 +175,7 @@ int run_check(const CheckRequest& request) {
     const Timing engine_timing = result.timing;
     Report report = report_of(request, std::move(result), std::move(notices));
     if (request.show_config == ShowConfig::yes) return std::max(print_text(config.text), report.exit_status);
+    report.has_baseline = has_baseline;
     if (request.timestamps) report.times = RunTimes{begin, utc_now()};
     const auto analysed = std::chrono::steady_clock::now();
     const int status = deliver(request, std::move(report));

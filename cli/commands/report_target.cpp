@@ -3,12 +3,15 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/content.hpp"
+#include "cli/gate/baseline_file.hpp"
 #include "cli/suggest.hpp"
 #include "cli/written_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -84,34 +87,64 @@ bool holds_program(const std::string& path) {
     return !detection.not_nc_text && (detection.certain || !may_be_report(source->bytes()));
 }
 
-Notice refusal(const std::string& path, std::string_view what) {
+/// A file that is to be written.
+struct Target {
+    std::string_view option; ///< that names it
+    std::string_view what;   ///< goes there
+    std::string path;
+};
+
+std::vector<Target> targets_of(const CheckRequest& request) {
+    std::vector<Target> targets;
+    for (const Sink& sink : request.sinks)
+        if (sink.path != "-") targets.push_back({"--output", "report", sink.path});
+    if (!request.write_baseline.empty())
+        targets.push_back({"--write-baseline", "baseline", request.write_baseline});
+    return targets;
+}
+
+Notice refusal(const Target& target, const std::string& where) {
+    const std::string what(target.what);
     return {NoticeKind::configuration, "",
-            "--output would write a report over '" + shown(path) + "', which " + std::string(what) +
-                ". Name another file for the report."};
+            std::string(target.option) + " would write a " + what + " " + where +
+                ". Name another file for the " + what + "."};
+}
+
+Notice refuse_over(const Target& target, std::string_view what) {
+    return refusal(target, "over '" + shown(target.path) + "', which " + std::string(what));
+}
+
+Notice refuse_twice(const Target& one, const Target& other) {
+    const std::string names =
+        std::string("'").append(shown(one.path)).append("' and as '").append(shown(other.path)).append("'");
+    if (one.option == other.option)
+        return {NoticeKind::configuration, "",
+                std::string(one.option) + " names one file twice, as " + names +
+                    ". Name another file for one of the reports."};
+    return {NoticeKind::configuration, "",
+            std::string(one.option) + " and " + std::string(other.option) + " name one file, as " + names +
+                ". Name another file for one of them."};
 }
 
 } // namespace
 
-std::optional<Notice> refuse_targets(const std::vector<Sink>& sinks, const std::vector<InputFile>& files,
+std::optional<Notice> refuse_targets(const CheckRequest& request, const std::vector<InputFile>& files,
                                      const Settings& settings) {
-    for (const auto& [format, path] : sinks) {
-        if (path == "-") continue;
+    const std::vector<Target> targets = targets_of(request);
+    for (const Target& target : targets) {
+        const std::string& path = target.path;
         if (is_standard_output(path))
             return Notice{NoticeKind::configuration, "",
-                          "--output would write '" + shown(path) +
+                          std::string(target.option) + " would write '" + shown(path) +
                               "', where standard output goes, too. Name another file for one of them."};
-        for (const Sink& other : sinks)
-            if (&other.path != &path && other.path != "-" && will_be_same_file(other.path, path))
-                return Notice{NoticeKind::configuration, "",
-                              "--output names one file twice, as '" + shown(path) + "' and as '" +
-                                  shown(other.path) + "'. Name another file for one of the reports."};
-        if (was_named(files, path)) return refusal(path, "is one of the files to check");
-        if (is_configuration(settings, path)) return refusal(path, "is a configuration");
-        if (holds_program(path)) return refusal(path, "holds an NC program");
+        for (const Target& other : targets)
+            if (&other != &target && will_be_same_file(other.path, path)) return refuse_twice(target, other);
+        if (was_named(files, path)) return refuse_over(target, "is one of the files to check");
+        if (is_configuration(settings, path)) return refuse_over(target, "is a configuration");
+        if (target.what == "report" && holds_baseline(path)) return refuse_over(target, "is a baseline");
+        if (holds_program(path)) return refuse_over(target, "holds an NC program");
         if (is_named_like_program(path))
-            return Notice{NoticeKind::configuration, "",
-                          "--output would write a report to '" + shown(path) +
-                              "', which is named like an NC program. Name another file for the report."};
+            return refusal(target, "to '" + shown(path) + "', which is named like an NC program");
     }
     return std::nullopt;
 }

@@ -71,6 +71,7 @@ std::string paragraph(const SnapshotFile& file, const ReadFile& read) {
         return out + line("dialect", with_reason("none, not linted", read.dialect_reason));
     out += line("dialect", with_reason(read.dialect->name, read.dialect_reason));
     out += control_line(file, read);
+    if (!file.settings.baseline.empty()) out += line("baseline", shown(file.settings.baseline));
     out += line("encoding", read.source->encoding() == Encoding::utf8 ? "utf-8" : "windows-1252");
     return out + rules_lines(*file.settings.rules);
 }

@@ -59,6 +59,7 @@ struct Configuration {
     std::vector<PerFileIgnore> per_file_ignores;
     std::optional<Encoding> encoding;
     bool complete = false;
+    std::string baseline; ///< path as it is shown, from the working folder; empty: none
 
     /// Of this configuration or of those built in, or nullptr.
     [[nodiscard]] const ControlModel* control(std::string_view name) const;

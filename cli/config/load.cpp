@@ -41,8 +41,8 @@ class Loader {
     };
 
     /// The keys of the top level.
-    static const std::array<Key, 12>& keys() {
-        static constexpr std::array<Key, 12> rows{{
+    static const std::array<Key, 13>& keys() {
+        static constexpr std::array<Key, 13> rows{{
             {"$schema", &Loader::skip},
             {"extends", &Loader::skip},
             {"controls", &Loader::read_controls},
@@ -55,6 +55,7 @@ class Loader {
             {"per-file-ignores", &Loader::read_per_file_ignores},
             {"complete", &Loader::read_complete},
             {"encoding", &Loader::read_encoding},
+            {"baseline", &Loader::read_baseline},
         }};
         return rows;
     }
@@ -264,6 +265,14 @@ class Loader {
             reject(node.span, "there is no encoding '" + name + "'." +
                                   did_you_mean(name, known, "Write " + enumerate(known)));
         }
+    }
+
+    /// Relative to the file that names it.
+    void read_baseline(const JsonNode& node) {
+        const std::string& name = text(node, "'baseline'");
+        if (name.empty()) reject(node.span, "'baseline' is empty. Name a file, or leave it out");
+        const fs::path folder = fs::path(configuration_->sources.back().path()).parent_path();
+        configuration_->baseline = (folder / name).lexically_normal().string();
     }
 
     // ---- values of a kind

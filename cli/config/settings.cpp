@@ -116,6 +116,10 @@ std::optional<FileSettings> Settings::for_file(const std::string& path) {
         if (named != nullptr) settings.controls.insert(settings.controls.begin(), {named, "--control"});
     }
     settings.rules = rules_for(found->get(), path);
+    if (!overrides_.baseline.empty())
+        settings.baseline = overrides_.baseline;
+    else if (*found && !overrides_.no_baseline)
+        settings.baseline = (*found)->baseline;
     settings.complete = overrides_.complete || (*found && (*found)->complete);
     return settings;
 }

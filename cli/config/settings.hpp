@@ -22,9 +22,11 @@ struct Overrides {
         select; ///< empty: the configuration says; else it replaces its select and ignore
     std::vector<std::string> ignore;
     std::vector<std::pair<std::string, Severity>> severity;
-    std::string config_path; ///< --config; empty: the nearest one upward from each file
-    bool isolated = false;   ///< no configuration at all
-    bool complete = false;   ///< every program of the control is there, whatever the configuration says
+    std::string config_path;  ///< --config; empty: the nearest one upward from each file
+    bool isolated = false;    ///< no configuration at all
+    bool complete = false;    ///< every program of the control is there, whatever the configuration says
+    std::string baseline;     ///< --baseline; empty: the configuration says
+    bool no_baseline = false; ///< none at all
 };
 
 /// A control that somebody named, and where.
@@ -40,6 +42,7 @@ struct FileSettings {
     std::vector<NamedControl> controls; ///< what counts most comes first; each for files of its language only
     std::shared_ptr<const RuleStates> rules;
     bool complete = false; ///< every program of the control is there
+    std::string baseline;  ///< path of the file that knows findings; empty: none
 };
 
 /// Finds settings and remembers what many files share. For one thread.

@@ -11,10 +11,11 @@
 
 namespace maclint::cli {
 
-/// The comment that allows a finding.
+/// The comment that allows a finding, or the baseline that knows it: it does not count.
 struct Suppression {
-    Span comment;
-    std::string reason; ///< UTF-8, may be empty
+    Span comment = {};
+    std::string reason = {};   ///< UTF-8, may be empty
+    std::string baseline = {}; ///< path; empty: a comment allows the finding
 };
 
 struct FilteredFinding {

@@ -19,7 +19,7 @@ std::string write_concise(const Report& report, const TextStyle& style) {
         out += " " + printable(finding.message()) + "\n";
     }
     if (report.statistics) out += statistics_text(report);
-    if (style.summary == Summary::at_the_end) out += summary_line(report) + "\n";
+    if (style.summary == Summary::at_the_end) out += summary_line(report) + "\n" + known_lines(report);
     return out;
 }
 

@@ -4,7 +4,6 @@
 #include "rules/rule.hpp"
 
 #include <array>
-#include <cctype>
 #include <utility>
 
 namespace maclint::cli {
@@ -106,13 +105,6 @@ std::uint64_t fnv1a(std::string_view text) {
     return hash;
 }
 
-std::string normalised(std::string_view line) {
-    std::string out;
-    for (const char c : line)
-        if (c != ' ' && c != '\t') out += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return out;
-}
-
 } // namespace
 
 std::map<std::uint32_t, std::string> line_hashes(const Source& source,
@@ -123,13 +115,21 @@ std::map<std::uint32_t, std::string> line_hashes(const Source& source,
     return hasher.finish();
 }
 
+std::string Fingerprints::of_place(const Finding& finding, Span place) {
+    const auto [line, part] = numberless_.of(*finding.source, place);
+    std::string key(finding.rule->code);
+    for (const std::string_view word : {finding.message_id, std::string_view(line), std::string_view(part)})
+        key.append("\n").append(word);
+    return hexadecimal(fnv1a(key));
+}
+
+std::string Fingerprints::line_of(const Finding& finding, Span place) {
+    return numberless_.of(*finding.source, place).line;
+}
+
 std::string Fingerprints::of(const Finding& finding) {
-    const Source& source = *finding.source;
-    const std::string line = normalised(source.line_text(source.position(finding.span.begin).line));
-    const std::string key =
-        std::string(finding.rule->code) + "\n" + std::string(finding.message_id) + "\n" + line;
-    const std::size_t count = ++seen_[source.path() + "\n" + key];
-    return hexadecimal(fnv1a(key)) + ":" + std::to_string(count);
+    const std::string print = of_place(finding, finding.span);
+    return print + ":" + std::to_string(++seen_[finding.source->path() + "\n" + print]);
 }
 
 std::string hash_of(std::string_view text) { return hexadecimal(fnv1a(text)); }

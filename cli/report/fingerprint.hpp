@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/source/source.hpp"
+#include "cli/report/numberless.hpp"
 #include "rules/finding.hpp"
 
 #include <cstdint>
@@ -19,13 +20,19 @@ namespace maclint::cli {
 [[nodiscard]] std::map<std::uint32_t, std::string> line_hashes(const Source& source,
                                                                const std::set<std::uint32_t>& wanted);
 
-/// maclint's own fingerprint, version 1: rule, message and the text of the line without blanks and in
-/// capitals, numbered when the file holds several. Ask for findings in the order of reports.
+/// maclint's own fingerprints, version 2: rule, message, the text of the line and of the part of it that the
+/// finding points at, both without what spacing and renumbering change.
 class Fingerprints {
   public:
+    /// Of the finding, with a number behind ':' when the file holds several. Ask in the order of reports.
     [[nodiscard]] std::string of(const Finding& finding);
+    /// Of one of the finding's places in its file: findings of one cause have several.
+    [[nodiscard]] std::string of_place(const Finding& finding, Span place);
+    /// The text that the place's fingerprint is made from, for people.
+    [[nodiscard]] std::string line_of(const Finding& finding, Span place);
 
   private:
+    Numberless numberless_;
     std::unordered_map<std::string, std::size_t> seen_;
 };
 

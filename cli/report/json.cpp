@@ -22,10 +22,9 @@ Json json_of(const Source& source, Span span) {
             {"bytes", {span.begin, span.end}}};
 }
 
-std::string path_of(const Source& source) {
-    const std::string& path = source.path();
-    return to_utf8(path, detect_encoding(path));
-}
+std::string utf8(const std::string& path) { return to_utf8(path, detect_encoding(path)); }
+
+std::string path_of(const Source& source) { return utf8(source.path()); }
 
 Json json_of(const std::vector<RelatedLocation>& locations) {
     Json list = Json::array();
@@ -63,7 +62,9 @@ Json json_of(const FilteredFinding& filtered) {
         out["fix_title"] = finding.fix->title;
         out["fix_applicability"] = finding.fix->applicability == Applicability::safe ? "safe" : "unsafe";
     }
-    if (filtered.suppressed)
+    if (is_known(filtered))
+        out["baseline"] = utf8(filtered.suppressed->baseline);
+    else if (filtered.suppressed)
         out["suppressed"] = {{"range", json_of(source, filtered.suppressed->comment)},
                              {"reason", filtered.suppressed->reason}};
     return out;
@@ -87,18 +88,23 @@ Json json_of(const Statistics& statistics) {
 std::string write_json(const Report& report) {
     Json findings = Json::array();
     Json suppressed = Json::array();
+    Json known = Json::array();
     for (const FilteredFinding& filtered : report.findings)
-        (filtered.suppressed ? suppressed : findings).push_back(json_of(filtered));
+        (is_known(filtered)    ? known
+         : filtered.suppressed ? suppressed
+                               : findings)
+            .push_back(json_of(filtered));
     Json notices = Json::array();
     for (const Notice& notice : report.notices)
         notices.push_back({{"severity", notice.is_error() ? "error" : "note"},
-                           {"file", to_utf8(notice.path, detect_encoding(notice.path))},
+                           {"file", utf8(notice.path)},
                            {"message", notice.message}});
     const Tally counts = tally(report);
     Json out = {{"version", format_version},
                 {"tool", {{"name", "maclint"}, {"version", MACLINT_VERSION}}},
                 {"findings", std::move(findings)},
                 {"suppressed", std::move(suppressed)},
+                {"known", std::move(known)},
                 {"notices", std::move(notices)},
                 {"summary",
                  {{"files", report.files.size()},
@@ -106,6 +112,7 @@ std::string write_json(const Report& report) {
                   {"warnings", counts.warnings},
                   {"notes", counts.notes},
                   {"suppressed", counts.suppressed},
+                  {"known", counts.known},
                   {"not_shown", report.not_shown.size()},
                   {"exit_status", report.exit_status}}}};
     if (report.statistics) out["statistics"] = json_of(statistics_of(report));

@@ -25,17 +25,24 @@ struct Report {
     std::vector<std::shared_ptr<const Source>>
         files;                              ///< that were linted because the user asked for them, by path
     std::vector<FilteredFinding> not_shown; ///< left out of `findings` because of --max-findings
+    bool has_baseline = false;              ///< known findings are told from new ones
     int exit_status = 0;
     std::optional<RunTimes> times;   ///< none with --no-timestamps
     std::optional<Severity> fail_on; ///< the least severity that counts as a failure; none: nothing does
     bool statistics = false;         ///< numbers by rule and by file are wanted
 };
 
-/// How many findings of each severity count, shown or not, suppressed ones apart.
+/// How many findings of each severity count, shown or not; those that comments allow and those that a
+/// baseline knows apart.
 struct Tally {
-    std::size_t errors = 0, warnings = 0, notes = 0, suppressed = 0, files = 0;
+    std::size_t errors = 0, warnings = 0, notes = 0, suppressed = 0, known = 0, files = 0;
 };
 [[nodiscard]] Tally tally(const Report& report);
+
+/// Whether a baseline knows the finding.
+[[nodiscard]] inline bool is_known(const FilteredFinding& filtered) {
+    return filtered.suppressed && !filtered.suppressed->baseline.empty();
+}
 
 enum class Colour : std::uint8_t { plain, coloured };
 enum class Summary : std::uint8_t { left_out, at_the_end };
@@ -63,5 +70,8 @@ struct TextStyle {
 
 /// "3 errors, 2 warnings in 2 files (41 checked)".
 [[nodiscard]] std::string summary_line(const Report& report);
+
+/// "12 known findings of baseline.json not shown", a line a baseline; empty: there are none.
+[[nodiscard]] std::string known_lines(const Report& report);
 
 } // namespace maclint::cli

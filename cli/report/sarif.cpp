@@ -32,11 +32,12 @@ struct NoticeRow {
     std::string_view description;
 };
 
-constexpr std::array<NoticeRow, 4> notice_rows{{
+constexpr std::array<NoticeRow, 5> notice_rows{{
     {NoticeKind::unreadable, "NOTE001", "A file could not be read or written."},
     {NoticeKind::configuration, "NOTE002", "A configuration file is wrong."},
     {NoticeKind::foreign, "NOTE003", "A file is in a language that maclint does not lint."},
     {NoticeKind::left_out, "NOTE004", "Something was not looked at."},
+    {NoticeKind::baseline, "NOTE005", "The findings differ from those that are known."},
 }};
 
 /// "jump-into-loop" as SARIF viewers want names: "JumpIntoLoop".
@@ -248,6 +249,7 @@ class SarifWriter {
         if (!finding.path.empty()) result["codeFlows"] = code_flows_of(finding);
         if (finding.fix) result["fixes"] = Json::array({fix_of(*finding.fix)});
         result["suppressions"] = suppressions_of(filtered);
+        if (report_.has_baseline) result["baselineState"] = is_known(filtered) ? "unchanged" : "new";
         return result;
     }
 
@@ -257,7 +259,7 @@ class SarifWriter {
         const auto& hashes = line_hashes_.at(finding.source.get());
         if (const auto hash = hashes.find(line); hash != hashes.end())
             prints["primaryLocationLineHash"] = hash->second;
-        prints["maclint/v1"] = fingerprints_.of(finding);
+        prints["maclint/v2"] = fingerprints_.of(finding);
         return prints;
     }
 
@@ -301,6 +303,13 @@ class SarifWriter {
     /// An empty list says that the finding was looked at and is not suppressed (3.27.23).
     [[nodiscard]] Json suppressions_of(const FilteredFinding& filtered) const {
         if (!filtered.suppressed) return Json::array();
+        if (is_known(filtered)) {
+            const std::string& path = filtered.suppressed->baseline;
+            return Json::array(
+                {{{"kind", "external"},
+                  {"status", "accepted"},
+                  {"justification", "The baseline " + to_utf8(path, detect_encoding(path)) + " knows it."}}});
+        }
         Json suppression = {{"kind", "inSource"}, {"status", "accepted"}};
         if (!filtered.suppressed->reason.empty()) suppression["justification"] = filtered.suppressed->reason;
         suppression["location"] = {

@@ -2,6 +2,7 @@
 #include "cli/report/report.hpp"
 #include "cli/suggest.hpp"
 
+#include <map>
 #include <unordered_set>
 
 namespace maclint::cli {
@@ -10,11 +11,12 @@ Tally tally(const Report& report) {
     Tally tally;
     std::unordered_set<const Source*> files;
     for (const auto* findings : {&report.findings, &report.not_shown}) {
-        for (const auto& [finding, suppressed] : *findings) {
-            if (suppressed) {
-                ++tally.suppressed;
+        for (const FilteredFinding& filtered : *findings) {
+            if (filtered.suppressed) {
+                ++(is_known(filtered) ? tally.known : tally.suppressed);
                 continue;
             }
+            const Finding& finding = filtered.finding;
             files.insert(finding.source.get());
             switch (finding.severity) {
             case Severity::error: ++tally.errors; break;
@@ -35,12 +37,23 @@ std::string summary_line(const Report& report) {
     if (counts.notes > 0) parts.push_back(counted(counts.notes, "note"));
     std::string line;
     for (const std::string& part : parts) line += (line.empty() ? "" : ", ") + part;
-    line = parts.empty() ? "no findings" : line + " in " + counted(counts.files, "file");
+    line = parts.empty() ? (counts.known > 0 ? "no new findings" : "no findings")
+                         : line + " in " + counted(counts.files, "file");
     line += " (" + std::to_string(report.files.size()) + " checked";
     if (counts.suppressed > 0) line += ", " + std::to_string(counts.suppressed) + " allowed by comments";
     if (!report.not_shown.empty())
         line += ", " + std::to_string(report.not_shown.size()) + " not shown: see --max-findings";
     return line + ")";
+}
+
+std::string known_lines(const Report& report) {
+    std::map<std::string, std::size_t> counts;
+    for (const FilteredFinding& filtered : report.findings)
+        if (is_known(filtered)) ++counts[filtered.suppressed->baseline];
+    std::string lines;
+    for (const auto& [path, count] : counts)
+        lines += counted(count, "known finding") + " of " + shown(path) + " not shown\n";
+    return lines;
 }
 
 } // namespace maclint::cli

@@ -1,5 +1,6 @@
 //! Fingerprints: GitHub's line hash, known from its own tests, and maclint's.
 #include "cli/report/fingerprint.hpp"
+#include "tests/cli/reports.hpp"
 #include "tests/support/linted.hpp"
 
 #include <gmock/gmock.h>
@@ -50,6 +51,19 @@ std::vector<std::string> fingerprints(const std::string& text) {
 
 TEST(Fingerprint, StaysWhenTheLineMovesOrIsSpacedOtherwise) {
     EXPECT_EQ(fingerprints("O1\nGOTO 99\nM30\n"), fingerprints("O1\n(NEW)\n  goto  99\nM30\n"));
+}
+
+TEST(Fingerprint, StaysWhenTheProgramIsNumberedOtherwise) {
+    EXPECT_EQ(fingerprints("O1\nN10 GOTO 99\nN20 M30\n"), fingerprints("O1\nN5 GOTO 99\nN15 M30\n"));
+}
+
+TEST(Fingerprint, TellsFindingsOfOneBlockApart) {
+    test::HandMade made("O1.nc", "O1\nG1 X#1 Y#2\nG1 X#1 Y#3\n");
+    Fingerprints prints;
+    const std::string first = prints.of(made.add("#1", Severity::error));
+    EXPECT_NE(first, prints.of(made.add("#2", Severity::error)));
+    EXPECT_NE(first, prints.of_place(made.add("#1", Severity::error), made.place_of("#1 Y#3")));
+    EXPECT_EQ(first, prints.of_place(made.add("#1", Severity::error), made.place_of("#1")) + ":1");
 }
 
 TEST(Fingerprint, NumbersFindingsThatAreAlike) {

@@ -89,7 +89,7 @@ TEST(Sarif, CarriesRelatedPlacesPathFixAndFingerprints) {
     EXPECT_EQ(change["deletedRegion"]["endColumn"], 1);
     EXPECT_EQ(change["insertedContent"]["text"], "");
     EXPECT_TRUE(result["partialFingerprints"].contains("primaryLocationLineHash"));
-    EXPECT_TRUE(result["partialFingerprints"].contains("maclint/v1"));
+    EXPECT_TRUE(result["partialFingerprints"].contains("maclint/v2"));
 }
 
 TEST(Sarif, PutsTheEditsOfOneFileTogether) {

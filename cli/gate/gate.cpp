@@ -1,0 +1,65 @@
+//! First what is known, of all findings: a baseline must not lose what one run does not show.
+#include "cli/gate/gate.hpp"
+
+#include "cli/suggest.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace maclint::cli {
+namespace {
+
+std::vector<InputFile> inputs_of(const Snapshot& snapshot) {
+    std::vector<InputFile> inputs;
+    for (const SnapshotFile& file : snapshot.files) inputs.push_back(file.input);
+    return inputs;
+}
+
+/// Its own place, the others of the same cause, those that explain it, and the way there.
+bool shows_change(const Finding& finding, ChangedLines& changed) {
+    const auto touched = [&](const RelatedLocation& place) {
+        return changed.touch(*place.source, place.span);
+    };
+    return changed.touch(*finding.source, finding.span) || std::ranges::any_of(finding.path, touched) ||
+           std::ranges::any_of(finding.further_places(), touched);
+}
+
+/// Nothing when none that counts is left out.
+std::optional<Notice> leave_unchanged_out(Result& result, ChangedLines& changed, const std::string& since) {
+    std::size_t count = 0;
+    std::erase_if(result.findings, [&](const FilteredFinding& filtered) {
+        if (shows_change(filtered.finding, changed)) return false;
+        if (!filtered.suppressed) ++count;
+        return true;
+    });
+    if (count == 0) return std::nullopt;
+    return Notice{NoticeKind::left_out, "",
+                  counted(count, "finding") + " not shown: " + (count == 1 ? "it shows" : "they show") +
+                      " no line changed since '" + shown(since) + "'."};
+}
+
+} // namespace
+
+std::variant<Gate, Notice> Gate::open(const CheckRequest& request, const Snapshot& snapshot) {
+    Gate gate;
+    auto known = KnownFindings::read(
+        {request.overrides.baseline, request.write_baseline, request.prune_baseline}, snapshot);
+    if (auto* notice = std::get_if<Notice>(&known)) return *std::move(notice);
+    gate.known_ = std::get<KnownFindings>(std::move(known));
+    if (request.since.empty()) return gate;
+    auto changed = ChangedLines::since(request.since, inputs_of(snapshot));
+    if (auto* notice = std::get_if<Notice>(&changed)) return *std::move(notice);
+    gate.changed_ = std::get<ChangedLines>(std::move(changed));
+    gate.since_ = request.since;
+    return gate;
+}
+
+std::vector<Notice> Gate::judge(const Snapshot& snapshot, Result& result) {
+    std::vector<Notice> notices = known_.mark(snapshot, result);
+    if (changed_)
+        if (auto notice = leave_unchanged_out(result, *changed_, since_))
+            notices.push_back(*std::move(notice));
+    return notices;
+}
+
+} // namespace maclint::cli

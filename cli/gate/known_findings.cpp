@@ -1,0 +1,226 @@
+//! Files are told apart by their names below the folder of a baseline, wherever maclint was started.
+#include "cli/gate/known_findings.hpp"
+
+#include "analyzer/source/encoding.hpp"
+#include "cli/gate/match.hpp"
+#include "cli/report/fingerprint.hpp"
+#include "cli/suggest.hpp"
+#include "cli/terminal.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+namespace maclint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a baseline is for: files that were linted, and what was found in them.
+struct Share {
+    std::string folder;
+    LookedAt looked_at = {};
+    std::vector<FilteredFinding*> findings = {}; ///< those that no comment allows
+    std::vector<FoundPlaces> places = {};        ///< of these
+
+    [[nodiscard]] bool exists(const std::string& name) const {
+        std::error_code none;
+        return fs::exists(path_of_name(name, folder), none);
+    }
+    [[nodiscard]] auto existing() const {
+        return [this](const std::string& name) { return exists(name); };
+    }
+};
+
+template<class Visit>
+void for_each_place(const Finding& finding, const Visit& visit) {
+    visit(finding.span);
+    for (const RelatedLocation& repeat : finding.repeats) visit(repeat.span);
+}
+
+/// Of all linted files for which `takes` holds.
+template<class Takes>
+Share share_of(const std::string& path, const Snapshot& snapshot, Result& result, Fingerprints& prints,
+               const Takes& takes) {
+    Share share{.folder = folder_of_baseline(path)};
+    std::set<std::string_view> linted;
+    for (const auto& source : result.sources) linted.insert(source->path());
+    std::unordered_map<std::string_view, std::string> names;
+    for (const SnapshotFile& file : snapshot.files) {
+        if (!linted.contains(file.input.path) || !takes(file)) continue;
+        const std::string& name = names[file.input.path] = name_in_baseline(file.input.path, share.folder);
+        share.looked_at[name] = file.settings.rules.get();
+    }
+    for (FilteredFinding& filtered : result.findings) {
+        const Finding& finding = filtered.finding;
+        const auto name = names.find(finding.source->path());
+        if (filtered.suppressed || name == names.end()) continue;
+        FoundPlaces& places = share.places.emplace_back();
+        for_each_place(finding, [&](Span place) {
+            places.push_back(
+                {name->second, std::string(finding.rule->code), prints.of_place(finding, place)});
+        });
+        share.findings.push_back(&filtered);
+    }
+    return share;
+}
+
+std::string entries_of(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " entry" : " entries");
+}
+
+std::string cut(const std::string& text) {
+    constexpr std::size_t longest = 60;
+    return text.size() <= longest ? text : text.substr(0, character_begin(text, longest, Encoding::utf8));
+}
+
+Baseline baseline_of(const Share& share, Fingerprints& prints) {
+    std::map<KnownPlace, BaselineEntry> entries;
+    for (std::size_t i = 0; i < share.findings.size(); ++i) {
+        const Finding& finding = share.findings[i]->finding;
+        auto place = share.places[i].begin();
+        for_each_place(finding, [&](Span span) {
+            const auto [entry, is_new] =
+                entries.try_emplace(*place, BaselineEntry{.place = *place, .block = {}});
+            if (is_new)
+                entry->second.block = cut(prints.line_of(finding, span));
+            else
+                ++entry->second.count;
+            ++place;
+        });
+    }
+    Baseline baseline;
+    for (auto& [place, entry] : entries) baseline.push_back(std::move(entry));
+    return baseline;
+}
+
+void mark_known(FilteredFinding& filtered, const std::string& path) {
+    filtered.suppressed = Suppression{.baseline = path};
+}
+
+Notice note(const std::string& path, const std::string& message) {
+    return {NoticeKind::baseline, path, message};
+}
+
+/// A first one by name, the others by their number: a folder that has moved is many files.
+std::string renamed_text(const std::vector<Renamed>& renamed, bool pruned) {
+    const std::string others =
+        renamed.size() == 1 ? "" : " and so on, " + counted(renamed.size(), "file") + " in all";
+    return "'" + shown(renamed.front().from) + "' is gone and '" + shown(renamed.front().to) +
+           "' has its findings" + others + ": taken for renamed." +
+           (pruned ? "" : " --prune-baseline writes the new name.");
+}
+
+std::string gone_text(std::size_t count) {
+    return entries_of(count) + (count == 1 ? " is" : " are") +
+           " gone from the files checked. --prune-baseline takes " + (count == 1 ? "it" : "them") + " out.";
+}
+
+std::size_t places_in(const Baseline& baseline) {
+    std::size_t count = 0;
+    for (const BaselineEntry& entry : baseline) count += entry.count;
+    return count;
+}
+
+/// Entries one by one, in any order of the file.
+bool says_the_same(Baseline a, Baseline b) {
+    std::ranges::sort(a, {}, &BaselineEntry::place);
+    std::ranges::sort(b, {}, &BaselineEntry::place);
+    return std::ranges::equal(a, b, [](const BaselineEntry& one, const BaselineEntry& other) {
+        return one.place == other.place && one.count == other.count;
+    });
+}
+
+Notice prune(const std::string& path, const Baseline& baseline, const Matched& matched) {
+    if (says_the_same(baseline, matched.rest))
+        return note(path, "nothing is to be pruned: nothing that was looked at is gone.");
+    if (auto failure = write_to(path, baseline_text(matched.rest))) return *std::move(failure);
+    const std::size_t removed = places_in(baseline) - places_in(matched.rest);
+    return note(path, entries_of(removed) + " removed, " + std::to_string(places_in(matched.rest)) + " left" +
+                          (matched.renamed.empty()
+                               ? "."
+                               : ", " + counted(matched.renamed.size(), "file") + " under a new name."));
+}
+
+Notice write(const std::string& path, const Share& share, const Baseline& before, Fingerprints& prints) {
+    Baseline baseline = baseline_of(share, prints);
+    const Baseline others = out_of_sight(before, share.looked_at, share.existing());
+    baseline.insert(baseline.end(), others.begin(), others.end());
+    if (auto failure = write_to(path, baseline_text(std::move(baseline)))) return *std::move(failure);
+    for (FilteredFinding* filtered : share.findings) mark_known(*filtered, path);
+    return note(path,
+                counted(share.findings.size(), "finding") + (share.findings.size() == 1 ? " is" : " are") +
+                    " known from now on." +
+                    (others.empty() ? ""
+                                    : " " + entries_of(places_in(others)) + " of other files or rules " +
+                                          (places_in(others) == 1 ? "is" : "are") + " kept."));
+}
+
+/// A file that is there is only written over when it is a baseline.
+std::variant<Baseline, Notice> read_before(const std::string& path) {
+    std::error_code none;
+    if (!fs::is_regular_file(path, none) || fs::file_size(path, none) == 0) return Baseline{};
+    auto read = read_baseline(path);
+    if (auto* notice = std::get_if<Notice>(&read)) {
+        if (!holds_baseline(path))
+            notice->message = "--write-baseline does not write over this file, which is no baseline of "
+                              "maclint. Name another file, or remove this one.";
+        return *std::move(notice);
+    }
+    return read;
+}
+
+} // namespace
+
+std::variant<KnownFindings, Notice> KnownFindings::read(BaselineWishes wishes, const Snapshot& snapshot) {
+    KnownFindings known;
+    known.wishes_ = std::move(wishes);
+    std::set<std::string> paths;
+    if (!known.wishes_.read.empty()) paths.insert(known.wishes_.read);
+    for (const SnapshotFile& file : snapshot.files)
+        if (file.input.asked && !file.settings.baseline.empty()) paths.insert(file.settings.baseline);
+    for (const std::string& path : paths) {
+        auto baseline = read_baseline(path);
+        if (auto* notice = std::get_if<Notice>(&baseline)) return *std::move(notice);
+        known.baselines_[path] = std::get<Baseline>(std::move(baseline));
+    }
+    if (known.wishes_.prune && paths.empty())
+        return Notice{NoticeKind::configuration, "",
+                      "--prune-baseline finds no baseline to prune. Name it with --baseline FILE, or as "
+                      "'baseline' in the configuration."};
+    if (!known.wishes_.write.empty()) {
+        auto before = read_before(known.wishes_.write);
+        if (auto* notice = std::get_if<Notice>(&before)) return *std::move(notice);
+        known.before_ = std::get<Baseline>(std::move(before));
+    }
+    return known;
+}
+
+std::vector<Notice> KnownFindings::mark(const Snapshot& snapshot, Result& result) const {
+    std::vector<Notice> notices;
+    Fingerprints prints;
+    for (const auto& [path, baseline] : baselines_) {
+        const Share share =
+            share_of(path, snapshot, result, prints,
+                     [&path = path](const SnapshotFile& file) { return file.settings.baseline == path; });
+        const Matched matched = match(baseline, share.places, share.looked_at, share.existing());
+        for (std::size_t i = 0; i < share.findings.size(); ++i)
+            if (matched.known[i]) mark_known(*share.findings[i], path);
+        if (!matched.renamed.empty())
+            notices.push_back(note(path, renamed_text(matched.renamed, wishes_.prune)));
+        if (wishes_.prune)
+            notices.push_back(prune(path, baseline, matched));
+        else if (matched.gone > 0)
+            notices.push_back(note(path, gone_text(matched.gone)));
+    }
+    if (!wishes_.write.empty()) {
+        const Share share =
+            share_of(wishes_.write, snapshot, result, prints, [](const SnapshotFile&) { return true; });
+        notices.push_back(write(wishes_.write, share, before_, prints));
+    }
+    return notices;
+}
+
+} // namespace maclint::cli

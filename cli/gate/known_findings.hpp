@@ -1,0 +1,41 @@
+//! The baselines of a run: which findings they know, and what they are when it ends.
+#pragma once
+
+#include "cli/engine/engine.hpp"
+#include "cli/engine/snapshot.hpp"
+#include "cli/gate/baseline_file.hpp"
+#include "cli/notice.hpp"
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace maclint::cli {
+
+/// What a run is to do with baselines, besides marking findings.
+struct BaselineWishes {
+    std::string read;  ///< --baseline, which files of the snapshot name, too; empty: each file's own
+    std::string write; ///< --write-baseline; empty: no
+    bool prune = false;
+};
+
+/// Read before files are analysed, so that nobody waits for a name that is wrong.
+class KnownFindings {
+  public:
+    /// What is wrong ends the run.
+    [[nodiscard]] static std::variant<KnownFindings, Notice> read(BaselineWishes wishes,
+                                                                  const Snapshot& snapshot);
+
+    [[nodiscard]] bool in_use() const { return !baselines_.empty() || !wishes_.write.empty(); }
+
+    /// Marks the findings that are known and writes what is to be written; says what is worth telling.
+    [[nodiscard]] std::vector<Notice> mark(const Snapshot& snapshot, Result& result) const;
+
+  private:
+    BaselineWishes wishes_;
+    std::map<std::string, Baseline> baselines_; ///< by path
+    Baseline before_;                           ///< what the file holds that is to be written
+};
+
+} // namespace maclint::cli

@@ -1,0 +1,175 @@
+//! --since of the built executable, in repositories that git makes.
+#include "tests/support/folder.hpp"
+#include "tests/support/process.hpp"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr std::string_view bad = "%\nO1001\nGOTO 99\nN1 G0 X1.\nM30\n%\n";                   // line 3
+constexpr std::string_view worse = "%\nO1001\nGOTO 99\nN1 G0 X1.\nG1 X1. F9. F8.\nM30\n%\n"; // line 5 is new
+constexpr std::string_view elsewhere =
+    "%\nO1001\nGOTO 99\nN1 G0 X1.\nG0 X2.\nM30\n%\n"; // nothing found there
+
+class Since : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (shell("git init -q . && git config user.name a && git config user.email a && "
+                  "git config core.autocrlf false")
+                .status != 0)
+            GTEST_SKIP() << "there is no git";
+        folder.write("O1001.nc", bad);
+        commit();
+    }
+
+    [[nodiscard]] Finished shell(const std::string& script) const {
+        return run_shell(folder.path().string(), script);
+    }
+    void commit() const { ASSERT_EQ(shell("git add -A && git commit -q -m x").status, 0); }
+    /// What is found since a revision, a line each, and the status.
+    [[nodiscard]] std::string found(const std::string& arguments, const std::string& input = "") const {
+        folder.write(".git/input", input);
+        const Finished finished = shell("$maclint --format concise --quiet --select MAC301,MAC303,MAC559 " +
+                                        arguments + " < .git/input | sed 's/ .*//'; exit $?");
+        return finished.err + finished.out;
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(Since, ShowsWhatStandsInChangedLinesAndCountsTheRest) {
+    folder.write("O1001.nc", worse);
+    const Finished finished = shell("$maclint --since HEAD --format concise");
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_THAT(finished.out, AllOf(StartsWith("O1001.nc:5:12: warning[MAC559]"), Not(HasSubstr(":3:"))));
+    EXPECT_EQ(finished.err, "maclint: note: 1 finding not shown: it shows no line changed since 'HEAD'.\n");
+    folder.write("O1001.nc", elsewhere);
+    EXPECT_EQ(shell("$maclint --since HEAD --quiet").status, 0);
+}
+
+TEST_F(Since, LooksAtTheIndexAndAtOlderRevisions) {
+    folder.write("O1001.nc", worse);
+    ASSERT_EQ(shell("git add -A").status, 0);
+    EXPECT_EQ(found("--since HEAD"), "O1001.nc:5:12:\n");
+    commit();
+    EXPECT_EQ(found("--since HEAD"), "");
+    EXPECT_EQ(found("--since HEAD~1"), "O1001.nc:5:12:\n");
+    EXPECT_EQ(found("--since $(git rev-parse --short HEAD~1)"), "O1001.nc:5:12:\n");
+}
+
+TEST_F(Since, AllOfANewFileHasChanged) {
+    folder.write("O2.nc", bad);
+    EXPECT_EQ(found("--since HEAD"), "O2.nc:3:1:\n");
+    folder.write(".gitignore", "O2.nc");
+    EXPECT_EQ(found("--since HEAD"), "O2.nc:3:1:\n");
+    ASSERT_EQ(shell("git add -f O2.nc").status, 0);
+    EXPECT_EQ(found("--since HEAD"), "O2.nc:3:1:\n");
+}
+
+TEST_F(Since, NothingHasChangedInAFileThatWasOnlyRenamed) {
+    ASSERT_EQ(shell("mkdir new && git mv O1001.nc new/O7.nc").status, 0);
+    EXPECT_EQ(found("--since HEAD"), "");
+    folder.write("new/O7.nc", worse);
+    EXPECT_EQ(found("--since HEAD"), "new/O7.nc:5:12:\n");
+}
+
+TEST_F(Since, LineEndsAreNoChange) {
+    ASSERT_EQ(shell("sed -i 's/$/\\r/' O1001.nc && grep -q \"$(printf '99\\r')\" O1001.nc").status, 0);
+    EXPECT_EQ(found("--since HEAD"), "");
+}
+
+TEST_F(Since, CountsLinesAsGitDoes) {
+    folder.write("O1001.nc", "%\rO1001\rGOTO 99\rM30\r%\r\nGOTO 97\r\n"); // two lines for git
+    commit();
+    folder.write("O1001.nc", "%\rO1001\rGOTO 99\rM30\r%\r\nGOTO 96\r\n");
+    EXPECT_THAT(found("--since HEAD"), Not(HasSubstr("O1001.nc:3:")));
+}
+
+TEST_F(Since, TakesNamesOfAllKinds) {
+    for (const char* name :
+         {"W\xC3\xBCrfel Gr\xC3\xB6\xC3\x9F"
+          "e.nc",
+          "it's \"5%\" b.nc", "two\nlines.nc", "w\xFCrfel.nc", "tab\tback\\slash.nc", "a b.nc"})
+        folder.write(name, bad);
+    commit();
+    EXPECT_EQ(found("--since HEAD"), "");
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+        if (entry.path().extension() == ".nc") folder.write(entry.path().filename().string(), worse);
+    const std::string all = found("--since HEAD");
+    EXPECT_EQ(std::ranges::count(all, '\n'), 7) << all;
+    EXPECT_THAT(all, Not(HasSubstr(":3:1:")));
+}
+
+TEST_F(Since, APathThroughAChangedLineCounts) {
+    folder.write("O1001.nc",
+                 "%\nO1001\nIF[#100EQ1]GOTO20\nWHILE[#1LT5]DO1\nN20 G0 X#1\n#1=#1+1\nEND1\nM30\n%\n");
+    commit();
+    EXPECT_EQ(found("--since HEAD"), "");
+    folder.write("O1001.nc",
+                 "%\nO1001\nIF[#100EQ1]GOTO20\nWHILE[#1LT7]DO1\nN20 G0 X#1\n#1=#1+1\nEND1\nM30\n%\n");
+    EXPECT_EQ(found("--since HEAD"), "O1001.nc:3:12:\n");
+}
+
+TEST_F(Since, WorksFromBelowAndWithSettingsOfTheUser) {
+    folder.write("mill/O2.nc", bad);
+    commit();
+    folder.write("mill/O2.nc", worse);
+    EXPECT_EQ(
+        shell(
+            "for s in diff.noprefix diff.mnemonicPrefix diff.relative color.ui; do git config $s true; done; "
+            "git config diff.external false; git config diff.interHunkContext 50; git config color.ui "
+            "always; "
+            "cd mill && $maclint --format concise --quiet --since HEAD . ../O1001.nc | sed 's/ .*//'")
+            .out,
+        "O2.nc:5:12:\n");
+}
+
+TEST_F(Since, AllOfStandardInputHasChanged) {
+    EXPECT_EQ(found("--since HEAD - --stdin-filename O1001.nc", std::string(bad)), "O1001.nc:3:1:\n");
+}
+
+TEST_F(Since, ConflictsHaveChanged) {
+    ASSERT_EQ(shell("git checkout -q -b one; sed -i s/99/91/ O1001.nc; git commit -qam 1; git checkout -q -; "
+                    "sed -i s/99/92/ O1001.nc; git commit -qam 2; git merge one > /dev/null; test $? = 1")
+                  .status,
+              0);
+    EXPECT_THAT(found("--since HEAD"), HasSubstr("O1001.nc:"));
+}
+
+TEST_F(Since, KnowsABaselineToo) {
+    folder.write("O1001.nc", worse);
+    ASSERT_EQ(shell("$maclint --write-baseline base.json").status, 0);
+    const Finished finished = shell("$maclint --baseline base.json --since HEAD");
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_EQ(finished.err, "");
+    EXPECT_EQ(finished.out, "no new findings (1 checked)\n1 known finding of base.json not shown\n");
+}
+
+TEST_F(Since, SaysWhatIsMissing) {
+    const auto refused = [&](const std::string& script, const std::string& message) {
+        const Finished finished = shell(script);
+        EXPECT_EQ(finished.status, 2) << script;
+        EXPECT_THAT(finished.out, IsEmpty()) << script;
+        EXPECT_THAT(finished.err, AllOf(StartsWith("maclint: error: "), HasSubstr(message))) << script;
+    };
+    refused("$maclint --since nowhere", "--since names no revision that git knows");
+    refused("$maclint --since ''", "--since wants a git revision");
+    refused("$maclint --since --output=x", "--since wants a git revision");
+    refused("PATH=/nowhere $maclint --since HEAD", "no git is found here");
+    refused("rm -rf .git; mkdir .git; $maclint --since HEAD", "it says 'fatal: ");
+    refused("rm -rf .git; $maclint --since HEAD", "'O1001.nc' lies in none");
+}
+
+} // namespace
+} // namespace maclint::test
