@@ -16,7 +16,8 @@
 namespace maclint::cli {
 namespace {
 
-constexpr std::array<std::string_view, 3> commands = {"check", "rules", "explain"};
+constexpr std::array<std::string_view, 5> commands = {"check", "rules", "explain", "help", "version"};
+constexpr std::string_view version_text = "maclint " MACLINT_VERSION "\n";
 constexpr std::string_view default_stdin_name = "stdin.nc";
 constexpr unsigned most_jobs = 1024;
 
@@ -103,7 +104,7 @@ struct CheckWords {
     std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
                         max_findings, path = "short", colour = "auto";
     bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false,
-         statistics = false;
+         statistics = false, force_exclude = false, no_gitignore = false, error_on_empty = false;
 };
 
 /// An empty name comes from a variable that nobody has set.
@@ -112,6 +113,18 @@ auto not_empty(std::string_view option) {
         if (word.empty())
             refuse(std::string(option) + " wants the name of a file. Write one, or leave it out.");
     };
+}
+
+void declare_common(CLI::App& app) {
+    app.set_help_flag("--help,-h", "This text");
+    app.set_version_flag("--version,-V", std::string(version_text), "The version");
+}
+
+void declare_discovery(CLI::App& check, CheckWords& words) {
+    check.add_flag("--force-exclude", words.force_exclude,
+                   "What is excluded or ignored by git is not checked when it is named, too");
+    check.add_flag("--no-gitignore", words.no_gitignore, "Search folders for what git ignores, too");
+    check.add_flag("--error-on-empty", words.error_on_empty, "A run that checks no program is an error");
 }
 
 void declare_check(CLI::App& check, CheckWords& words) {
@@ -157,7 +170,8 @@ void declare_check(CLI::App& check, CheckWords& words) {
         ->type_name("DETAIL");
     check.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
         ->type_name("WHEN");
-    check.add_flag("--quiet", words.quiet, "No summary, notes or progress");
+    check.add_flag("--quiet,-q", words.quiet, "No summary, notes or progress");
+    declare_discovery(check, words);
     check.add_flag("--no-timestamps", words.no_timestamps,
                    "No times in reports, so that equal runs give equal files");
     check.add_flag("--statistics", words.statistics, "Count the findings by rule and by file, too");
@@ -258,17 +272,21 @@ CheckRequest check_request(const CheckWords& words) {
     request.timestamps = !words.no_timestamps;
     request.timing = words.timing;
     request.statistics = words.statistics;
+    request.discovery = {.gitignore = !words.no_gitignore, .force_exclude = words.force_exclude};
+    request.error_on_empty = words.error_on_empty;
     return request;
 }
 
-/// What CLI11 took for more than it knows.
+/// What CLI11 took for more than it knows: `--`, after which it takes no options, is among it.
 void refuse_unknown(const CLI::App& app) {
+    bool options_end = false;
     for (const std::string& word : app.remaining()) {
+        if (word == "--" && !std::exchange(options_end, true)) continue;
         std::vector<std::string> known;
         for (const CLI::Option* option : app.get_options())
             if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
         const std::string name = word.substr(0, word.find('='));
-        if (word.starts_with('-') && word != "-")
+        if (word.starts_with('-') && word != "-" && !options_end)
             refuse("there is no option '" + name + "'." +
                    did_you_mean(name, known, "See 'maclint " + app.get_name() + " --help'."));
         refuse("there is one word too many: '" + word + "'. Leave it out.");
@@ -282,6 +300,8 @@ void parse(CLI::App& app, std::vector<std::string> arguments) {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
         throw Refused{{""}};
+    } catch (const CLI::CallForVersion&) {
+        throw PrintRequest{std::string(version_text)};
     } catch (const CLI::ParseError& error) {
         refuse(std::string(error.what()) + ". See 'maclint " + app.get_name() + " --help'.");
     }
@@ -307,7 +327,8 @@ std::string overview(CLI::App& check) {
            "  maclint [check] [PATH...]   lint files and folders\n"
            "  maclint rules               the list of rules\n"
            "  maclint explain RULE        a rule's page\n"
-           "  maclint --version           the version\n\n" +
+           "  maclint help [COMMAND]      this text, or that of a command\n"
+           "  maclint version             the version\n\n" +
            check.help("maclint") +
            "\nExit status: 0 nothing at or above --fail-on, 1 findings, 2 wrong usage, configuration or "
            "input.\n";
@@ -316,7 +337,7 @@ std::string overview(CLI::App& check) {
 Request read_check(std::vector<std::string> arguments, bool with_overview) {
     CLI::App app("", "check");
     CheckWords words;
-    app.set_help_flag("--help,-h", "This text");
+    declare_common(app);
     declare_check(app, words);
     if (with_overview) return PrintRequest{overview(app)};
     try {
@@ -333,7 +354,7 @@ Request read_rules(std::vector<std::string> arguments) {
     CLI::App app("The list of rules.", "rules");
     std::string format = "text";
     RulesRequest request;
-    app.set_help_flag("--help,-h", "This text");
+    declare_common(app);
     app.add_option("--format", format, "text, json or markdown")->type_name("FORMAT");
     app.add_option("--write-docs", request.docs_folder, "Write one page a rule and an index into this folder")
         ->type_name("DIR");
@@ -350,7 +371,7 @@ Request read_rules(std::vector<std::string> arguments) {
 Request read_explain(std::vector<std::string> arguments) {
     CLI::App app("A rule's page.", "explain");
     ExplainRequest request;
-    app.set_help_flag("--help,-h", "This text");
+    declare_common(app);
     std::string colour = "auto";
     app.add_option("RULE", request.rule, "Code or name, in any case, or a part of it")->type_name("");
     app.add_option("--color", colour, "auto, always or never; NO_COLOR is respected")->type_name("WHEN");
@@ -366,19 +387,35 @@ Request read_explain(std::vector<std::string> arguments) {
     return request;
 }
 
+/// `help rules` is `rules --help`.
+Request read_help(const std::vector<std::string>& words) {
+    if (words.size() > 1) refuse("there is one word too many: '" + words[1] + "'. Leave it out.");
+    const std::string about = words.empty() ? "check" : words.front();
+    if (about == "rules") return read_rules({"--help"});
+    if (about == "explain") return read_explain({"--help"});
+    if (std::ranges::find(commands, about) != commands.end()) return read_check({}, true);
+    if (!rules_named(about).empty())
+        refuse("help knows commands, not rules. Did you mean 'maclint explain " + about + "'?");
+    const std::vector<std::string> known(commands.begin(), commands.end());
+    refuse_word("help", about, known);
+}
+
 } // namespace
 
 Request read_command_line(std::vector<std::string> arguments) {
     const std::string first = arguments.empty() ? "" : arguments.front();
-    if (first == "--version") return PrintRequest{"maclint " MACLINT_VERSION "\n"};
     const bool is_command = std::ranges::find(commands, first) != commands.end();
     if (is_command) arguments.erase(arguments.begin());
     try {
         if (first == "rules") return read_rules(std::move(arguments));
         if (first == "explain") return read_explain(std::move(arguments));
+        if (first == "help") return read_help(arguments);
+        if (first == "version") return read_check({"--version"}, false);
         return read_check(std::move(arguments), first == "--help" || first == "-h");
     } catch (const Refused& refused) {
         return refused.error;
+    } catch (const PrintRequest& print) {
+        return print;
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/config/settings.hpp"
+#include "cli/input/discover.hpp"
 #include "cli/report/report.hpp"
 
 #include <cstddef>
@@ -39,6 +40,8 @@ struct CheckRequest {
     bool timestamps = true;
     bool timing = false;     ///< say where the time went
     bool statistics = false; ///< count findings by rule and by file
+    DiscoverOptions discovery;
+    bool error_on_empty = false; ///< a run that checks no program is an error
 };
 
 enum class ListFormat : std::uint8_t { text, json, markdown };

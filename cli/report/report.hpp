@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/filter/apply_suppressions.hpp"
+#include "cli/input/passed_over.hpp"
 #include "cli/notice.hpp"
 
 #include <cstddef>
@@ -25,6 +26,7 @@ struct Report {
     std::vector<std::shared_ptr<const Source>>
         files;                              ///< that were linted because the user asked for them, by path
     std::vector<FilteredFinding> not_shown; ///< left out of `findings` because of --max-findings
+    PassedOver passed_over;
     int exit_status = 0;
     std::optional<RunTimes> times;   ///< none with --no-timestamps
     std::optional<Severity> fail_on; ///< the least severity that counts as a failure; none: nothing does
