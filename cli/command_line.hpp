@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/config/settings.hpp"
+#include "cli/input/discover.hpp"
 #include "cli/report/report.hpp"
 
 #include <cstddef>
@@ -42,6 +43,8 @@ struct CheckRequest {
     std::string write_baseline; ///< file for what is found; empty: none
     bool prune_baseline = false;
     std::string since; ///< git revision; empty: all findings count
+    DiscoverOptions discovery;
+    bool error_on_empty = false; ///< a run that checks no program is an error
 };
 
 enum class ListFormat : std::uint8_t { text, json, markdown };

@@ -54,15 +54,19 @@ std::optional<Notice> refuse_settings(const Overrides& overrides, Settings& sett
 }
 
 /// The files that were asked for, and those around them that may call them or be called.
-std::vector<InputFile> inputs_of(const CheckRequest& request, Settings& settings,
-                                 std::vector<Notice>& notices) {
-    Discovered found = discover(request.paths, request.stdin_name, settings);
+Discovered inputs_of(const CheckRequest& request, Settings& settings, std::vector<Notice>& notices) {
+    Discovered found = discover(request.paths, request.stdin_name, settings, request.discovery);
     std::ranges::move(found.notices, std::back_inserter(notices));
-    Discovered around = discover_context(found.files, request.paths, settings);
+    Discovered around = discover_context(found.files, request.paths, settings, request.discovery);
     std::ranges::move(around.notices, std::back_inserter(notices));
     std::ranges::move(around.files, std::back_inserter(found.files));
     std::ranges::stable_sort(found.files, {}, &InputFile::path);
-    return std::move(found.files);
+    return found;
+}
+
+Notice nothing_checked() {
+    return {NoticeKind::nothing_checked, "",
+            "no NC program was checked. Correct the paths, or leave --error-on-empty out."};
 }
 
 bool fails(const Report& report, std::optional<Severity> fail_on) {
@@ -140,9 +144,9 @@ int run_check(const CheckRequest& request) {
     std::optional<Progress> progress(std::in_place,
                                      watched ? Progress::Shown::when_long : Progress::Shown::never);
     std::vector<Notice> notices;
-    const auto inputs = inputs_of(request, settings, notices);
-    const Snapshot snapshot = snapshot_of(inputs, settings);
-    if (const auto refused = refuse_targets(request, inputs, settings)) {
+    const Discovered inputs = inputs_of(request, settings, notices);
+    const Snapshot snapshot = snapshot_of(inputs.files, settings);
+    if (const auto refused = refuse_targets(request, inputs.files, settings)) {
         progress.reset();
         print_notice(*refused);
         return exit_error;
@@ -168,12 +172,15 @@ int run_check(const CheckRequest& request) {
     }
     for (auto* more : {&config.notices, &result.notices})
         std::ranges::move(*more, std::back_inserter(notices));
+    const bool checks = request.show_config == ShowConfig::no;
+    if (request.error_on_empty && checks && result.sources.empty()) notices.push_back(nothing_checked());
     std::ranges::stable_sort(notices, {}, &Notice::path);
     progress.reset();
     for (const Notice& notice : notices)
         if (notice.is_error() || !request.quiet) print_notice(notice);
     const Timing engine_timing = result.timing;
     Report report = report_of(request, std::move(result), std::move(notices));
+    report.passed_over = inputs.passed_over;
     if (request.show_config == ShowConfig::yes) return std::max(print_text(config.text), report.exit_status);
     report.has_baseline = has_baseline;
     if (request.timestamps) report.times = RunTimes{begin, utc_now()};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/filter/apply_suppressions.hpp"
+#include "cli/input/passed_over.hpp"
 #include "cli/notice.hpp"
 
 #include <cstddef>
@@ -25,7 +26,8 @@ struct Report {
     std::vector<std::shared_ptr<const Source>>
         files;                              ///< that were linted because the user asked for them, by path
     std::vector<FilteredFinding> not_shown; ///< left out of `findings` because of --max-findings
-    bool has_baseline = false;              ///< known findings are told from new ones
+    PassedOver passed_over;
+    bool has_baseline = false; ///< known findings are told from new ones
     int exit_status = 0;
     std::optional<RunTimes> times;   ///< none with --no-timestamps
     std::optional<Severity> fail_on; ///< the least severity that counts as a failure; none: nothing does
