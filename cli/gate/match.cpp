@@ -46,8 +46,15 @@ class Renames {
 
     /// A file that was only moved to another folder keeps its last name.
     std::vector<Renamed> find() {
-        pair_up([](std::string_view from, std::string_view to) { return last_name(from) == last_name(to); });
-        pair_up([](std::string_view, std::string_view) { return true; });
+        pair_by([](const std::string& file, const Counts&) {
+            return std::vector<std::string>{std::string(last_name(file))};
+        });
+        pair_equal();
+        pair_by([](const std::string&, const Counts& places) {
+            std::vector<std::string> keys;
+            for (const auto& [place, count] : places) keys.push_back(place.rule + " " + place.fingerprint);
+            return keys;
+        });
         std::ranges::sort(pairs_, {}, &Renamed::to);
         return std::move(pairs_);
     }
@@ -59,34 +66,59 @@ class Renames {
         const std::string* to;
     };
 
-    template<class MayBe>
-    void pair_up(const MayBe& may_be) {
-        std::map<KnownPlace, std::vector<const std::string*>> holders;
+    /// What more files have in common says of none which it is; and time stays with the number of files.
+    static constexpr std::size_t most_holders = 32;
+
+    /// Looks at pairs that share a key, best ones first.
+    template<class KeysOf>
+    void pair_by(const KeysOf& keys_of) {
+        std::map<std::string, std::vector<const std::string*>> holders;
         for (const auto& [from, places] : gone_)
-            for (const auto& [place, count] : places) holders[place].push_back(&from);
+            for (const std::string& key : keys_of(from, places)) holders[key].push_back(&from);
         std::vector<Candidate> candidates;
         for (const auto& [to, places] : fresh_) {
-            std::set<std::string> seen;
-            for (const auto& [place, count] : places)
-                for (const std::string* from : holders[place])
-                    if (may_be(*from, to) && seen.insert(*from).second) consider(candidates, *from, to);
+            std::set<const std::string*> seen;
+            for (const std::string& key : keys_of(to, places)) {
+                const auto found = holders.find(key);
+                if (found == holders.end() || found->second.size() > most_holders) continue;
+                for (const std::string* from : found->second)
+                    if (seen.insert(from).second) consider(candidates, *from, to);
+            }
         }
         std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
             return std::tie(b.shared, *a.from, *a.to) < std::tie(a.shared, *b.from, *b.to);
         });
         std::vector<Renamed> pairs;
-        std::set<std::string> taken_from;
-        std::set<std::string> taken_to;
+        std::set<std::string_view> taken_from;
+        std::set<std::string_view> taken_to;
         for (const auto& [shared, from, to] : candidates) {
-            if (taken_from.contains(*from) || taken_to.contains(*to)) continue;
+            if (taken_from.contains(*from) || !taken_to.insert(*to).second) continue;
             taken_from.insert(*from);
-            taken_to.insert(*to);
             pairs.push_back({*from, *to});
         }
-        for (const Renamed& pair : pairs) {
+        take(std::move(pairs));
+    }
+
+    /// Files that hold the very same may be paired in any way: in the order of their names.
+    void pair_equal() {
+        std::map<Counts, std::vector<const std::string*>> from_by_places;
+        for (auto file = gone_.rbegin(); file != gone_.rend(); ++file)
+            from_by_places[file->second].push_back(&file->first);
+        std::vector<Renamed> pairs;
+        for (const auto& [to, places] : fresh_) {
+            const auto found = from_by_places.find(places);
+            if (found == from_by_places.end() || found->second.empty()) continue;
+            pairs.push_back({*found->second.back(), to});
+            found->second.pop_back();
+        }
+        take(std::move(pairs));
+    }
+
+    void take(std::vector<Renamed> pairs) {
+        for (Renamed& pair : pairs) {
             gone_.erase(pair.from);
             fresh_.erase(pair.to);
-            pairs_.push_back(pair);
+            pairs_.push_back(std::move(pair));
         }
     }
 

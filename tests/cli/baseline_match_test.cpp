@@ -140,6 +140,37 @@ TEST_F(Match, TheFileWithMostOfItIsTheRenamedOne) {
     EXPECT_THAT(matched.known, ElementsAre(false, true, true));
 }
 
+TEST_F(Match, ThousandsOfFilesThatAreAlikeAreRenamedInTheOrderOfTheirNames) {
+    Case what;
+    for (int i = 10'000; i < 20'000; ++i) {
+        const std::string number = std::to_string(i);
+        what.baseline.push_back({"old" + number + " MAC301 a", 1});
+        what.findings.push_back({"new" + number + " MAC301 a"});
+        what.looked_at.push_back("new" + number);
+    }
+    what.findings.push_back({"new20000 MAC301 a"});
+    what.looked_at.push_back("new20000");
+    const Matched matched = run(what);
+    EXPECT_EQ(matched.renamed.size(), 10'000U);
+    EXPECT_EQ(matched.renamed.back(), (Renamed{"old19999", "new19999"}));
+    EXPECT_EQ(std::ranges::count(matched.known, true), 10'000);
+}
+
+TEST_F(Match, WhatManyFilesHaveInCommonSaysNotWhichWasRenamed) {
+    Case what;
+    for (int i = 10; i < 50; ++i) {
+        what.baseline.push_back({"old" + std::to_string(i) + " MAC301 a", 1});
+        what.baseline.push_back({"old" + std::to_string(i) + " MAC301 b", 1});
+    }
+    what.baseline.push_back({"other MAC301 a", 1});
+    what.baseline.push_back({"other MAC301 c", 1});
+    what.findings = {{"new MAC301 a"}, {"new MAC301 c"}, {"new MAC301 d"}, {"new2 MAC301 a"}};
+    what.looked_at = {"new", "new2"};
+    const Matched matched = run(what);
+    EXPECT_THAT(matched.known, ElementsAre(true, true, false, false));
+    EXPECT_THAT(matched.renamed, ElementsAre(Renamed{"other", "new"}));
+}
+
 TEST(OutOfSight, IsWhatTheRunDidNotLookFor) {
     RuleStates rules;
     rules.switch_off({find_rule("MAC501")}, "");
