@@ -510,13 +510,27 @@ Request read_man(std::vector<std::string> arguments) {
     return PrintRequest{manual_page(command_list(), MACLINT_VERSION)};
 }
 
+Request read_version(std::vector<std::string> arguments) {
+    CLI::App app("The version on standard output.", "version");
+    declare_common(app);
+    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
+    return PrintRequest{std::string(version_text)};
+}
+
 /// `help rules` is `rules --help`.
-Request read_help(const std::vector<std::string>& words) {
-    if (words.size() > 1) refuse("there is one word too many: '" + words[1] + "'. Leave it out.");
-    const std::string about = words.empty() ? "check" : words.front();
+Request read_help(std::vector<std::string> arguments) {
+    CLI::App app("The options of a command.", "help");
+    declare_common(app);
+    std::string about = "check";
+    declare_help(app, about);
+    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
+    if (about == "check") return read_check({}, true);
     if (about == "rules") return read_rules({"--help"});
     if (about == "explain") return read_explain({"--help"});
-    if (std::ranges::find(commands, about) != commands.end()) return read_check({}, true);
+    if (about == "completions") return read_completions({"--help"});
+    if (about == "man") return read_man({"--help"});
+    if (about == "version") return read_version({"--help"});
+    if (about == "help") return read_help({"--help"});
     if (!rules_named(about).empty())
         refuse("help knows commands, not rules. Did you mean 'maclint explain " + about + "'?");
     const std::vector<std::string> known(commands.begin(), commands.end());
@@ -548,8 +562,8 @@ Request read_command_line(std::vector<std::string> arguments) {
         if (first == "explain") return read_explain(std::move(arguments));
         if (first == "completions") return read_completions(std::move(arguments));
         if (first == "man") return read_man(std::move(arguments));
-        if (first == "help") return read_help(arguments);
-        if (first == "version") return read_check({"--version"}, false);
+        if (first == "help") return read_help(std::move(arguments));
+        if (first == "version") return read_version(std::move(arguments));
         return read_check(std::move(arguments), first == "--help" || first == "-h");
     } catch (const Refused& refused) {
         return refused.error;

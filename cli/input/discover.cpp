@@ -2,6 +2,7 @@
 #include "cli/input/discover.hpp"
 
 #include "cli/input/gitignore.hpp"
+#include "cli/input/program_name.hpp"
 #include "cli/input/repository.hpp"
 #include "cli/suggest.hpp"
 
@@ -156,7 +157,7 @@ class Walk {
         if (!is_file || name.starts_with('.')) return;
         const std::size_t one = asked ? 1 : 0;
         if (!is_wanted(configuration, entry.path()))
-            found_.passed_over.other_names += one;
+            found_.passed_over.other_names += is_named_like_other(name) ? 0 : one;
         else if (is_ignored(real, entry, name))
             found_.passed_over.ignored_by_git += one;
         else

@@ -8,7 +8,8 @@ namespace maclint::cli {
 
 /// Files in folders that were searched; what is hidden or excluded is not counted.
 struct PassedOver {
-    std::size_t other_names = 0;    ///< that no program is known by
+    std::size_t other_names =
+        0; ///< that no program is known by; pictures, papers and the like are not counted
     std::size_t ignored_by_git = 0; ///< named like programs
 };
 

@@ -65,6 +65,7 @@ TEST_F(Pipeline, PassesOverWhatGitIgnoresInFolders) {
     folder.write("O2.tap", bad);
     folder.write("out/O3.nc", bad);
     folder.write("README.md", "");
+    folder.write("O1.old", "");
     const Finished finished = run({"."});
     EXPECT_EQ(finished.out,
               "no findings (1 checked, 1 file with another name passed over, 1 program ignored by git)\n");
@@ -96,7 +97,7 @@ TEST_F(Pipeline, ExcludesHoldForNamedFilesWhenForced) {
 }
 
 TEST_F(Pipeline, ARunWithoutProgramsIsAnErrorWhenAsked) {
-    folder.write("notes.md", "");
+    folder.write("program.old", "");
     EXPECT_EQ(run({"."}).status, 0);
     EXPECT_THAT(run({"."}).err,
                 HasSubstr("no NC program is in this folder (1 file with another name passed over)"));
@@ -105,7 +106,7 @@ TEST_F(Pipeline, ARunWithoutProgramsIsAnErrorWhenAsked) {
     EXPECT_EQ(empty.err,
               "maclint: error: no NC program was checked. Correct the paths, or leave --error-on-empty "
               "out.\n");
-    EXPECT_EQ(run({"--error-on-empty", "notes.md"}).status, 2);
+    EXPECT_EQ(run({"--error-on-empty", "program.old"}).status, 2);
     folder.write("O1.nc", good);
     EXPECT_EQ(run({"--error-on-empty", "."}).status, 0);
 }

@@ -67,7 +67,7 @@ TEST(CommandList, KnowsTheCommandsThatTheHelpNames) {
     const std::string help = printed({"--help"});
     for (const CommandText& command : command_list())
         EXPECT_THAT(help, HasSubstr(command.name == "check" ? "maclint [check]" : "maclint " + command.name));
-    EXPECT_THAT(command_list(), SizeIs(5U));
+    EXPECT_THAT(command_list(), SizeIs(7U));
 }
 
 TEST(CommandList, NamesTheWordsThatAnOptionTakesAndNoOther) {

@@ -72,9 +72,9 @@ TEST_F(Since, AllOfANewFileHasChanged) {
     folder.write("O2.nc", bad);
     EXPECT_EQ(found("--since HEAD"), "O2.nc:3:1:\n");
     folder.write(".gitignore", "O2.nc");
-    EXPECT_EQ(found("--since HEAD"), "O2.nc:3:1:\n");
+    EXPECT_EQ(found("--since HEAD --no-gitignore"), "O2.nc:3:1:\n");
     ASSERT_EQ(shell("git add -f O2.nc").status, 0);
-    EXPECT_EQ(found("--since HEAD"), "O2.nc:3:1:\n");
+    EXPECT_EQ(found("--since HEAD --no-gitignore"), "O2.nc:3:1:\n");
 }
 
 TEST_F(Since, NothingHasChangedInAFileThatWasOnlyRenamed) {
