@@ -1,7 +1,8 @@
-//! Options are declared to CLI11 as texts; what they may say is checked here, so that the answer can be a
-//! good one.
+//! Finds the command and reads its options.
 #include "cli/command_line.hpp"
 
+#include "cli/options/check_options.hpp"
+#include "cli/options/choices.hpp"
 #include "cli/shell/completions.hpp"
 #include "cli/shell/describe.hpp"
 #include "cli/shell/manual_page.hpp"
@@ -22,320 +23,14 @@ namespace {
 constexpr std::array<std::string_view, 7> commands = {"check", "rules", "explain", "completions",
                                                       "man",   "help",  "version"};
 constexpr std::string_view version_text = "maclint " MACLINT_VERSION "\n";
-constexpr std::string_view default_stdin_name = "stdin.nc";
-constexpr unsigned most_jobs = 1024;
-
-template<class Value>
-struct Choice {
-    std::string_view word;
-    Value value;
-};
-
-constexpr std::array<Choice<Format>, 8> formats{{{"text", Format::text},
-                                                 {"concise", Format::concise},
-                                                 {"json", Format::json},
-                                                 {"sarif", Format::sarif},
-                                                 {"github", Format::github},
-                                                 {"gitlab", Format::gitlab},
-                                                 {"junit", Format::junit},
-                                                 {"checkstyle", Format::checkstyle}}};
-constexpr std::array<Choice<ListFormat>, 3> list_formats{
-    {{"text", ListFormat::text}, {"json", ListFormat::json}, {"markdown", ListFormat::markdown}}};
-constexpr std::array<Choice<ColourChoice>, 3> colours{
-    {{"auto", ColourChoice::automatic}, {"always", ColourChoice::always}, {"never", ColourChoice::never}}};
-constexpr std::array<Choice<PathDetail>, 3> path_details{
-    {{"full", PathDetail::full}, {"short", PathDetail::shortened}, {"none", PathDetail::none}}};
 
 using ShellScript = std::string (*)(const std::vector<CommandText>&);
 constexpr std::array<Choice<ShellScript>, 3> shells{
     {{"bash", bash_completions}, {"zsh", zsh_completions}, {"fish", fish_completions}}};
 
-/// Thrown while texts are made into values, caught in read_command_line.
-struct Refused {
-    UsageError error;
-};
-
-[[noreturn]] void refuse(std::string message) { throw Refused{{std::move(message)}}; }
-
-[[noreturn]] void refuse_word(std::string_view option, const std::string& word,
-                              const std::vector<std::string>& known) {
-    refuse(std::string(option) + " does not know '" + word + "'." +
-           did_you_mean(word, known, "Known are " + enumerate(known) + "."));
-}
-
-template<class Choices>
-std::vector<std::string> words_of(const Choices& choices) {
-    std::vector<std::string> words;
-    for (const auto& choice : choices) words.emplace_back(choice.word);
-    return words;
-}
-
-template<class Choices>
-auto choose(std::string_view option, const std::string& word, const Choices& choices) {
-    for (const auto& choice : choices)
-        if (choice.word == word) return choice.value;
-    refuse_word(option, word, words_of(choices));
-}
-
-template<class Number>
-Number number(std::string_view option, const std::string& word, Number least, Number most) {
-    Number value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size() || value < least || value > most)
-        refuse(std::string(option) + " does not take '" + word + "'. Give a whole number from " +
-               std::to_string(least) + " to " + std::to_string(most) + ".");
-    return value;
-}
-
-std::vector<std::string> split_at_commas(const std::vector<std::string>& lists) {
-    std::vector<std::string> words;
-    for (std::string_view list : lists) {
-        while (!list.empty()) {
-            const auto word = list.substr(0, list.find(','));
-            if (!word.empty()) words.emplace_back(word);
-            list.remove_prefix(word.size() == list.size() ? word.size() : word.size() + 1);
-        }
-    }
-    return words;
-}
-
-void require_rules(std::string_view option, const std::vector<std::string>& words) {
-    for (const std::string& word : words)
-        if (rules_named(word).empty())
-            refuse(std::string(option) + " names no rule: '" + word + "'." +
-                   did_you_mean(word, rule_words(), "See 'maclint rules' for the list."));
-}
-
-/// Options of `check` as they were typed.
-struct CheckWords {
-    std::vector<std::string> paths, outputs, select, ignore, severity;
-    std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
-                        max_findings, path = "short", colour = "auto", baseline, write_baseline, since;
-    bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false,
-         statistics = false, no_baseline = false, prune_baseline = false, force_exclude = false,
-         no_gitignore = false, error_on_empty = false;
-};
-
-/// An empty name comes from a variable that nobody has set.
-auto not_empty(std::string_view option) {
-    return [option](const std::string& word) {
-        if (word.empty())
-            refuse(std::string(option) + " wants the name of a file. Write one, or leave it out.");
-    };
-}
-
-/// Which findings count, of those that there are.
-void declare_gate(CLI::App& check, CheckWords& words) {
-    check.add_option("--baseline", words.baseline, "Findings that this file knows do not count")
-        ->type_name("FILE")
-        ->each(not_empty("--baseline"));
-    check.add_flag("--no-baseline", words.no_baseline, "All findings count, whatever the configuration says");
-    check
-        .add_option("--write-baseline", words.write_baseline,
-                    "Write this file: what is found now is known from then on")
-        ->type_name("FILE")
-        ->each(not_empty("--write-baseline"));
-    check.add_flag("--prune-baseline", words.prune_baseline, "Take what is gone out of the baseline");
-    check
-        .add_option("--since", words.since,
-                    "Only findings that show a line changed since this git revision, such as HEAD")
-        ->type_name("REV")
-        ->each([](const std::string& word) {
-            if (word.empty() || word.starts_with('-'))
-                refuse("--since wants a git revision. Write a commit, a branch or a tag, for instance HEAD.");
-        });
-}
-
 void declare_common(CLI::App& app) {
     app.set_help_flag("--help,-h", "This text");
     app.set_version_flag("--version,-V", std::string(version_text), "The version");
-}
-
-void declare_discovery(CLI::App& check, CheckWords& words) {
-    check.add_flag("--force-exclude", words.force_exclude,
-                   "What is excluded or ignored by git is not checked when it is named, too");
-    check.add_flag("--no-gitignore", words.no_gitignore, "Search folders for what git ignores, too");
-    check.add_flag("--error-on-empty", words.error_on_empty, "A run that checks no program is an error");
-}
-
-void declare_check(CLI::App& check, CheckWords& words) {
-    const auto repeatable = [](CLI::Option* option) { return option->allow_extra_args(false); };
-    check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)")
-        ->type_name("");
-    check
-        .add_option("--format", words.format, "What goes to standard output: " + enumerate(words_of(formats)))
-        ->type_name("FORMAT");
-    repeatable(check.add_option("--output", words.outputs, "Also write a report to a file; may be repeated"))
-        ->type_name("FORMAT:FILE");
-    check
-        .add_option("--dialect", words.dialect, "Language of all files: auto, " + enumerate(dialect_names()))
-        ->type_name("NAME");
-    check.add_option("--control", words.control, "Control that all files are for")->type_name("NAME");
-    repeatable(check.add_option("--select", words.select,
-                                "Only these rules: codes, names, prefixes such as MAC3, ALL"))
-        ->type_name("RULES");
-    repeatable(check.add_option("--ignore", words.ignore, "Not these rules"))->type_name("RULES");
-    repeatable(check.add_option("--severity", words.severity, "Change a severity to error, warning or note"))
-        ->type_name("RULE=LEVEL");
-    check
-        .add_option("--config", words.config,
-                    "This configuration instead of the nearest " + std::string(configuration_name))
-        ->type_name("FILE")
-        ->each(not_empty("--config"));
-    check.add_flag("--isolated", words.isolated, "No configuration at all");
-    check.add_flag("--show-config", words.show_config, "Print what holds for each file, and why");
-    check.add_option("--stdin-filename", words.stdin_name, "Name under which standard input is linted")
-        ->type_name("FILE")
-        ->each(not_empty("--stdin-filename"));
-    check.add_option("--jobs", words.jobs, "Threads (default: one a core)")->type_name("N");
-    check
-        .add_option(
-            "--fail-on", words.fail_on,
-            "Least severity that makes the exit status 1: error, warning, note or never (default: warning)")
-        ->type_name("LEVEL");
-    check
-        .add_option("--max-findings", words.max_findings,
-                    "Report no more than N findings, errors first, or all (default: all, on a terminal 100)")
-        ->type_name("N");
-    check.add_option("--path", words.path, "Steps to a finding in a text report: full, short or none")
-        ->type_name("DETAIL");
-    check.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
-        ->type_name("WHEN");
-    check.add_flag("--quiet,-q", words.quiet, "No summary, notes or progress");
-    declare_discovery(check, words);
-    check.add_flag("--no-timestamps", words.no_timestamps,
-                   "No times in reports, so that equal runs give equal files");
-    check.add_flag("--statistics", words.statistics, "Count the findings by rule and by file, too");
-    check.add_flag("--timing", words.timing, "Say on standard error where the time of the run went");
-    declare_gate(check, words);
-}
-
-bool is_standard_output(const std::string& path) {
-    return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
-}
-
-Sink sink_of(const std::string& output) {
-    const auto colon = output.find(':');
-    if (colon == std::string::npos || colon + 1 == output.size())
-        refuse("--output does not take '" + output +
-               "'. Write FORMAT:FILE, for instance sarif:maclint.sarif.");
-    const std::string path = output.substr(colon + 1);
-    return {choose("--output", output.substr(0, colon), formats), is_standard_output(path) ? "-" : path};
-}
-
-std::vector<Sink> sinks_of(const CheckWords& words) {
-    std::vector<Sink> sinks;
-    for (const std::string& output : words.outputs) {
-        Sink sink = sink_of(output);
-        if (std::ranges::find(sinks, sink.path, &Sink::path) != sinks.end())
-            refuse("--output names '" + shown(sink.path) +
-                   "' twice. Name another file for one of the reports.");
-        sinks.push_back(std::move(sink));
-    }
-    const bool printed = std::ranges::any_of(sinks, [](const Sink& sink) { return sink.path == "-"; });
-    if (!words.format.empty() && printed)
-        refuse("--format and --output FORMAT:- both write to standard output. Leave one out.");
-    if (!printed)
-        sinks.push_back(
-            {words.format.empty() ? Format::text : choose("--format", words.format, formats), "-"});
-    return sinks;
-}
-
-std::pair<std::string, Severity> severity_of(const std::string& setting) {
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos)
-        refuse("--severity does not take '" + setting + "'. Write RULE=LEVEL, for instance MAC501=error.");
-    const std::string rules = setting.substr(0, equals);
-    const std::string level = setting.substr(equals + 1);
-    require_rules("--severity", {rules});
-    const auto severity = severity_named(level);
-    if (!severity) refuse_word("--severity", level, {"error", "warning", "note"});
-    return {rules, *severity};
-}
-
-Overrides overrides_of(const CheckWords& words) {
-    Overrides overrides;
-    overrides.dialect = find_dialect(words.dialect);
-    if (overrides.dialect == nullptr && words.dialect != "auto") {
-        auto known = dialect_names();
-        known.insert(known.begin(), "auto");
-        refuse_word("--dialect", words.dialect, known);
-    }
-    overrides.control = words.control;
-    overrides.select = split_at_commas(words.select);
-    overrides.ignore = split_at_commas(words.ignore);
-    require_rules("--select", overrides.select);
-    require_rules("--ignore", overrides.ignore);
-    for (const std::string& setting : split_at_commas(words.severity))
-        overrides.severity.push_back(severity_of(setting));
-    if (words.isolated && !words.config.empty())
-        refuse("--isolated and --config exclude each other. Leave one out.");
-    overrides.config_path = words.config;
-    overrides.isolated = words.isolated;
-    return overrides;
-}
-
-/// A control may be one of the configuration's own: those are known only later, unless there is no
-/// configuration.
-void require_control(const Overrides& overrides) {
-    if (overrides.control.empty() || find_control(overrides.control) != nullptr || !overrides.isolated)
-        return;
-    refuse_word("--control", overrides.control, control_names());
-}
-
-/// A baseline is read or written: what is known already is to be found when it is written.
-void read_gate(const CheckWords& words, CheckRequest& request) {
-    const auto exclude = [](std::string_view one, std::string_view other, std::string_view why) {
-        refuse(std::string(one) + " and " + std::string(other) + " exclude each other: " + std::string(why) +
-               ". Leave one out.");
-    };
-    if (!words.write_baseline.empty()) {
-        constexpr std::string_view write = "--write-baseline";
-        if (!words.baseline.empty()) exclude("--baseline", write, "what is written is all that is found");
-        if (words.prune_baseline) exclude("--prune-baseline", write, "what is written is never gone");
-        if (!words.since.empty()) exclude("--since", write, "what is written is all that is found");
-        if (is_standard_output(words.write_baseline))
-            refuse("--write-baseline wants the name of a file. Standard output has the report.");
-    }
-    if (words.no_baseline && !words.baseline.empty())
-        exclude("--baseline", "--no-baseline", "one of them names what the other leaves out");
-    if (words.no_baseline && words.prune_baseline)
-        exclude("--prune-baseline", "--no-baseline", "nothing is left to prune");
-    request.overrides.baseline = words.baseline;
-    request.overrides.no_baseline = words.no_baseline || !words.write_baseline.empty();
-    request.write_baseline = words.write_baseline;
-    request.prune_baseline = words.prune_baseline;
-    request.since = words.since;
-}
-
-CheckRequest check_request(const CheckWords& words) {
-    CheckRequest request;
-    request.paths = words.paths.empty() ? std::vector<std::string>{"."} : words.paths;
-    request.sinks = sinks_of(words);
-    request.overrides = overrides_of(words);
-    require_control(request.overrides);
-    request.show_config = words.show_config ? ShowConfig::yes : ShowConfig::no;
-    request.stdin_name = words.stdin_name.empty() ? std::string(default_stdin_name) : words.stdin_name;
-    request.jobs = words.jobs.empty() ? std::max(1U, std::thread::hardware_concurrency())
-                                      : number("--jobs", words.jobs, 1U, most_jobs);
-    if (words.fail_on != "never") {
-        request.fail_on = severity_named(words.fail_on);
-        if (!request.fail_on) refuse_word("--fail-on", words.fail_on, {"error", "warning", "note", "never"});
-    }
-    if (words.max_findings == "all")
-        request.max_findings = std::numeric_limits<std::size_t>::max();
-    else if (!words.max_findings.empty())
-        request.max_findings = number<std::size_t>("--max-findings", words.max_findings, 0, 1'000'000'000);
-    request.path = choose("--path", words.path, path_details);
-    request.colour = choose("--color", words.colour, colours);
-    request.quiet = words.quiet;
-    request.timestamps = !words.no_timestamps;
-    request.timing = words.timing;
-    request.statistics = words.statistics;
-    read_gate(words, request);
-    request.discovery = {.gitignore = !words.no_gitignore, .force_exclude = words.force_exclude};
-    request.error_on_empty = words.error_on_empty;
-    return request;
 }
 
 /// What CLI11 took for more than it knows: `--`, after which it takes no options, is among it.
@@ -360,7 +55,7 @@ void parse(CLI::App& app, std::vector<std::string> arguments) {
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
-        throw Refused{{""}};
+        throw Refused{};
     } catch (const CLI::CallForVersion&) {
         throw PrintRequest{std::string(version_text)};
     } catch (const CLI::ParseError& error) {
@@ -374,7 +69,7 @@ std::optional<PrintRequest> parse_or_help(CLI::App& app, std::vector<std::string
     try {
         parse(app, std::move(arguments));
     } catch (const Refused& refused) {
-        if (refused.error.message.empty()) return PrintRequest{app.help("maclint")};
+        if (refused.message.empty()) return PrintRequest{app.help("maclint")};
         throw;
     }
     return std::nullopt;
@@ -415,7 +110,7 @@ Request read_check(std::vector<std::string> arguments, bool with_overview) {
     try {
         parse(app, std::move(arguments));
     } catch (const Refused& refused) {
-        if (refused.error.message.empty()) return PrintRequest{overview(app)};
+        if (refused.message.empty()) return PrintRequest{overview(app)};
         throw;
     }
     suggest_command(words.paths);
@@ -566,7 +261,7 @@ Request read_command_line(std::vector<std::string> arguments) {
         if (first == "version") return read_version(std::move(arguments));
         return read_check(std::move(arguments), first == "--help" || first == "-h");
     } catch (const Refused& refused) {
-        return refused.error;
+        return UsageError{refused.message};
     } catch (const PrintRequest& print) {
         return print;
     }

@@ -106,7 +106,8 @@ TEST_F(Pipeline, ARunWithoutProgramsIsAnErrorWhenAsked) {
     EXPECT_EQ(empty.err,
               "maclint: error: no NC program was checked. Correct the paths, or leave --error-on-empty "
               "out.\n");
-    EXPECT_EQ(run({"--error-on-empty", "program.old"}).status, 2);
+    folder.write("notes.md", "");
+    EXPECT_EQ(run({"--error-on-empty", "notes.md"}).status, 2);
     folder.write("O1.nc", good);
     EXPECT_EQ(run({"--error-on-empty", "."}).status, 0);
 }

@@ -1,0 +1,30 @@
+//! The options of `check`.
+#pragma once
+
+#include "cli/command_line.hpp"
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace maclint::cli {
+
+/// Options of `check` as they were typed.
+struct CheckWords {
+    std::vector<std::string> paths, outputs, select, ignore, severity;
+    std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
+                        max_findings, path = "short", colour = "auto", baseline, write_baseline, since;
+    bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false,
+         statistics = false, no_baseline = false, prune_baseline = false, force_exclude = false,
+         no_gitignore = false, error_on_empty = false;
+};
+
+void declare_check(CLI::App& check, CheckWords& words);
+
+/// What they ask for; throws Refused where they make no sense.
+[[nodiscard]] CheckRequest check_request(const CheckWords& words);
+
+} // namespace maclint::cli
