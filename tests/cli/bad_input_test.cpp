@@ -68,7 +68,7 @@ TEST_F(BadBytes, SeventyThousandCommentsInOneBlock) {
 }
 
 TEST_F(BadInput, FolderWithoutPrograms) {
-    folder.write("bare/notes.md", "G0 X1.\n");
+    folder.write("bare/part.old", "G0 X1.\n");
     const Finished finished = lint({"bare", "neighbour.nc"});
     EXPECT_EQ(finished.status, 1);
     EXPECT_THAT(
