@@ -174,7 +174,7 @@ bool matches(const IgnoreRule& rule, const std::vector<std::string_view>& names)
 /// The folder of a repository's own files; for a work tree beside it a file names it.
 fs::path git_folder(const fs::path& root) {
     std::error_code ignored;
-    const fs::path at = root / ".git";
+    fs::path at = root / ".git";
     if (fs::is_directory(at, ignored)) return at;
     const auto named_in = [](const fs::path& file, std::string_view key) {
         std::string text = read_text(file);
