@@ -45,7 +45,7 @@ std::string as_shown(const fs::path& path) {
 std::string identity(const fs::path& path) {
     std::error_code error;
     const fs::path real = fs::canonical(path, error);
-    return error ? path.lexically_normal().string() : real.string();
+    return error ? path.lexically_normal().generic_string() : real.generic_string();
 }
 
 Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
@@ -185,7 +185,8 @@ class Walk {
         std::error_code error;
         const bool link = entry.is_symlink(error);
         const std::string name = entry.path().filename().string();
-        if (!seen_.insert(link ? identity(entry.path()) : (fs::path(folder) / name).string()).second) return;
+        if (!seen_.insert(link ? identity(entry.path()) : (fs::path(folder) / name).generic_string()).second)
+            return;
         const auto size = entry.file_size(error);
         if (!error) bytes_ += size;
         if (found_.files.size() >= bounds_.files || bytes_ > bounds_.bytes) {

@@ -174,7 +174,7 @@ bool matches(const IgnoreRule& rule, const std::vector<std::string_view>& names)
 /// The folder of a repository's own files; for a work tree beside it a file names it.
 fs::path git_folder(const fs::path& root) {
     std::error_code ignored;
-    const fs::path at = root / ".git";
+    fs::path at = root / ".git";
     if (fs::is_directory(at, ignored)) return at;
     const auto named_in = [](const fs::path& file, std::string_view key) {
         std::string text = read_text(file);
@@ -218,7 +218,7 @@ const GitIgnore::Known& GitIgnore::known_of(const std::string& folder) {
     if (fs::exists(path / ".git", ignored))
         known = {with_file(nullptr, folder, git_folder(path) / "info" / "exclude"), true};
     else if (path.has_relative_path())
-        known = known_of(path.parent_path().string());
+        known = known_of(path.parent_path().generic_string());
     if (known.in_repository) known.rules = with_file(std::move(known.rules), folder, path / ".gitignore");
     return by_folder_.emplace(folder, std::move(known)).first->second;
 }
@@ -239,7 +239,7 @@ bool GitIgnore::ignores(const std::string& folder, const std::string& name, bool
 bool GitIgnore::ignores_path(const std::string& path, bool is_folder) {
     std::error_code ignored;
     const fs::path at(path);
-    const std::string folder = at.parent_path().string();
+    const std::string folder = at.parent_path().generic_string();
     const bool is_root = is_folder && fs::exists(at / ".git", ignored);
     if (is_root || !at.has_relative_path() || !known_of(folder).in_repository) return false;
     return ignores(folder, at.filename().string(), is_folder) || ignores_path(folder, true);

@@ -25,7 +25,8 @@ struct IgnoreRule {
 /// The ignore file of a user, which git reads too, is not read: what is checked must not depend on it.
 class GitIgnore {
   public:
-    /// Whether git passes an entry of the folder over. The folder is absolute and without links.
+    /// Whether git passes an entry of the folder over. The folder is absolute, without
+    /// links, with '/'.
     [[nodiscard]] bool ignores(const std::string& folder, const std::string& name, bool is_folder);
     /// The folder was asked for: if git passes it over, then for what is in it only its own rules count.
     void ask_for(const std::string& folder);

@@ -151,7 +151,8 @@ TEST_F(Pipeline, LintsNoneOfItsOwnReports) {
         std::filesystem::remove(folder.path() / report);
     }
     folder.write("O2.txt", "(ALL BORES checked)\nO2\nGOTO 9\nM30\n"); // begins like none
-    EXPECT_THAT(run({"."}).out, HasSubstr("(2 checked)"));
+    folder.write("O3.txt", "(BORES) (4 checked)\nO3\nGOTO 9\nM30\n");
+    EXPECT_THAT(run({"."}).out, HasSubstr("(3 checked)"));
 }
 
 TEST_F(Pipeline, KnowsProgramsByUnusualNames) {

@@ -187,6 +187,16 @@ TEST(XmlReports, AreWellFormedWhateverTheTextsAre) {
                                                 "/failure", "/testcase", "/testsuite", "/testsuites"));
 }
 
+TEST(ServiceReports, LeaveOutWhatACommentAllows) {
+    HandMade made("O1.nc", "O1\nM30\n");
+    made.add("M30", Severity::error);
+    made.report().findings.back().suppressed = Suppression{{0, 2}, "WANTED"};
+    EXPECT_EQ(write_github(made.report(), {.summary = Summary::left_out}), "");
+    EXPECT_EQ(write_gitlab(made.report(), {}), "[]\n");
+    EXPECT_THAT(write_junit(made.report(), {}), HasSubstr("maclint.checked"));
+    EXPECT_THAT(write_checkstyle(made.report()), HasSubstr("<file name=\"O1.nc\"/>"));
+}
+
 TEST(ServiceReports, TellOfWhatTheRunCouldNotDo) {
     HandMade made("O1.nc", "O1\n");
     made.report().notices = {{NoticeKind::unreadable, "gone.nc", "there is no such file"},
