@@ -44,11 +44,11 @@ std::variant<Gate, Notice> Gate::open(const CheckRequest& request, const Snapsho
     Gate gate;
     auto known = KnownFindings::read(
         {request.overrides.baseline, request.write_baseline, request.prune_baseline}, snapshot);
-    if (auto* notice = std::get_if<Notice>(&known)) return *std::move(notice);
+    if (auto* notice = std::get_if<Notice>(&known)) return std::move(*notice);
     gate.known_ = std::get<KnownFindings>(std::move(known));
     if (request.since.empty()) return gate;
     auto changed = ChangedLines::since(request.since, inputs_of(snapshot));
-    if (auto* notice = std::get_if<Notice>(&changed)) return *std::move(notice);
+    if (auto* notice = std::get_if<Notice>(&changed)) return std::move(*notice);
     gate.changed_ = std::get<ChangedLines>(std::move(changed));
     gate.since_ = request.since;
     return gate;

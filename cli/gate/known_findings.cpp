@@ -167,7 +167,7 @@ std::variant<Baseline, Notice> read_before(const std::string& path) {
         if (!holds_baseline(path))
             notice->message = "--write-baseline does not write over this file, which is no baseline of "
                               "maclint. Name another file, or remove this one.";
-        return *std::move(notice);
+        return std::move(*notice);
     }
     return read;
 }
@@ -183,7 +183,7 @@ std::variant<KnownFindings, Notice> KnownFindings::read(BaselineWishes wishes, c
         if (file.input.asked && !file.settings.baseline.empty()) paths.insert(file.settings.baseline);
     for (const std::string& path : paths) {
         auto baseline = read_baseline(path);
-        if (auto* notice = std::get_if<Notice>(&baseline)) return *std::move(notice);
+        if (auto* notice = std::get_if<Notice>(&baseline)) return std::move(*notice);
         known.baselines_[path] = std::get<Baseline>(std::move(baseline));
     }
     if (known.wishes_.prune && paths.empty())
@@ -192,7 +192,7 @@ std::variant<KnownFindings, Notice> KnownFindings::read(BaselineWishes wishes, c
                       "'baseline' in the configuration."};
     if (!known.wishes_.write.empty()) {
         auto before = read_before(known.wishes_.write);
-        if (auto* notice = std::get_if<Notice>(&before)) return *std::move(notice);
+        if (auto* notice = std::get_if<Notice>(&before)) return std::move(*notice);
         known.before_ = std::get<Baseline>(std::move(before));
     }
     return known;
