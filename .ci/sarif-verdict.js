@@ -4,6 +4,7 @@ const fs = require('fs');
 
 const goneWithout = {
   SARIF2003: 'version control details: a linter does not ask git',
+  SARIF2005: 'address of the tool: as the next',
   SARIF2006: 'reachable URIs: there is no base address until the rule pages are published',
   SARIF2012: 'rule properties: help addresses need the same',
   SARIF2013: 'embedded file contents: programs are not copied into reports',

@@ -19,7 +19,9 @@
 namespace maclint::cli {
 namespace {
 
-constexpr std::array<std::string_view, 5> commands = {"check", "rules", "explain", "completions", "man"};
+constexpr std::array<std::string_view, 7> commands = {"check", "rules", "explain", "completions",
+                                                      "man",   "help",  "version"};
+constexpr std::string_view version_text = "maclint " MACLINT_VERSION "\n";
 constexpr std::string_view default_stdin_name = "stdin.nc";
 constexpr unsigned most_jobs = 1024;
 
@@ -29,8 +31,14 @@ struct Choice {
     Value value;
 };
 
-constexpr std::array<Choice<Format>, 4> formats{
-    {{"text", Format::text}, {"concise", Format::concise}, {"json", Format::json}, {"sarif", Format::sarif}}};
+constexpr std::array<Choice<Format>, 8> formats{{{"text", Format::text},
+                                                 {"concise", Format::concise},
+                                                 {"json", Format::json},
+                                                 {"sarif", Format::sarif},
+                                                 {"github", Format::github},
+                                                 {"gitlab", Format::gitlab},
+                                                 {"junit", Format::junit},
+                                                 {"checkstyle", Format::checkstyle}}};
 constexpr std::array<Choice<ListFormat>, 3> list_formats{
     {{"text", ListFormat::text}, {"json", ListFormat::json}, {"markdown", ListFormat::markdown}}};
 constexpr std::array<Choice<ColourChoice>, 3> colours{
@@ -103,7 +111,8 @@ struct CheckWords {
     std::vector<std::string> paths, outputs, select, ignore, severity;
     std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
                         max_findings, path = "short", colour = "auto";
-    bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false;
+    bool isolated = false, show_config = false, quiet = false, no_timestamps = false, timing = false,
+         statistics = false, force_exclude = false, no_gitignore = false, error_on_empty = false;
 };
 
 /// An empty name comes from a variable that nobody has set.
@@ -114,11 +123,24 @@ auto not_empty(std::string_view option) {
     };
 }
 
+void declare_common(CLI::App& app) {
+    app.set_help_flag("--help,-h", "This text");
+    app.set_version_flag("--version,-V", std::string(version_text), "The version");
+}
+
+void declare_discovery(CLI::App& check, CheckWords& words) {
+    check.add_flag("--force-exclude", words.force_exclude,
+                   "What is excluded or ignored by git is not checked when it is named, too");
+    check.add_flag("--no-gitignore", words.no_gitignore, "Search folders for what git ignores, too");
+    check.add_flag("--error-on-empty", words.error_on_empty, "A run that checks no program is an error");
+}
+
 void declare_check(CLI::App& check, CheckWords& words) {
     const auto repeatable = [](CLI::Option* option) { return option->allow_extra_args(false); };
     check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)")
         ->type_name("");
-    check.add_option("--format", words.format, "What goes to standard output: text, concise, json or sarif")
+    check
+        .add_option("--format", words.format, "What goes to standard output: " + enumerate(words_of(formats)))
         ->type_name("FORMAT");
     repeatable(check.add_option("--output", words.outputs, "Also write a report to a file; may be repeated"))
         ->type_name("FORMAT:FILE");
@@ -156,9 +178,11 @@ void declare_check(CLI::App& check, CheckWords& words) {
         ->type_name("DETAIL");
     check.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
         ->type_name("WHEN");
-    check.add_flag("--quiet", words.quiet, "No summary, notes or progress");
+    check.add_flag("--quiet,-q", words.quiet, "No summary, notes or progress");
+    declare_discovery(check, words);
     check.add_flag("--no-timestamps", words.no_timestamps,
                    "No times in reports, so that equal runs give equal files");
+    check.add_flag("--statistics", words.statistics, "Count the findings by rule and by file, too");
     check.add_flag("--timing", words.timing, "Say on standard error where the time of the run went");
 }
 
@@ -255,17 +279,22 @@ CheckRequest check_request(const CheckWords& words) {
     request.quiet = words.quiet;
     request.timestamps = !words.no_timestamps;
     request.timing = words.timing;
+    request.statistics = words.statistics;
+    request.discovery = {.gitignore = !words.no_gitignore, .force_exclude = words.force_exclude};
+    request.error_on_empty = words.error_on_empty;
     return request;
 }
 
-/// What CLI11 took for more than it knows.
+/// What CLI11 took for more than it knows: `--`, after which it takes no options, is among it.
 void refuse_unknown(const CLI::App& app) {
+    bool options_end = false;
     for (const std::string& word : app.remaining()) {
+        if (word == "--" && !std::exchange(options_end, true)) continue;
         std::vector<std::string> known;
         for (const CLI::Option* option : app.get_options())
             if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
         const std::string name = word.substr(0, word.find('='));
-        if (word.starts_with('-') && word != "-")
+        if (word.starts_with('-') && word != "-" && !options_end)
             refuse("there is no option '" + name + "'." +
                    did_you_mean(name, known, "See 'maclint " + app.get_name() + " --help'."));
         refuse("there is one word too many: '" + word + "'. Leave it out.");
@@ -279,6 +308,8 @@ void parse(CLI::App& app, std::vector<std::string> arguments) {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
         throw Refused{{""}};
+    } catch (const CLI::CallForVersion&) {
+        throw PrintRequest{std::string(version_text)};
     } catch (const CLI::ParseError& error) {
         refuse(std::string(error.what()) + ". See 'maclint " + app.get_name() + " --help'.");
     }
@@ -315,7 +346,8 @@ std::string overview(CLI::App& check) {
            "  maclint explain RULE        a rule's page\n"
            "  maclint completions SHELL   what bash, zsh or fish need to complete maclint's words\n"
            "  maclint man                 the manual page\n"
-           "  maclint --version           the version\n\n" +
+           "  maclint help [COMMAND]      this text, or that of a command\n"
+           "  maclint version             the version\n\n" +
            check.help("maclint") +
            "\nExit status: 0 nothing at or above --fail-on, 1 findings, 2 wrong usage, configuration or "
            "input.\n";
@@ -324,7 +356,7 @@ std::string overview(CLI::App& check) {
 Request read_check(std::vector<std::string> arguments, bool with_overview) {
     CLI::App app("", "check");
     CheckWords words;
-    app.set_help_flag("--help,-h", "This text");
+    declare_common(app);
     declare_check(app, words);
     if (with_overview) return PrintRequest{overview(app)};
     try {
@@ -356,7 +388,7 @@ Request read_rules(std::vector<std::string> arguments) {
     CLI::App app("The list of rules.", "rules");
     std::string format = "text";
     RulesRequest request;
-    app.set_help_flag("--help,-h", "This text");
+    declare_common(app);
     declare_rules(app, format, request.docs_folder);
     if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
     request.format = choose("--format", format, list_formats);
@@ -366,7 +398,7 @@ Request read_rules(std::vector<std::string> arguments) {
 Request read_explain(std::vector<std::string> arguments) {
     CLI::App app("A rule's page.", "explain");
     ExplainRequest request;
-    app.set_help_flag("--help,-h", "This text");
+    declare_common(app);
     std::string colour = "auto";
     declare_explain(app, request.rule, colour);
     if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
@@ -397,7 +429,7 @@ std::vector<std::string> known_words(std::string_view command, std::string_view 
 template<class Declare>
 CommandText described(const std::string& name, std::string text, Declare declare) {
     CLI::App app("", name);
-    app.set_help_flag("--help,-h", "This text");
+    declare_common(app);
     declare(app);
     return describe(app, std::move(text),
                     [&name](std::string_view option) { return known_words(name, option); });
@@ -405,7 +437,7 @@ CommandText described(const std::string& name, std::string text, Declare declare
 
 Request read_completions(std::vector<std::string> arguments) {
     CLI::App app("A script on standard output that lets a shell complete maclint's words.", "completions");
-    app.set_help_flag("--help,-h", "This text");
+    declare_common(app);
     std::string shell;
     declare_completions(app, shell);
     if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
@@ -415,9 +447,24 @@ Request read_completions(std::vector<std::string> arguments) {
 
 Request read_man(std::vector<std::string> arguments) {
     CLI::App app("The manual page on standard output, as 'man' reads it.", "man");
-    app.set_help_flag("--help,-h", "This text");
+    declare_common(app);
     if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
     return PrintRequest{manual_page(command_list(), MACLINT_VERSION)};
+}
+
+/// `help rules` is `rules --help`.
+Request read_help(const std::vector<std::string>& words) {
+    if (words.size() > 1) refuse("there is one word too many: '" + words[1] + "'. Leave it out.");
+    const std::string about = words.empty() ? "check" : words.front();
+    if (about == "rules") return read_rules({"--help"});
+    if (about == "explain") return read_explain({"--help"});
+    if (about == "completions") return read_completions({"--help"});
+    if (about == "man") return read_man({"--help"});
+    if (std::ranges::find(commands, about) != commands.end()) return read_check({}, true);
+    if (!rules_named(about).empty())
+        refuse("help knows commands, not rules. Did you mean 'maclint explain " + about + "'?");
+    const std::vector<std::string> known(commands.begin(), commands.end());
+    refuse_word("help", about, known);
 }
 
 } // namespace
@@ -436,7 +483,6 @@ std::vector<CommandText> command_list() {
 
 Request read_command_line(std::vector<std::string> arguments) {
     const std::string first = arguments.empty() ? "" : arguments.front();
-    if (first == "--version") return PrintRequest{"maclint " MACLINT_VERSION "\n"};
     const bool is_command = std::ranges::find(commands, first) != commands.end();
     if (is_command) arguments.erase(arguments.begin());
     try {
@@ -444,9 +490,13 @@ Request read_command_line(std::vector<std::string> arguments) {
         if (first == "explain") return read_explain(std::move(arguments));
         if (first == "completions") return read_completions(std::move(arguments));
         if (first == "man") return read_man(std::move(arguments));
+        if (first == "help") return read_help(arguments);
+        if (first == "version") return read_check({"--version"}, false);
         return read_check(std::move(arguments), first == "--help" || first == "-h");
     } catch (const Refused& refused) {
         return refused.error;
+    } catch (const PrintRequest& print) {
+        return print;
     }
 }
 

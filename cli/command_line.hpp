@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/config/settings.hpp"
+#include "cli/input/discover.hpp"
 #include "cli/report/report.hpp"
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 
 namespace maclint::cli {
 
-enum class Format : std::uint8_t { text, concise, json, sarif };
+enum class Format : std::uint8_t { text, concise, json, sarif, github, gitlab, junit, checkstyle };
 
 /// One place where a report goes.
 struct Sink {
@@ -37,7 +38,10 @@ struct CheckRequest {
     ColourChoice colour = ColourChoice::automatic;
     bool quiet = false;
     bool timestamps = true;
-    bool timing = false; ///< say where the time went
+    bool timing = false;     ///< say where the time went
+    bool statistics = false; ///< count findings by rule and by file
+    DiscoverOptions discovery;
+    bool error_on_empty = false; ///< a run that checks no program is an error
 };
 
 enum class ListFormat : std::uint8_t { text, json, markdown };

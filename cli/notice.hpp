@@ -7,10 +7,11 @@
 namespace maclint::cli {
 
 enum class NoticeKind : std::uint8_t {
-    unreadable,    ///< a file, a folder or the output could not be read or written
-    configuration, ///< a configuration file is wrong
-    foreign,       ///< a file in a language that maclint does not lint
-    left_out,      ///< something was not looked at, on purpose
+    unreadable,      ///< a file, a folder or the output could not be read or written
+    configuration,   ///< a configuration file is wrong
+    foreign,         ///< a file in a language that maclint does not lint
+    left_out,        ///< something was not looked at, on purpose
+    nothing_checked, ///< there was no program, and --error-on-empty wants one
 };
 
 /// Text is UTF-8 and may hold anything: reports escape it.
@@ -21,7 +22,8 @@ struct Notice {
 
     /// Errors end the run with status 2, notes do not.
     [[nodiscard]] bool is_error() const {
-        return kind == NoticeKind::unreadable || kind == NoticeKind::configuration;
+        return kind == NoticeKind::unreadable || kind == NoticeKind::configuration ||
+               kind == NoticeKind::nothing_checked;
     }
 };
 

@@ -71,6 +71,21 @@ void require_writable_again(const std::string& report) {
                   "a report is taken for a program");
 }
 
+/// Reports for build services: a command a line, JSON, XML that no text opens an element in.
+void check_services(const cli::Report& report) {
+    const std::string github = write_github(report, {.summary = cli::Summary::left_out});
+    fuzz::require_harmless(github, "the GitHub report");
+    const auto shown =
+        std::ranges::count_if(report.findings, [](const auto& each) { return !each.suppressed; });
+    const auto errors = std::ranges::count_if(report.notices, &cli::Notice::is_error);
+    fuzz::require(std::ranges::count(github, '\n') == shown + errors, "a GitHub command of several lines");
+    require_json(write_gitlab(report, {}), "the GitLab report");
+    for (const std::string& xml : {write_junit(report, {}), write_checkstyle(report)}) {
+        fuzz::require_harmless(xml, "an XML report");
+        fuzz::require(std::ranges::count(xml, '<') == std::ranges::count(xml, '>'), "a broken element");
+    }
+}
+
 } // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -95,5 +110,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (fuzz::choice(text, 8) == 1) require_writable_again(concise);
     if (fuzz::choice(text, 3) == 0) require_json(write_json(report), "the JSON report");
     if (fuzz::choice(text, 11) == 0) require_json(write_sarif(report), "the SARIF report");
+    if (fuzz::choice(text, 3) == 1) check_services(report);
     return 0;
 }

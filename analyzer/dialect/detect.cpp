@@ -92,12 +92,18 @@ Detection foreign(const Evidence& evidence, Language language) {
             true};
 }
 
+/// " (PNG image)", or nothing.
+std::string kind_in_brackets(std::string_view bytes) {
+    const auto kind = detect::find_binary_kind(bytes);
+    return kind ? " (" + std::string(*kind) + ")" : std::string();
+}
+
 Detection judge(Content content, std::string_view text, const std::string& extension) {
     const Dialect* fanuc = find_dialect("fanuc");
     switch (content) {
     case Content::empty: text = {}; break; // the extension may tell
     case Content::utf16: return {nullptr, "UTF-16 text, which no control reads", true, true};
-    case Content::binary: return {nullptr, "a binary file", true, true};
+    case Content::binary: return {nullptr, "a binary file" + kind_in_brackets(text), true, true};
     case Content::text: break;
     }
     if (const auto other = detect::find_other_text(text)) return {nullptr, std::string(*other), true, true};
@@ -125,11 +131,22 @@ Detection judge(Content content, std::string_view text, const std::string& exten
 // they are named like a program: O9100.
 constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "ngc", "gcode", "gc",
                                            "g",   "eia", "iso", "pim", "min", "fan", "nct",   "mac",
-                                           "prg", "pgm", "sub", "txt", "ncs", "mpf", "spf",   "h"};
+                                           "prg", "pgm", "sub", "txt", "ncs", "mpf", "spf",   "h",
+                                           "din", "dnc", "anc", "hnc", "gcd", "ssb", "msb",   "ptp"};
 
+/// O9100, and with words behind the number: O9010_TORUS.
 bool is_program_name(std::string_view name) {
-    return name.size() >= 2 && detect::upper(name[0]) == 'O' &&
-           std::ranges::all_of(name.substr(1), detect::is_digit);
+    if (name.size() < 2 || detect::upper(name[0]) != 'O' || !detect::is_digit(name[1])) return false;
+    const std::size_t end = std::min(name.find_first_not_of("0123456789", 1), name.size());
+    return end == name.size() || std::string_view("_- (").find(name[end]) != std::string_view::npos;
+}
+
+/// 1234, nc40: programs that other files may be named like, too.
+bool is_number_name(std::string_view name) {
+    constexpr std::size_t most_digits = 8;
+    if (name.size() > 2 && detect::upper(name[0]) == 'N' && detect::upper(name[1]) == 'C')
+        name.remove_prefix(2);
+    return !name.empty() && name.size() <= most_digits && std::ranges::all_of(name, detect::is_digit);
 }
 
 } // namespace
@@ -153,12 +170,14 @@ Detection detect_dialect(const Source& source) {
 
 bool has_nc_extension(std::string_view path) {
     const std::string extension = extension_of(path);
-    if (extension.empty()) return is_program_name(file_name_of(path));
+    const std::string_view name = file_name_of(path);
+    if (extension.empty()) return is_program_name(name) || is_number_name(name);
     return std::ranges::find(extensions, extension) != std::end(extensions);
 }
 
 bool is_worth_a_note(std::string_view path) {
     const std::string extension = extension_of(path);
+    if (extension.empty()) return !is_number_name(file_name_of(path));
     return extension != "txt" && extension != "h";
 }
 

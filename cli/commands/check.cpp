@@ -5,6 +5,7 @@
 #include "cli/engine/engine.hpp"
 #include "cli/report/limit.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report/statistics.hpp"
 #include "cli/report/timing.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
@@ -52,15 +53,19 @@ std::optional<Notice> refuse_settings(const Overrides& overrides, Settings& sett
 }
 
 /// The files that were asked for, and those around them that may call them or be called.
-std::vector<InputFile> inputs_of(const CheckRequest& request, Settings& settings,
-                                 std::vector<Notice>& notices) {
-    Discovered found = discover(request.paths, request.stdin_name, settings);
+Discovered inputs_of(const CheckRequest& request, Settings& settings, std::vector<Notice>& notices) {
+    Discovered found = discover(request.paths, request.stdin_name, settings, request.discovery);
     std::ranges::move(found.notices, std::back_inserter(notices));
-    Discovered around = discover_context(found.files, request.paths, settings);
+    Discovered around = discover_context(found.files, request.paths, settings, request.discovery);
     std::ranges::move(around.notices, std::back_inserter(notices));
     std::ranges::move(around.files, std::back_inserter(found.files));
     std::ranges::stable_sort(found.files, {}, &InputFile::path);
-    return std::move(found.files);
+    return found;
+}
+
+Notice nothing_checked() {
+    return {NoticeKind::nothing_checked, "",
+            "no NC program was checked. Correct the paths, or leave --error-on-empty out."};
 }
 
 bool fails(const Report& report, std::optional<Severity> fail_on) {
@@ -70,12 +75,16 @@ bool fails(const Report& report, std::optional<Severity> fail_on) {
 }
 
 bool is_for_people(Format format) { return format == Format::text || format == Format::concise; }
+/// The others have no place for numbers by rule and by file.
+bool holds_statistics(Format format) { return is_for_people(format) || format == Format::json; }
 
 Report report_of(const CheckRequest& request, Result result, std::vector<Notice> notices) {
     Report report;
     report.findings = std::move(result.findings);
     report.notices = std::move(notices);
     report.files = std::move(result.sources);
+    report.fail_on = request.fail_on;
+    report.statistics = request.statistics;
     if (fails(report, request.fail_on)) report.exit_status = exit_findings;
     if (std::ranges::any_of(report.notices, &Notice::is_error)) report.exit_status = exit_error;
     if (request.max_findings) limit(report, *request.max_findings);
@@ -88,6 +97,10 @@ std::string write(const Report& report, Format format, const TextStyle& style) {
     case Format::concise: return write_concise(report, style);
     case Format::json: return write_json(report);
     case Format::sarif: return write_sarif(report);
+    case Format::github: return write_github(report, style);
+    case Format::gitlab: return write_gitlab(report, style);
+    case Format::junit: return write_junit(report, style);
+    case Format::checkstyle: return write_checkstyle(report);
     }
     return {};
 }
@@ -110,6 +123,8 @@ int deliver(const CheckRequest& request, Report report) {
             report.exit_status = exit_error;
             report.notices.push_back(*std::move(failure));
         }
+        if (printed && report.statistics && !holds_statistics(sink.format))
+            print_aside(statistics_text(report));
     }
     return report.exit_status;
 }
@@ -128,9 +143,9 @@ int run_check(const CheckRequest& request) {
     std::optional<Progress> progress(std::in_place,
                                      watched ? Progress::Shown::when_long : Progress::Shown::never);
     std::vector<Notice> notices;
-    const auto inputs = inputs_of(request, settings, notices);
-    const Snapshot snapshot = snapshot_of(inputs, settings);
-    if (const auto refused = refuse_targets(request.sinks, inputs, settings)) {
+    const Discovered inputs = inputs_of(request, settings, notices);
+    const Snapshot snapshot = snapshot_of(inputs.files, settings);
+    if (const auto refused = refuse_targets(request.sinks, inputs.files, settings)) {
         progress.reset();
         print_notice(*refused);
         return exit_error;
@@ -145,12 +160,15 @@ int run_check(const CheckRequest& request) {
         result = Engine({.jobs = request.jobs}, *progress).analyse(snapshot);
     for (auto* more : {&config.notices, &result.notices})
         std::ranges::move(*more, std::back_inserter(notices));
+    const bool checks = request.show_config == ShowConfig::no;
+    if (request.error_on_empty && checks && result.sources.empty()) notices.push_back(nothing_checked());
     std::ranges::stable_sort(notices, {}, &Notice::path);
     progress.reset();
     for (const Notice& notice : notices)
         if (notice.is_error() || !request.quiet) print_notice(notice);
     const Timing engine_timing = result.timing;
     Report report = report_of(request, std::move(result), std::move(notices));
+    report.passed_over = inputs.passed_over;
     if (request.show_config == ShowConfig::yes) return std::max(print_text(config.text), report.exit_status);
     if (request.timestamps) report.times = RunTimes{begin, utc_now()};
     const auto analysed = std::chrono::steady_clock::now();

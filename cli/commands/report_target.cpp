@@ -3,6 +3,8 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/content.hpp"
+#include "cli/input/own_report.hpp"
+#include "cli/input/program_name.hpp"
 #include "cli/suggest.hpp"
 #include "cli/written_file.hpp"
 
@@ -49,28 +51,11 @@ bool is_configuration(const Settings& settings, const std::string& path) {
     });
 }
 
-/// Extensions that texts of all kinds bear say nothing.
-bool is_named_like_program(const std::string& path) {
-    return has_nc_extension(path) && is_worth_a_note(path);
-}
-
 /// What text and concise reports write beside places in programs, which alone look like blocks.
 bool may_be_report(std::string_view text) {
     constexpr std::array<std::string_view, 4> words = {" checked", "error[", "warning[", "note["};
     return std::ranges::any_of(
         words, [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
-}
-
-/// What text and concise reports begin with, whatever the programs say that they quote: a finding, or the
-/// summary.
-bool begins_like_report(std::string_view text) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    if (line.ends_with(" checked)") || line.find(" checked, ") != std::string_view::npos) return true;
-    constexpr std::array<std::string_view, 3> severities = {"error[", "warning[", "note["};
-    return std::ranges::any_of(severities, [&](std::string_view severity) {
-        const std::size_t at = line.find(severity);
-        return at == 0 || (at != std::string_view::npos && line.substr(0, at).ends_with(": "));
-    });
 }
 
 bool holds_program(const std::string& path) {
@@ -79,7 +64,7 @@ bool holds_program(const std::string& path) {
     const auto result = Source::read_file(path);
     const auto* source = std::get_if<Source>(&result);
     if (source == nullptr || classify(source->bytes()) != Content::text) return false;
-    if (begins_like_report(source->bytes())) return false;
+    if (is_own_report(source->bytes())) return false;
     const Detection detection = detect_dialect(*source);
     return !detection.not_nc_text && (detection.certain || !may_be_report(source->bytes()));
 }

@@ -44,6 +44,48 @@ std::size_t take(std::string_view pattern, char c) {
     return pattern.front() == c ? 1 : 0;
 }
 
+std::vector<std::string_view> names_of(std::string_view path) {
+    std::vector<std::string_view> names;
+    while (!path.empty()) {
+        const auto name = path.substr(0, path.find('/'));
+        if (!name.empty() && name != ".") names.push_back(name);
+        path.remove_prefix(name.size() == path.size() ? name.size() : name.size() + 1);
+    }
+    return names;
+}
+
+enum class Reach : std::uint8_t {
+    whole_path,
+    head, ///< the pattern may end before the path does: then it names a folder above it
+};
+
+/// Patterns are texts of any kind.
+template<class Pattern>
+bool matches_path(std::span<const Pattern> pattern, std::span<const std::string_view> path, Reach reach) {
+    std::size_t p = 0;
+    std::size_t star = std::string_view::npos;
+    std::size_t star_name = 0;
+    std::size_t n = 0;
+    while (true) {
+        if (p == pattern.size() && (reach == Reach::head || n == path.size())) return n > 0;
+        if (p < pattern.size() && pattern[p] == "**") {
+            star = ++p;
+            star_name = n;
+            if (p == pattern.size()) return n < path.size();
+        } else if (p < pattern.size() && n < path.size() && matches_name(pattern[p], path[n])) {
+            ++p;
+            ++n;
+        } else if (star != std::string_view::npos && star_name < path.size()) {
+            p = star;
+            n = ++star_name;
+        } else {
+            return false;
+        }
+    }
+}
+
+} // namespace
+
 bool matches_name(std::string_view pattern, std::string_view name) {
     std::size_t p = 0;
     std::size_t star = std::string_view::npos;
@@ -66,41 +108,9 @@ bool matches_name(std::string_view pattern, std::string_view name) {
     return p == pattern.size();
 }
 
-std::vector<std::string_view> names_of(std::string_view path) {
-    std::vector<std::string_view> names;
-    while (!path.empty()) {
-        const auto name = path.substr(0, path.find('/'));
-        if (!name.empty() && name != ".") names.push_back(name);
-        path.remove_prefix(name.size() == path.size() ? name.size() : name.size() + 1);
-    }
-    return names;
+bool matches_names(std::span<const std::string> pattern, std::span<const std::string_view> names) {
+    return matches_path(pattern, names, Reach::whole_path);
 }
-
-/// The pattern may end before the path does: then it names a folder above it.
-bool matches_head(std::span<const std::string_view> pattern, std::span<const std::string_view> path) {
-    std::size_t p = 0;
-    std::size_t star = std::string_view::npos;
-    std::size_t star_name = 0;
-    std::size_t n = 0;
-    while (true) {
-        if (p == pattern.size()) return n > 0;
-        if (pattern[p] == "**") {
-            star = ++p;
-            star_name = n;
-            if (p == pattern.size()) return n < path.size();
-        } else if (n < path.size() && matches_name(pattern[p], path[n])) {
-            ++p;
-            ++n;
-        } else if (star != std::string_view::npos && star_name < path.size()) {
-            p = star;
-            n = ++star_name;
-        } else {
-            return false;
-        }
-    }
-}
-
-} // namespace
 
 bool matches(std::string_view pattern, std::string_view path) {
     const bool anchored = pattern.substr(0, pattern.size() - (pattern.ends_with('/') ? 1 : 0)).find('/') !=
@@ -108,7 +118,7 @@ bool matches(std::string_view pattern, std::string_view path) {
     const auto wanted = names_of(pattern);
     const auto names = names_of(path);
     if (wanted.empty()) return false;
-    if (anchored) return matches_head(wanted, names);
+    if (anchored) return matches_path(std::span<const std::string_view>(wanted), names, Reach::head);
     return std::ranges::any_of(names, [&](const auto& name) {
         return wanted.front() == "**" || matches_name(wanted.front(), name);
     });

@@ -1,6 +1,7 @@
 //! Patterns for paths: * and ? inside a name, ** across folders, [a-z] for one character.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,14 @@ namespace maclint::cli {
 /// Whether `path`, relative and with '/', matches. A pattern without '/' is tried on every name of the path,
 /// so that "old" and "*.bak" hold at any depth; one that matches a folder matches all that is in it.
 [[nodiscard]] bool matches(std::string_view pattern, std::string_view path);
+
+/// Whether one name, without '/', matches.
+[[nodiscard]] bool matches_name(std::string_view pattern, std::string_view name);
+
+/// Whether all the names of a path match, pattern by pattern; "**" stands for any number of names, at the end
+/// for one at least.
+[[nodiscard]] bool matches_names(std::span<const std::string> pattern,
+                                 std::span<const std::string_view> names);
 
 /// A pattern and the folder that it is relative to.
 struct Glob {

@@ -4,6 +4,8 @@
 #include "analyzer/program/model.hpp"
 #include "analyzer/program/readable.hpp"
 #include "analyzer/source/content.hpp"
+#include "cli/input/own_report.hpp"
+#include "cli/input/program_name.hpp"
 
 #include <utility>
 
@@ -26,6 +28,17 @@ bool is_no_text(const Source& source) {
 Notice foreign(const SnapshotFile& file, const std::string& reason) {
     return {NoticeKind::foreign, file.input.path,
             "this is not linted: " + reason + ". Name its dialect with --dialect if that is wrong."};
+}
+
+/// Naming a dialect would change nothing.
+Notice no_program(const SnapshotFile& file, const std::string& reason) {
+    return {NoticeKind::foreign, file.input.path,
+            "this is not linted: " + reason + ". Leave it out if it is no program."};
+}
+
+/// What nobody took for a program when it was named is no program that is broken.
+bool reaches_the_control(const SnapshotFile& file) {
+    return file.input.named && is_named_like_program(file.input.path);
 }
 
 /// An empty file is no error, but seldom what somebody meant.
@@ -73,8 +86,18 @@ ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> sou
     ReadFile read{.source = std::move(source),
                   .dialect = named ? file.settings.dialect : detection.dialect,
                   .dialect_reason = named ? file.settings.dialect_reason : detection.reason};
+    if (is_own_report(read.source->bytes())) {
+        read.dialect = nullptr;
+        if (file.input.named) read.notice = no_program(file, "a report of maclint");
+        return read;
+    }
+    if (!named && !detection.not_nc_text && is_named_like_other(file.input.path)) {
+        read.dialect = nullptr;
+        read.notice = foreign(file, "its name is none of an NC program");
+        return read;
+    }
     const bool not_nc = detection.not_nc_text && (!named || is_no_text(*read.source));
-    if (not_nc && file.input.named) {
+    if (not_nc && reaches_the_control(file)) {
         if (read.dialect == nullptr) read.dialect = &dialects().front();
         read.control = &control_of(file, *read.dialect, {});
         read.not_nc = detection.reason;
@@ -83,7 +106,9 @@ ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> sou
     }
     if (read.dialect == nullptr || not_nc) {
         read.dialect = nullptr;
-        if (!not_nc || is_worth_a_note(file.input.path)) read.notice = foreign(file, detection.reason);
+        if (!not_nc || file.input.named || is_worth_a_note(file.input.path))
+            read.notice = is_no_text(*read.source) ? no_program(file, detection.reason)
+                                                   : foreign(file, detection.reason);
         return read;
     }
     if (classify(read.source->bytes()) == Content::empty) read.notice = empty(file);

@@ -1,6 +1,7 @@
 //! Walks folders without recursion; what was seen once, by whatever name, is not seen again.
 #include "cli/input/discover.hpp"
 
+#include "cli/input/gitignore.hpp"
 #include "cli/input/repository.hpp"
 #include "cli/suggest.hpp"
 
@@ -58,9 +59,10 @@ bool takes_any(const std::vector<Glob>& globs, const fs::path& path) {
 
 class Walk {
   public:
-    Walk(Settings& settings, Bounds bounds)
+    Walk(Settings& settings, Bounds bounds, DiscoverOptions options)
         : settings_(settings)
-        , bounds_(bounds) {}
+        , bounds_(bounds)
+        , options_(options) {}
 
     void add_named(const std::string& path, bool standard_input) {
         if (!seen_.insert(identity(path)).second) return;
@@ -73,6 +75,7 @@ class Walk {
     /// How many NC programs are there, those included that were known before.
     std::size_t add_folder(const fs::path& root, Depth depth, bool asked) {
         wanted_ = 0;
+        if (asked) git_.ask_for(identity(root));
         std::vector<fs::path> pending = {root};
         while (!pending.empty() && !full_) {
             const fs::path folder = std::move(pending.back());
@@ -86,6 +89,24 @@ class Walk {
         return wanted_;
     }
 
+    /// Whether a search of the folders above it would not have come to what was named.
+    [[nodiscard]] bool is_left_out(const std::string& named) {
+        if (!options_.force_exclude) return false;
+        std::error_code ignored;
+        if (options_.gitignore && git_.ignores_path(identity(named), fs::is_directory(named, ignored)))
+            return true;
+        for (fs::path at = fs::absolute(named, ignored).lexically_normal(); at.has_relative_path();) {
+            const fs::path folder = at.parent_path();
+            const auto loaded = settings_.for_folder(folder.string());
+            const Configuration* configuration = loaded ? loaded->get() : nullptr;
+            if (configuration == nullptr) return false;
+            if (is_excluded(configuration, at)) return true;
+            at = folder;
+        }
+        return false;
+    }
+
+    [[nodiscard]] const PassedOver& passed_over() const { return found_.passed_over; }
     void note(Notice notice) { found_.notices.push_back(std::move(notice)); }
     [[nodiscard]] bool is_full() const { return full_; }
 
@@ -115,28 +136,47 @@ class Walk {
         for (const fs::directory_entry& entry : entries) {
             if (++entries_ > bounds_.entries) full_ = true;
             if (full_) break;
-            std::error_code ignored;
-            if (is_excluded(configuration, entry.path())) continue;
-            if (entry.is_directory(ignored)) {
-                if (!is_passed_over(entry.path().filename().string())) folders.push_back(entry.path());
-            } else if (is_wanted(configuration, entry)) {
-                take_file(entry, real, asked);
-            }
+            if (!is_excluded(configuration, entry.path()))
+                sort_out(configuration, entry, real, asked, folders);
         }
         return folders;
+    }
+
+    /// Takes an entry of the folder `real` when it is a program, adds it to `folders` when it is one.
+    void sort_out(const Configuration* configuration, const fs::directory_entry& entry,
+                  const std::string& real, bool asked, std::vector<fs::path>& folders) {
+        std::error_code ignored;
+        const std::string name = entry.path().filename().string();
+        if (entry.is_directory(ignored)) {
+            if (!is_passed_over(name) && !is_ignored(real, entry, name)) folders.push_back(entry.path());
+            return;
+        }
+        // A link that leads nowhere is reported when it is read; pipes and devices are not for linting.
+        const bool is_file = entry.is_regular_file(ignored) || !entry.exists(ignored);
+        if (!is_file || name.starts_with('.')) return;
+        const std::size_t one = asked ? 1 : 0;
+        if (!is_wanted(configuration, entry.path()))
+            found_.passed_over.other_names += one;
+        else if (is_ignored(real, entry, name))
+            found_.passed_over.ignored_by_git += one;
+        else
+            take_file(entry, real, asked);
+    }
+
+    /// For git a link is a file, wherever it leads.
+    bool is_ignored(const std::string& folder, const fs::directory_entry& entry, const std::string& name) {
+        std::error_code ignored;
+        return options_.gitignore &&
+               git_.ignores(folder, name, entry.is_directory(ignored) && !entry.is_symlink(ignored));
     }
 
     static bool is_excluded(const Configuration* configuration, const fs::path& path) {
         return configuration != nullptr && takes_any(configuration->exclude, path);
     }
 
-    static bool is_wanted(const Configuration* configuration, const fs::directory_entry& entry) {
-        std::error_code ignored;
-        // A link that leads nowhere is reported when it is read; pipes and devices are not for linting.
-        if (!entry.is_regular_file(ignored) && entry.exists(ignored)) return false;
-        if (entry.path().filename().string().starts_with('.')) return false;
-        if (has_nc_extension(entry.path().string())) return true;
-        return configuration != nullptr && takes_any(configuration->include, entry.path());
+    static bool is_wanted(const Configuration* configuration, const fs::path& path) {
+        if (has_nc_extension(path.string())) return true;
+        return configuration != nullptr && takes_any(configuration->include, path);
     }
 
     void take_file(const fs::directory_entry& entry, const std::string& folder, bool asked) {
@@ -156,6 +196,8 @@ class Walk {
 
     Settings& settings_;
     Bounds bounds_;
+    DiscoverOptions options_;
+    GitIgnore git_;
     Discovered found_;
     std::set<std::string> seen_, folders_;
     std::size_t entries_ = 0;
@@ -220,39 +262,63 @@ std::optional<Notice> refuse_path(const std::string& path) {
                   "cannot be found: the folder in which maclint was started is gone. Change to another one."};
 }
 
+Notice left_out(const std::string& path) {
+    return {
+        NoticeKind::left_out, as_shown(path),
+        "this is excluded or ignored by git, so it is not checked. Leave --force-exclude out to check it."};
+}
+
+/// A folder without programs is told of.
+void search(Walk& walk, const std::string& folder) {
+    const PassedOver before = walk.passed_over();
+    if (walk.add_folder(folder, Depth::all_below, true) > 0) return;
+    const PassedOver after = walk.passed_over();
+    const std::string others =
+        text_of({after.other_names - before.other_names, after.ignored_by_git - before.ignored_by_git});
+    walk.note({NoticeKind::left_out, as_shown(folder),
+               "no NC program is in this folder" + (others.empty() ? "" : " (" + others + ")") +
+                   ". Name files themselves when they have unusual names, or add 'include' to the "
+                   "configuration."});
+}
+
 } // namespace
 
-Discovered discover(const std::vector<std::string>& paths, const std::string& stdin_name,
-                    Settings& settings) {
-    Walk walk(settings, {});
+Discovered discover(const std::vector<std::string>& paths, const std::string& stdin_name, Settings& settings,
+                    DiscoverOptions options) {
+    Walk walk(settings, {}, options);
+    const auto add = [&](const std::string& path, bool standard_input) {
+        if (walk.is_left_out(path))
+            walk.note(left_out(path));
+        else
+            walk.add_named(path, standard_input);
+    };
     // First, for it stands for the file of its name.
-    if (std::ranges::find(paths, "-") != paths.end()) walk.add_named(stdin_name, true);
+    if (std::ranges::find(paths, "-") != paths.end()) add(stdin_name, true);
     for (const std::string& path : paths) {
         std::error_code ignored;
         if (auto refused = refuse_path(path))
             walk.note(*std::move(refused));
         else if (path != "-" && !fs::is_directory(path, ignored))
-            walk.add_named(path, false);
+            add(path, false);
     }
     std::set<std::string> folders;
     for (const std::string& path : paths) {
         std::error_code ignored;
         if (path == "-" || !fs::is_directory(path, ignored) || refuse_path(path)) continue;
         if (!folders.insert(identity(path)).second) continue;
-        if (walk.add_folder(path, Depth::all_below, true) == 0)
-            walk.note({NoticeKind::left_out, as_shown(path),
-                       "no NC program is in this folder. Name files themselves when they have unusual names, "
-                       "or add "
-                       "'include' to the configuration."});
+        if (walk.is_left_out(path))
+            walk.note(left_out(path));
+        else
+            search(walk, path);
     }
     return walk.take();
 }
 
 Discovered discover_context(const std::vector<InputFile>& asked, const std::vector<std::string>& paths,
-                            Settings& settings) {
+                            Settings& settings, DiscoverOptions options) {
     const auto homes = homes_of(asked, paths, settings);
     if (homes.empty()) return {};
-    Walk walk(settings, context_bounds);
+    Walk walk(settings, context_bounds, options);
     for (const InputFile& file : asked) walk.pass_over(file.path);
     std::error_code ignored;
     const fs::path here = fs::current_path(ignored);

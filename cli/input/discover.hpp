@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/config/settings.hpp"
+#include "cli/input/passed_over.hpp"
 #include "cli/notice.hpp"
 
 #include <string>
@@ -17,21 +18,28 @@ struct InputFile {
     bool standard_input = false; ///< its bytes come from there; `path` is only its name
 };
 
+struct DiscoverOptions {
+    bool gitignore = true;      ///< in a repository, what git ignores is passed over in folders
+    bool force_exclude = false; ///< what folders are searched without is passed over when it is named, too
+};
+
 struct Discovered {
     std::vector<InputFile> files; ///< sorted by path, each file once
     std::vector<Notice> notices;
+    PassedOver passed_over;
 };
 
 /// The files that the paths name: files themselves whatever their name is, in folders NC files in the order
 /// of their names. "-" is standard input under the name `stdin_name`, in place of the file of that name.
-/// Hidden folders, build folders and what the configuration excludes are passed over.
+/// Hidden folders, build folders, what the configuration excludes and what git ignores are passed over.
 [[nodiscard]] Discovered discover(const std::vector<std::string>& paths, const std::string& stdin_name,
-                                  Settings& settings);
+                                  Settings& settings, DiscoverOptions options = {});
 
 /// The other programs that may call those that were asked for or be called, with `asked` false: for a file
 /// that was named, those in the folder of the nearest configuration, else in the repository, else beside the
 /// file; for one that was found in one of `paths`, those of a configuration that says they are complete.
 [[nodiscard]] Discovered discover_context(const std::vector<InputFile>& asked,
-                                          const std::vector<std::string>& paths, Settings& settings);
+                                          const std::vector<std::string>& paths, Settings& settings,
+                                          DiscoverOptions options = {});
 
 } // namespace maclint::cli

@@ -1,6 +1,7 @@
 //! One line a finding: file:line:column: error[MAC303] message.
 #include "cli/report/ansi_style.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report/statistics.hpp"
 #include "cli/suggest.hpp"
 
 namespace maclint::cli {
@@ -17,6 +18,7 @@ std::string write_concise(const Report& report, const TextStyle& style) {
                                                    std::string(finding.rule->code) + "]");
         out += " " + printable(finding.message()) + "\n";
     }
+    if (report.statistics) out += statistics_text(report);
     if (style.summary == Summary::at_the_end) out += summary_line(report) + "\n";
     return out;
 }

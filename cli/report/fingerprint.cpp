@@ -132,4 +132,6 @@ std::string Fingerprints::of(const Finding& finding) {
     return hexadecimal(fnv1a(key)) + ":" + std::to_string(count);
 }
 
+std::string hash_of(std::string_view text) { return hexadecimal(fnv1a(text)); }
+
 } // namespace maclint::cli

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
 namespace maclint::cli {
@@ -27,5 +28,8 @@ class Fingerprints {
   private:
     std::unordered_map<std::string, std::size_t> seen_;
 };
+
+/// Hexadecimal digits that stand for a text.
+[[nodiscard]] std::string hash_of(std::string_view text);
 
 } // namespace maclint::cli

@@ -2,6 +2,7 @@
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/encoding.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report/statistics.hpp"
 #include "cli/suggest.hpp"
 
 #include <nlohmann/json.hpp>
@@ -68,6 +69,19 @@ Json json_of(const FilteredFinding& filtered) {
     return out;
 }
 
+Json json_of(const Statistics& statistics) {
+    Json rules = Json::array();
+    for (const auto& [rule, severity, findings] : statistics.rules)
+        rules.push_back({{"code", rule->code},
+                         {"name", rule->name},
+                         {"severity", name_of(severity)},
+                         {"findings", findings}});
+    Json files = Json::array();
+    for (const auto& [source, findings] : statistics.files)
+        files.push_back({{"file", path_of(*source)}, {"findings", findings}});
+    return {{"rules", std::move(rules)}, {"files", std::move(files)}};
+}
+
 } // namespace
 
 std::string write_json(const Report& report) {
@@ -93,7 +107,11 @@ std::string write_json(const Report& report) {
                   {"notes", counts.notes},
                   {"suppressed", counts.suppressed},
                   {"not_shown", report.not_shown.size()},
+                  {"passed_over",
+                   {{"other_names", report.passed_over.other_names},
+                    {"ignored_by_git", report.passed_over.ignored_by_git}}},
                   {"exit_status", report.exit_status}}}};
+    if (report.statistics) out["statistics"] = json_of(statistics_of(report));
     if (report.times) out["times"] = {{"begin", report.times->begin}, {"end", report.times->end}};
     return printable_json(out.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }

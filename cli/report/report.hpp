@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/filter/apply_suppressions.hpp"
+#include "cli/input/passed_over.hpp"
 #include "cli/notice.hpp"
 
 #include <cstddef>
@@ -25,8 +26,11 @@ struct Report {
     std::vector<std::shared_ptr<const Source>>
         files;                              ///< that were linted because the user asked for them, by path
     std::vector<FilteredFinding> not_shown; ///< left out of `findings` because of --max-findings
+    PassedOver passed_over;
     int exit_status = 0;
-    std::optional<RunTimes> times; ///< none with --no-timestamps
+    std::optional<RunTimes> times;   ///< none with --no-timestamps
+    std::optional<Severity> fail_on; ///< the least severity that counts as a failure; none: nothing does
+    bool statistics = false;         ///< numbers by rule and by file are wanted
 };
 
 /// How many findings of each severity count, shown or not, suppressed ones apart.
@@ -54,6 +58,10 @@ struct TextStyle {
 [[nodiscard]] std::string write_concise(const Report& report, const TextStyle& style);
 [[nodiscard]] std::string write_json(const Report& report);
 [[nodiscard]] std::string write_sarif(const Report& report);
+[[nodiscard]] std::string write_github(const Report& report, const TextStyle& style);
+[[nodiscard]] std::string write_gitlab(const Report& report, const TextStyle& style);
+[[nodiscard]] std::string write_junit(const Report& report, const TextStyle& style);
+[[nodiscard]] std::string write_checkstyle(const Report& report);
 
 /// "3 errors, 2 warnings in 2 files (41 checked)".
 [[nodiscard]] std::string summary_line(const Report& report);

@@ -1,6 +1,7 @@
 //! The report as SARIF 2.1.0 (OASIS standard of 27 March 2020); section numbers below are its.
 #include "analyzer/source/encoding.hpp"
 #include "cli/report/fingerprint.hpp"
+#include "cli/report/heading.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/rule_page.hpp"
 #include "cli/report/uri.hpp"
@@ -23,8 +24,9 @@ constexpr std::string_view root_id = "%SRCROOT%";
 constexpr Offset longest_snippet = 4096; ///< bytes; a report is no copy of the programs
 /// Empty until an address is published.
 constexpr std::string_view help_base{MACLINT_HELP_BASE_URL, sizeof(MACLINT_HELP_BASE_URL) - 1};
-/// For builds without a published address: ".invalid" never leads anywhere (RFC 2606).
-constexpr std::string_view no_address = "https://maclint.invalid";
+/// Reports of one repository are kept apart by it; the part behind the slash, of the run, is left to those
+/// who upload (3.17.2).
+constexpr std::string_view automation_id = "maclint/";
 
 struct NoticeRow {
     NoticeKind kind;
@@ -32,11 +34,12 @@ struct NoticeRow {
     std::string_view description;
 };
 
-constexpr std::array<NoticeRow, 4> notice_rows{{
+constexpr std::array<NoticeRow, 5> notice_rows{{
     {NoticeKind::unreadable, "NOTE001", "A file could not be read or written."},
     {NoticeKind::configuration, "NOTE002", "A configuration file is wrong."},
     {NoticeKind::foreign, "NOTE003", "A file is in a language that maclint does not lint."},
     {NoticeKind::left_out, "NOTE004", "Something was not looked at."},
+    {NoticeKind::nothing_checked, "NOTE005", "No program was checked."},
 }};
 
 /// "jump-into-loop" as SARIF viewers want names: "JumpIntoLoop".
@@ -116,6 +119,7 @@ class SarifWriter {
     Json document() {
         Json run = {
             {"tool", {{"driver", driver()}}},
+            {"automationDetails", {{"id", automation_id}}},
             {"invocations", Json::array({invocation()})},
             {"originalUriBaseIds",
              {{root_id,
@@ -231,7 +235,7 @@ class SarifWriter {
 
     Json result_of(const FilteredFinding& filtered) {
         const Finding& finding = filtered.finding;
-        Json message = {{"text", without_placeholders(finding.message())}};
+        Json message = {{"text", without_placeholders(heading_of(*finding.rule) + finding.message())}};
         if (finding.repeats.empty()) { // else the rule's message is not the whole of it (3.11.6)
             message["id"] = finding.message_id;
             if (!finding.arguments.empty()) message["arguments"] = finding.arguments;
@@ -326,7 +330,7 @@ class SarifWriter {
                        {"language", "en"},
                        {"rules", std::move(rules)},
                        {"notifications", std::move(notices)}};
-        driver["informationUri"] = help_base.empty() ? no_address : help_base;
+        if (!help_base.empty()) driver["informationUri"] = help_base;
         Json supported = Json::array();
         for (const auto& [control, alarms] : alarms_by_control())
             supported.push_back({{"name", taxonomy_name(control)}});
@@ -337,9 +341,9 @@ class SarifWriter {
     [[nodiscard]] static Json rule_of(const Rule& rule) {
         Json messages = Json::object();
         for (const Message& message : rule.messages)
-            messages[std::string(message.id)] = {
-                {"text",
-                 std::string(message.text) + (message.cure.empty() ? "" : " ") + std::string(message.cure)}};
+            messages[std::string(message.id)] = {{"text", heading_of(rule) + std::string(message.text) +
+                                                              (message.cure.empty() ? "" : " ") +
+                                                              std::string(message.cure)}};
         Json configuration = {{"level", level_of(rule.severity)}};
         if (!rule.on_by_default) configuration["enabled"] = false;
         Json out = {{"id", rule.code},

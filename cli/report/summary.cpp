@@ -38,6 +38,7 @@ std::string summary_line(const Report& report) {
     line = parts.empty() ? "no findings" : line + " in " + counted(counts.files, "file");
     line += " (" + std::to_string(report.files.size()) + " checked";
     if (counts.suppressed > 0) line += ", " + std::to_string(counts.suppressed) + " allowed by comments";
+    if (const std::string text = text_of(report.passed_over); !text.empty()) line += ", " + text;
     if (!report.not_shown.empty())
         line += ", " + std::to_string(report.not_shown.size()) + " not shown: see --max-findings";
     return line + ")";

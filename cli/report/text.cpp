@@ -4,6 +4,7 @@
 #include "cli/report/report.hpp"
 #include "cli/report/rows.hpp"
 #include "cli/report/snippet.hpp"
+#include "cli/report/statistics.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
@@ -172,6 +173,7 @@ std::string write_text(const Report& report, const TextStyle& style) {
         if (!filtered.suppressed) writer.add(filtered.finding);
     const std::size_t left_out = writer.left_out();
     std::string out = writer.take();
+    if (report.statistics) out += statistics_text(report);
     if (style.summary == Summary::left_out) return out;
     out += summary_line(report) + "\n";
     if (left_out > 0) out += counted(left_out, "step") + " of paths not shown; --path full shows them\n";

@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <filesystem>
+#include <utility>
 
 namespace maclint::cli {
 
@@ -16,13 +17,18 @@ std::string source_root() {
     return repository_around(here).value_or(here).string();
 }
 
-FileUri uri_of(const std::string& path, const std::string& root) {
+PlacedPath placed_path(const std::string& path, const std::string& root) {
     std::error_code error;
     const fs::path absolute = fs::absolute(path, error).lexically_normal();
-    const std::string relative = absolute.lexically_relative(root).generic_string();
+    std::string relative = absolute.lexically_relative(root).generic_string();
     if (relative.empty() || relative == "." || relative.starts_with(".."))
-        return {"file://" + percent_encoded(absolute.generic_string()), false};
-    return {percent_encoded(relative), true};
+        return {absolute.generic_string(), false};
+    return {std::move(relative), true};
+}
+
+FileUri uri_of(const std::string& path, const std::string& root) {
+    const PlacedPath placed = placed_path(path, root);
+    return {(placed.below_root ? "" : "file://") + percent_encoded(placed.path), placed.below_root};
 }
 
 std::string percent_encoded(std::string_view path) {

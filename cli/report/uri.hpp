@@ -15,6 +15,13 @@ struct FileUri {
 /// The folder that relative URIs start from: the repository that holds the current folder, else that folder.
 [[nodiscard]] std::string source_root();
 
+/// A path as it is told from the root: below it relative, otherwise absolute, with '/' on every system.
+struct PlacedPath {
+    std::string path;
+    bool below_root;
+};
+[[nodiscard]] PlacedPath placed_path(const std::string& path, const std::string& root);
+
 [[nodiscard]] FileUri uri_of(const std::string& path, const std::string& root);
 
 /// Everything but unreserved characters (RFC 3986, section 2.3) and '/' is encoded.

@@ -71,9 +71,11 @@ TEST_F(BadInput, FolderWithoutPrograms) {
     folder.write("bare/notes.md", "G0 X1.\n");
     const Finished finished = lint({"bare", "neighbour.nc"});
     EXPECT_EQ(finished.status, 1);
-    EXPECT_THAT(lines_of(finished.err),
-                ElementsAre(AllOf(StartsWith("maclint: note: bare: no NC program is in this folder. "),
-                                  HasSubstr("include"))));
+    EXPECT_THAT(
+        lines_of(finished.err),
+        ElementsAre(AllOf(StartsWith("maclint: note: bare: no NC program is in this folder (1 file with "
+                                     "another name passed over). "),
+                          HasSubstr("include"))));
 }
 
 TEST_F(BadInput, FileWithoutPermission) {
@@ -134,7 +136,8 @@ TEST_F(BadInput, BinaryFile) {
     const Finished found = lint({"."});
     EXPECT_THAT(codes(found, "png-header.nc"), IsEmpty());
     EXPECT_THAT(lines_of(found.err),
-                ElementsAre(StartsWith("maclint: note: png-header.nc: this is not linted: a binary file. ")));
+                ElementsAre(StartsWith(
+                    "maclint: note: png-header.nc: this is not linted: a binary file (PNG image). ")));
 }
 
 TEST_F(BadInput, TextOfAnotherKind) {

@@ -40,6 +40,12 @@ TEST(CommandLine, PrintsTextUnlessAReportGoesToStandardOutput) {
     EXPECT_EQ(check({"--output", "sarif:-"}).sinks.size(), 1U);
 }
 
+TEST(CommandLine, EndsOptionsBehindTwoDashes) {
+    EXPECT_THAT(check({"-q", "--", "/", "-x", "--", "-"}).paths, ElementsAre("/", "-x", "--", "-"));
+    EXPECT_TRUE(check({"-q"}).quiet);
+    EXPECT_FALSE(check({"--", "-q"}).quiet);
+}
+
 TEST(CommandLine, TakesRulesAsListsAndRepeated) {
     const auto overrides =
         check({"--select", "MAC3,jump-into-loop", "--select", "ALL", "--ignore", "MAC301", "/"}).overrides;
@@ -75,6 +81,9 @@ TEST(CommandLine, RefusesWhatItCannotUse) {
     EXPECT_THAT(refusal({"--format", "text", "--output", "json:-"}), HasSubstr("standard output"));
     EXPECT_THAT(refusal({"explain"}), HasSubstr("needs a rule"));
     EXPECT_THAT(refusal({"explain", "MAC301", "MAC303"}), HasSubstr("one word too many"));
+    EXPECT_THAT(refusal({"help", "MAC301"}), HasSubstr("maclint explain MAC301"));
+    EXPECT_THAT(refusal({"help", "rulse"}), HasSubstr("Did you mean 'rules'?"));
+    EXPECT_THAT(refusal({"help", "rules", "check"}), HasSubstr("one word too many"));
 }
 
 TEST(CommandLine, ShowsHelpAndVersion) {
@@ -85,6 +94,12 @@ TEST(CommandLine, ShowsHelpAndVersion) {
     EXPECT_THAT(text({"--help"}), HasSubstr("--stdin-filename"));
     EXPECT_THAT(text({"check", "--help"}), HasSubstr("--max-findings"));
     EXPECT_THAT(text({"rules", "--help"}), HasSubstr("--write-docs"));
+    EXPECT_EQ(text({"help", "rules"}), text({"rules", "--help"}));
+    EXPECT_EQ(text({"help", "explain"}), text({"explain", "-h"}));
+    EXPECT_EQ(text({"help"}), text({"--help"}));
+    for (const auto& words : std::vector<std::vector<std::string>>{
+             {"version"}, {"-V"}, {"-q", "--version"}, {"rules", "-V"}, {"explain", "--version"}})
+        EXPECT_EQ(text(words), "maclint " MACLINT_VERSION "\n") << words.front();
 }
 
 } // namespace

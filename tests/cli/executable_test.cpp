@@ -214,8 +214,8 @@ TEST_F(Executable, KeepsSilentAboutTextsThatNobodyTakesForPrograms) {
 
 TEST_F(Executable, TakesTheUsersWordForTheDialect) {
     folder.write("main.c", "int main(void) {\n    return 0;\n}\n");
-    EXPECT_THAT(concise({"main.c"}), HasSubstr("MAC003"));
-    EXPECT_THAT(concise({"--dialect", "fanuc", "main.c"}), Not(HasSubstr("MAC003")));
+    EXPECT_THAT(run({"main.c"}).err, HasSubstr("main.c: this is not linted: "));
+    EXPECT_THAT(concise({"--dialect", "fanuc", "main.c"}), HasSubstr("main.c:1:"));
 }
 
 TEST_F(Executable, LooksAroundANamedFileForThoseItCalls) {
@@ -246,7 +246,7 @@ TEST_F(Executable, WritesTheSameWhateverTheNumberOfThreads) {
         folder.write("O" + std::to_string(2000 + i) + ".nc", "%\nO" + std::to_string(2000 + i) +
                                                                  "\nGOTO 99\nG65 P" +
                                                                  std::to_string(2001 + i) + "\nM99\n%\n");
-    for (const char* format : {"text", "json", "sarif"}) {
+    for (const char* format : {"text", "json", "sarif", "github", "gitlab", "junit", "checkstyle"}) {
         const std::string one = run({"--no-timestamps", "--format", format, "--jobs", "1"}).out;
         EXPECT_GT(one.size(), 1000U);
         EXPECT_EQ(one, run({"--no-timestamps", "--format", format, "--jobs", "7"}).out) << format;
@@ -261,6 +261,17 @@ TEST_F(Executable, WritesSeveralReportsAtOnce) {
     EXPECT_EQ(sarif["runs"][0]["results"][0]["ruleId"], "MAC301");
     EXPECT_EQ(sarif["runs"][0]["invocations"][0]["exitCode"], 1);
     EXPECT_EQ(nlohmann::json::parse(read_file(folder.path() / "out.json"))["summary"]["errors"], 1);
+}
+
+TEST_F(Executable, CountsFindingsWhereNoReportIsDisturbed) {
+    folder.write("O1001.nc", bad);
+    EXPECT_THAT(run({"--statistics"}).out, HasSubstr("findings by rule:\n  1  MAC301"));
+    const Finished sarif = run({"--statistics", "--format", "sarif"});
+    EXPECT_TRUE(nlohmann::json::accept(sarif.out));
+    EXPECT_THAT(sarif.err, HasSubstr("findings by rule:\n  1  MAC301"));
+    const Finished json = run({"--statistics", "--format", "json"});
+    EXPECT_THAT(json.err, IsEmpty());
+    EXPECT_EQ(nlohmann::json::parse(json.out)["statistics"]["files"][0]["findings"], 1);
 }
 
 TEST_F(Executable, EndsWith2WhenAReportCannotBeWritten) {
@@ -299,7 +310,8 @@ TEST_F(Executable, WritesNoReportOverAProgram) {
 TEST_F(Executable, WritesReportsOverEarlierReports) {
     folder.write("O1001.nc", bad);
     folder.write("O1000.nc", good);
-    for (const std::string format : {"text:", "concise:", "json:", "sarif:"})
+    for (const std::string format :
+         {"text:", "concise:", "json:", "sarif:", "github:", "gitlab:", "junit:", "checkstyle:"})
         for (const std::string program : {"O1001.nc", "O1000.nc", "."})
             for (const std::string name : {"report.txt", "report"}) {
                 const Finished finished = run({program, "--output", format + name});

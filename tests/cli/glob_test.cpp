@@ -37,6 +37,19 @@ TEST(Glob, KnowsQuestionMarksAndSets) {
     EXPECT_TRUE(matches("a[.nc", "a[.nc"));
 }
 
+TEST(Glob, OfAllNamesMatchesTheWholePath) {
+    const auto all = [](const std::vector<std::string>& pattern, const std::vector<std::string_view>& path) {
+        return matches_names(pattern, path);
+    };
+    EXPECT_TRUE(all({"a", "*.nc"}, {"a", "O1.nc"}));
+    EXPECT_FALSE(all({"a"}, {"a", "O1.nc"}));
+    EXPECT_TRUE(all({"a", "**"}, {"a", "O1.nc"}));
+    EXPECT_FALSE(all({"a", "**"}, {"a"}));
+    EXPECT_TRUE(all({"a", "**", "b"}, {"a", "b"}));
+    EXPECT_TRUE(all({"**", "b"}, {"a", "b", "b"}));
+    EXPECT_FALSE(all({"**", "b"}, {"b", "a"}));
+}
+
 TEST(Glob, EndsSoonWhateverThePatternIs) {
     const std::string pattern = std::string(2000, '*') + "x";
     EXPECT_FALSE(matches(pattern, std::string(20'000, 'a')));

@@ -1,5 +1,7 @@
 //! What machines read: SARIF and JSON.
+#include "cli/report/heading.hpp"
 #include "cli/report/uri.hpp"
+#include "rules/rule.hpp"
 #include "tests/cli/reports.hpp"
 
 #include <filesystem>
@@ -64,6 +66,33 @@ TEST(Sarif, DescribesRules) {
         EXPECT_TRUE(rule["properties"].contains("precision")) << rule["id"];
         EXPECT_THAT(rule["name"].get<std::string>(), testing::MatchesRegex("[A-Z][A-Za-z0-9]*"));
     }
+}
+
+TEST(Sarif, HeadsMessagesThatBeginDifferentlyWithTheRule) {
+    HandMade made("O1.nc", "O1\nM30\n");
+    made.add("M30", Severity::error); // MAC002 has "Unknown rule" and "Comment for maclint …"
+    const json run = sarif_of(made);
+    const std::string head = "Unknown rule in suppression: ";
+    EXPECT_EQ(run["results"][0]["message"]["text"],
+              head + "Unknown rule: there is no 'M30'. See 'maclint rules' for the list.");
+    for (const json& rule : run["tool"]["driver"]["rules"]) {
+        if (rule["id"] == "MAC002") {
+            EXPECT_EQ(rule["messageStrings"]["unknown"]["text"],
+                      head + "Unknown rule: there is no '{0}'. See 'maclint rules' for the list.");
+        }
+    }
+    EXPECT_EQ(heading_of(*find_rule("MAC605")), ""); // all of its messages begin alike
+    EXPECT_EQ(heading_of(*find_rule("MAC211")), "Argument unused: ");
+}
+
+TEST(Sarif, NamesTheAnalysisAndNoAddressThatLeadsNowhere) {
+    HandMade made("O1.nc", "O1\n");
+    const json run = sarif_of(made);
+    EXPECT_EQ(run["automationDetails"]["id"], "maclint/");
+    const bool has_address = std::string_view(MACLINT_HELP_BASE_URL).starts_with("http");
+    EXPECT_EQ(run["tool"]["driver"].contains("informationUri"), has_address);
+    for (const json& rule : run["tool"]["driver"]["rules"])
+        EXPECT_EQ(rule.contains("helpUri"), has_address) << rule["id"];
 }
 
 TEST(Sarif, CarriesRelatedPlacesPathFixAndFingerprints) {

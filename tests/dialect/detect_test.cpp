@@ -185,6 +185,9 @@ TEST(Detection, WhatIsNoNcTextIsToldSo) {
     };
     expect_none("{\"a\": 1}", "JSON");
     expect_none("#include <stdio.h>\nint main() {\n  return 0;\n}\n", "C source");
+    expect_none("%PDF-1.7\nG0 X1.\n", "PDF");
+    expect_none("from a import b\n\nclass C:\n    pass\n", "Python source");
+    expect_none("# Title\n\n## Part\n\n```\nG0 X1.\n```\n", "Markdown");
     expect_none("<?xml version=\"1.0\"?>\n<a/>", "XML");
     expect_none(std::string_view("\x7F"
                                  "ELF\x02\x01\x01\0\0\0\0\0\0\0\0\0\x03\0>\0\x01\0\0\0",
@@ -198,9 +201,13 @@ TEST(Detection, WhatIsNoNcTextIsToldSo) {
 TEST(Detection, ExtensionsWorthOpening) {
     for (const char* path : {"parts/A.NC", "O9100", "a.ncs", "a.MPF", "plan.h"})
         EXPECT_TRUE(has_nc_extension(path)) << path;
-    for (const char* path : {"README", "a.cpp", "a.json"}) EXPECT_FALSE(has_nc_extension(path)) << path;
+    for (const char* path : {"O9010_TORUS", "o12 (A)", "nc40", "1234", "a.din", "a.MIN", "a.eia"})
+        EXPECT_TRUE(has_nc_extension(path)) << path;
+    for (const char* path : {"README", "a.cpp", "a.json", "Oil", "O1A", "123456789", "nc", "ncx"})
+        EXPECT_FALSE(has_nc_extension(path)) << path;
     EXPECT_TRUE(is_worth_a_note("noise.nc"));
-    EXPECT_FALSE(is_worth_a_note("README.txt"));
+    EXPECT_TRUE(is_worth_a_note("O9010_TORUS"));
+    for (const char* path : {"README.txt", "2024", "nc40"}) EXPECT_FALSE(is_worth_a_note(path)) << path;
 }
 
 } // namespace

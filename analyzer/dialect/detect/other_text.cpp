@@ -1,4 +1,4 @@
-//! Told by the first characters, C source by a few of its lines.
+//! Told by the first characters, sources of other languages by a few of their lines.
 #include "analyzer/dialect/detect/other_text.hpp"
 
 #include "analyzer/dialect/detect/line.hpp"
@@ -9,21 +9,41 @@
 namespace maclint::detect {
 namespace {
 
-bool is_c_source(std::string_view text) {
-    static constexpr std::string_view heads[] = {"#include", "#define",  "#ifndef",    "#ifdef", "#pragma",
-                                                 "int main", "typedef ", "namespace ", "/*"};
-    constexpr std::string_view beginnings = "#itn/"; // of these heads
+/// Whether at least two of the first lines, blanks around them left out, are signs of a language.
+template<class IsSign>
+bool has_signs(std::string_view text, const IsSign& is_sign) {
     constexpr int most_lines = 200;
     int signs = 0;
     int lines = 0;
     for (std::size_t at = 0; at < text.size() && lines < most_lines; ++lines) {
         const std::size_t end = find_line_end(text, at);
         const std::string_view line = trim(text.substr(at, end - at));
-        const bool may_be_head = !line.empty() && beginnings.find(line.front()) != std::string_view::npos;
-        if ((may_be_head && starts_with_any(line, heads)) || line.ends_with("{")) ++signs;
+        if (!line.empty() && is_sign(line)) ++signs;
         at = end + 1;
     }
     return signs >= 2;
+}
+
+bool is_c_sign(std::string_view line) {
+    static constexpr std::string_view heads[] = {"#include", "#define",  "#ifndef",    "#ifdef", "#pragma",
+                                                 "int main", "typedef ", "namespace ", "/*"};
+    constexpr std::string_view beginnings = "#itn/"; // of these heads
+    const bool may_be_head = beginnings.find(line.front()) != std::string_view::npos;
+    return (may_be_head && starts_with_any(line, heads)) || line.ends_with("{");
+}
+
+bool is_python_sign(std::string_view line) {
+    static constexpr std::string_view imports[] = {"import ", "from "};
+    static constexpr std::string_view openings[] = {"def ", "class ", "async def "};
+    if (line.front() == 'i' || line.front() == 'f') return starts_with_any(line, imports);
+    const bool opens = line.ends_with(":") && starts_with_any(line, openings);
+    return opens || line.starts_with("\"\"\"");
+}
+
+bool is_markdown_sign(std::string_view line) {
+    static constexpr std::string_view heads[] = {"## ", "### ", "```", "|--", "| --"};
+    return (line.front() == '#' || line.front() == '`' || line.front() == '|') &&
+           starts_with_any(line, heads);
 }
 
 /// Whether texts, numbers and brackets that match are all that stands in the list at the head of the text,
@@ -71,7 +91,30 @@ std::optional<std::string_view> find_other_text(std::string_view text) {
     static constexpr std::string_view markup[] = {"<?xml", "<!DOCTYPE", "<html"};
     if (starts_with_any(text, markup)) return "XML or HTML";
     if (text.starts_with("#!")) return "a script";
-    if (is_c_source(text)) return "C source";
+    if (text.starts_with("%PDF-")) return "PDF";
+    if (has_signs(text, is_c_sign)) return "C source";
+    if (has_signs(text, is_python_sign)) return "Python source";
+    if (has_signs(text, is_markdown_sign)) return "Markdown";
+    return std::nullopt;
+}
+
+std::optional<std::string_view> find_binary_kind(std::string_view bytes) {
+    struct Kind {
+        std::string_view head, name;
+    };
+    static constexpr Kind kinds[] = {{"\x89PNG", "PNG image"},
+                                     {"\xFF\xD8\xFF", "JPEG image"},
+                                     {"GIF8", "GIF image"},
+                                     {"%PDF-", "PDF"},
+                                     {"PK\x03\x04", "ZIP archive"},
+                                     {"\x1F\x8B", "gzip archive"},
+                                     {"7z\xBC\xAF", "7z archive"},
+                                     {"\x7F"
+                                      "ELF",
+                                      "ELF program"},
+                                     {"MZ", "Windows program"}};
+    for (const auto& [head, name] : kinds)
+        if (bytes.starts_with(head)) return name;
     return std::nullopt;
 }
 

@@ -1,0 +1,253 @@
+//! Lines become globs of ours, name by name; the last one that matches counts, that of the deepest file
+//! first.
+#include "cli/input/gitignore.hpp"
+
+#include "cli/config/glob.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace maclint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct CharacterClass {
+    std::string_view name, members;
+};
+constexpr std::array<CharacterClass, 7> classes{{{"alnum", "a-zA-Z0-9"},
+                                                 {"alpha", "a-zA-Z"},
+                                                 {"digit", "0-9"},
+                                                 {"lower", "a-z"},
+                                                 {"upper", "A-Z"},
+                                                 {"space", " \t\r\n\v\f"},
+                                                 {"xdigit", "0-9a-fA-F"}}};
+
+/// Makes a glob of ours, which knows no '\', of a pattern of git's: what stands for itself is put into a set.
+class Translation {
+  public:
+    explicit Translation(std::string_view pattern)
+        : rest_(pattern) {}
+
+    /// A glob for each name; nothing when git lets the pattern match nothing.
+    std::optional<std::vector<std::string>> take() {
+        std::vector<std::string> names(1);
+        while (!rest_.empty()) {
+            const char c = next();
+            if (c == '/') {
+                names.emplace_back();
+            } else if (c == '\\') {
+                if (rest_.empty()) return std::nullopt;
+                const char literal = next();
+                names.back() += std::string_view("*?[").find(literal) == std::string_view::npos
+                                    ? std::string(1, literal)
+                                    : std::string("[") + literal + "]";
+            } else if (c == '[') {
+                if (!take_set(names.back())) return std::nullopt;
+            } else {
+                names.back() += c;
+            }
+        }
+        return names;
+    }
+
+  private:
+    char next() {
+        const char c = rest_.front();
+        rest_.remove_prefix(1);
+        return c;
+    }
+
+    /// In our sets ']' stands first, '-' before all ranges, and '!' does not stand first.
+    bool take_set(std::string& out) {
+        const bool inverted = rest_.starts_with('!') || rest_.starts_with('^');
+        if (inverted) rest_.remove_prefix(1);
+        std::string members;
+        bool bracket = false, mark = false, dash = false;
+        for (bool first = true; first || !rest_.starts_with(']'); first = false) {
+            if (rest_.empty()) return false;
+            if (take_class(members)) continue;
+            const auto begin = take_member();
+            if (!begin) return false;
+            if (rest_.size() > 1 && rest_[0] == '-' && rest_[1] != ']') {
+                rest_.remove_prefix(1);
+                const auto end = take_member();
+                if (!end) return false;
+                members += std::string(1, *begin) + '-' + *end;
+            } else {
+                bracket = bracket || *begin == ']';
+                mark = mark || *begin == '!';
+                dash = dash || *begin == '-';
+                if (*begin != ']' && *begin != '!' && *begin != '-') members += *begin;
+            }
+        }
+        rest_.remove_prefix(1);
+        const bool mark_alone = mark && !inverted && !bracket && !dash && members.empty();
+        if (mark_alone)
+            out += '!';
+        else
+            out.append(inverted ? "[!" : "[")
+                .append(bracket ? "]" : "")
+                .append(dash ? "-" : "")
+                .append(members)
+                .append(mark ? "!]" : "]");
+        return true;
+    }
+
+    std::optional<char> take_member() {
+        char c = next();
+        if (c != '\\') return c;
+        if (rest_.empty()) return std::nullopt;
+        c = next();
+        return c;
+    }
+
+    bool take_class(std::string& members) {
+        if (!rest_.starts_with("[:")) return false;
+        const std::size_t end = rest_.find(":]");
+        if (end == std::string_view::npos) return false;
+        const auto* const known = std::ranges::find(classes, rest_.substr(2, end - 2), &CharacterClass::name);
+        if (known == classes.end()) return false;
+        members += known->members;
+        rest_.remove_prefix(end + 2);
+        return true;
+    }
+
+    std::string_view rest_;
+};
+
+/// Blanks at the end do not count, unless there is a '\' before them.
+std::string_view without_trailing_blanks(std::string_view line) {
+    std::size_t end = 0;
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        if (line[at] == ' ') continue;
+        if (line[at] == '\\') ++at;
+        end = std::min(at + 1, line.size());
+    }
+    return line.substr(0, end);
+}
+
+std::optional<IgnoreRule> read_rule(std::string_view line) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with('#')) return std::nullopt;
+    line = without_trailing_blanks(line);
+    IgnoreRule rule;
+    rule.wanted = line.starts_with('!');
+    if (rule.wanted) line.remove_prefix(1);
+    rule.folders_only = line.ends_with('/');
+    if (rule.folders_only) line.remove_suffix(1);
+    rule.anchored = line.find('/') != std::string_view::npos;
+    if (line.starts_with('/')) line.remove_prefix(1);
+    if (line.empty()) return std::nullopt;
+    auto names = Translation(line).take();
+    if (!names) return std::nullopt;
+    rule.names = *std::move(names);
+    return rule;
+}
+
+std::vector<std::string_view> names_below(std::string_view folder, std::string_view path) {
+    std::vector<std::string_view> names;
+    path.remove_prefix(std::min(path.size(), folder.size()));
+    while (!path.empty()) {
+        const std::string_view name = path.substr(0, path.find('/'));
+        if (!name.empty()) names.push_back(name);
+        path.remove_prefix(std::min(path.size(), name.size() + 1));
+    }
+    return names;
+}
+
+bool matches(const IgnoreRule& rule, const std::vector<std::string_view>& names) {
+    if (rule.anchored) return matches_names(rule.names, names);
+    return matches_name(rule.names.front(), names.back());
+}
+
+/// The folder of a repository's own files; for a work tree beside it a file names it.
+fs::path git_folder(const fs::path& root) {
+    std::error_code ignored;
+    const fs::path at = root / ".git";
+    if (fs::is_directory(at, ignored)) return at;
+    const auto named_in = [](const fs::path& file, std::string_view key) {
+        std::string text = read_text(file);
+        text.resize(std::min(text.size(), text.find_first_of("\r\n")));
+        return text.starts_with(key) ? text.substr(key.size()) : std::string();
+    };
+    const std::string named = named_in(at, "gitdir: ");
+    if (named.empty()) return at;
+    const fs::path folder = root / named;
+    const std::string common = named_in(folder / "commondir", "");
+    return common.empty() ? folder : folder / common;
+}
+
+} // namespace
+
+std::vector<IgnoreRule> read_ignore_rules(std::string_view text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+    std::vector<IgnoreRule> rules;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        if (auto rule = read_rule(line)) rules.push_back(*std::move(rule));
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+    }
+    return rules;
+}
+
+GitIgnore::Chain GitIgnore::with_file(Chain above, const std::string& folder, const fs::path& file) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return above;
+    auto rules = read_ignore_rules(read_text(file));
+    if (rules.empty()) return above;
+    return std::make_shared<const Rules>(Rules{std::move(above), folder, std::move(rules)});
+}
+
+const GitIgnore::Known& GitIgnore::known_of(const std::string& folder) {
+    if (const auto known = by_folder_.find(folder); known != by_folder_.end()) return known->second;
+    const fs::path path(folder);
+    std::error_code ignored;
+    Known known;
+    if (fs::exists(path / ".git", ignored))
+        known = {with_file(nullptr, folder, git_folder(path) / "info" / "exclude"), true};
+    else if (path.has_relative_path())
+        known = known_of(path.parent_path().string());
+    if (known.in_repository) known.rules = with_file(std::move(known.rules), folder, path / ".gitignore");
+    return by_folder_.emplace(folder, std::move(known)).first->second;
+}
+
+bool GitIgnore::ignores(const std::string& folder, const std::string& name, bool is_folder) {
+    const Chain& rules = known_of(folder).rules;
+    const std::string path = folder + "/" + name;
+    for (const Rules* file = rules.get(); file != nullptr; file = file->above.get()) {
+        const auto names = names_below(file->folder, path);
+        const auto rule = std::find_if(file->rules.rbegin(), file->rules.rend(), [&](const IgnoreRule& each) {
+            return (is_folder || !each.folders_only) && matches(each, names);
+        });
+        if (rule != file->rules.rend()) return !rule->wanted;
+    }
+    return false;
+}
+
+bool GitIgnore::ignores_path(const std::string& path, bool is_folder) {
+    std::error_code ignored;
+    const fs::path at(path);
+    const std::string folder = at.parent_path().string();
+    const bool is_root = is_folder && fs::exists(at / ".git", ignored);
+    if (is_root || !at.has_relative_path() || !known_of(folder).in_repository) return false;
+    return ignores(folder, at.filename().string(), is_folder) || ignores_path(folder, true);
+}
+
+void GitIgnore::ask_for(const std::string& folder) {
+    if (ignores_path(folder, true))
+        by_folder_[folder] = {with_file(nullptr, folder, fs::path(folder) / ".gitignore"), true};
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,86 @@
+//! GitLab's code quality report: a list of issues as Code Climate has them. GitLab reads description,
+//! check_name, fingerprint, severity and location; of two issues with one fingerprint it drops one.
+#include "analyzer/source/encoding.hpp"
+#include "cli/report/fingerprint.hpp"
+#include "cli/report/service.hpp"
+#include "cli/report/uri.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace maclint::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view severity_of(Severity severity) {
+    switch (severity) {
+    case Severity::error: return "critical";
+    case Severity::warning: return "major";
+    case Severity::note: return "info";
+    }
+    return {};
+}
+
+class GitlabWriter {
+  public:
+    explicit GitlabWriter(PathDetail detail)
+        : detail_(detail) {}
+
+    void add(const Finding& finding) {
+        const Position begin = finding.source->position(finding.span.begin);
+        const Position end = finding.source->position(finding.span.end);
+        Json issue = issue_of(service_path(finding.source->path(), root_), severity_of(finding.severity),
+                              printable(finding.message()));
+        issue["check_name"] = finding.rule->code;
+        issue["fingerprint"] = hash_of(finding.source->path()) + "-" + fingerprints_.of(finding);
+        issue["location"]["lines"] = {{"begin", begin.line}, {"end", end.line}};
+        std::string body;
+        for (const std::string& step : steps_of(finding, detail_, root_)) body += "- " + step + "\n";
+        if (!body.empty()) issue["content"] = {{"body", body}};
+        add(issue);
+    }
+
+    void add(const Notice& notice) {
+        Json issue = issue_of(notice.path.empty() ? "." : service_path(notice.path, root_), "blocker",
+                              printable(notice.message));
+        issue["check_name"] = "maclint";
+        issue["fingerprint"] = hash_of(notice.path + "\n" + notice.message);
+        issue["location"]["lines"] = {{"begin", 1}};
+        add(issue);
+    }
+
+    [[nodiscard]] std::string take() { return "[" + out_ + (out_.empty() ? "" : "\n") + "]\n"; }
+
+  private:
+    static Json issue_of(const std::string& path, std::string_view severity, const std::string& message) {
+        return {{"type", "issue"},
+                {"check_name", ""},
+                {"description", message},
+                {"categories", {"Bug Risk"}},
+                {"severity", severity},
+                {"fingerprint", ""},
+                {"location", {{"path", path}}}};
+    }
+
+    void add(const Json& issue) {
+        out_ += out_.empty() ? "\n  " : ",\n  ";
+        out_ += printable_json(issue.dump(-1, ' ', false, Json::error_handler_t::replace));
+    }
+
+    PathDetail detail_;
+    std::string root_ = source_root();
+    Fingerprints fingerprints_;
+    std::string out_;
+};
+
+} // namespace
+
+std::string write_gitlab(const Report& report, const TextStyle& style) {
+    GitlabWriter writer(style.path);
+    for (const Notice* notice : run_errors(report)) writer.add(*notice);
+    for (const auto& [finding, suppressed] : report.findings)
+        if (!suppressed) writer.add(finding);
+    return writer.take();
+}
+
+} // namespace maclint::cli
