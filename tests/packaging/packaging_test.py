@@ -166,9 +166,10 @@ class HookTest(unittest.TestCase):
             self.assertRegex(f"PART.{extension.upper()}", self.pattern)
 
     def test_takes_names_of_programs_in_any_case_and_no_others(self):
-        for name in ("O9010", "mill/o0001", "O9010_TORUS"):
+        for name in ("O9010", "mill/o0001", "O9010_TORUS", "o12 (A)", "nc40", "mill/1234"):
             self.assertRegex(name, self.pattern)
-        for name in ("README.md", "a.h", "notes.txt", "mill/PO12", "O9010.bak", "nc", "tools/run.sh"):
+        for name in ("README.md", "a.h", "notes.txt", "mill/PO12", "O9010.bak", "O9010TORUS", "nc", "nc40a", "123456789",
+                     "tools/run.sh"):
             self.assertNotRegex(name, self.pattern)
 
 
