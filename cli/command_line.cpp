@@ -2,12 +2,15 @@
 //! good one.
 #include "cli/command_line.hpp"
 
+#include "analyzer/source/platform/console.hpp"
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
+#include "cli/input/wildcards.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <filesystem>
 #include <limits>
 #include <thread>
 
@@ -223,6 +226,7 @@ void require_control(const Overrides& overrides) {
 CheckRequest check_request(const CheckWords& words) {
     CheckRequest request;
     request.paths = words.paths.empty() ? std::vector<std::string>{"."} : words.paths;
+    if (!platform::shell_expands_wildcards()) request.paths = with_wildcards_expanded(request.paths);
     request.sinks = sinks_of(words);
     request.overrides = overrides_of(words);
     require_control(request.overrides);
@@ -277,8 +281,9 @@ std::string help_of(const CLI::App& app) { return app.help("maclint"); }
 
 /// A path that does not exist but looks like a command was meant as one.
 void suggest_command(const std::vector<std::string>& paths) {
-    std::error_code ignored;
-    if (paths.empty() || std::filesystem::exists(paths.front(), ignored) || paths.front() == "-") return;
+    if (paths.empty() || paths.front() == "-" ||
+        platform::kind_of(platform::path_of(paths.front())) != platform::FileKind::missing)
+        return;
     const std::vector<std::string> known(commands.begin(), commands.end());
     if (const auto command = closest(paths.front(), known))
         refuse("'" + shown(paths.front()) + "' is neither a command nor a file. Did you mean 'maclint " +

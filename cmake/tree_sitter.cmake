@@ -3,7 +3,7 @@ add_library(maclint_tree_sitter INTERFACE)
 
 if(MACLINT_TREE_SITTER)
   # The C library stands in lib/ of the repository, in tree_sitter/core/lib/ of the PyPI archive and at the top of the crate.
-  find_path(MACLINT_TREE_SITTER_ROOT src/lib.c NO_DEFAULT_PATH NO_CACHE
+  find_path(MACLINT_TREE_SITTER_ROOT src/lib.c NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH NO_CACHE
     PATHS "${MACLINT_TREE_SITTER}/lib" "${MACLINT_TREE_SITTER}/tree_sitter/core/lib" "${MACLINT_TREE_SITTER}")
   if(NOT MACLINT_TREE_SITTER_ROOT)
     message(FATAL_ERROR "MACLINT_TREE_SITTER names '${MACLINT_TREE_SITTER}', where no tree-sitter source (lib/src/lib.c) is.")

@@ -1,6 +1,8 @@
 //! Walks folders without recursion; what was seen once, by whatever name, is not seen again.
 #include "cli/input/discover.hpp"
 
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "cli/input/repository.hpp"
 #include "cli/suggest.hpp"
 
@@ -35,15 +37,19 @@ bool is_passed_over(const std::string& name) {
 }
 
 std::string as_shown(const fs::path& path) {
-    const std::string normal = path.lexically_normal().string();
+    const std::string normal = platform::text_of(path.lexically_normal());
     return normal.empty() ? "." : normal;
+}
+
+bool is_folder(const std::string& path) {
+    return platform::kind_of(platform::path_of(path)) == platform::FileKind::folder;
 }
 
 /// The file after all symbolic links: what makes two names one file.
 std::string identity(const fs::path& path) {
     std::error_code error;
-    const fs::path real = fs::canonical(path, error);
-    return error ? path.lexically_normal().string() : real.string();
+    const fs::path real = platform::real_path(path, error);
+    return platform::text_of(error ? path.lexically_normal() : real);
 }
 
 Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
@@ -53,7 +59,8 @@ Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
 }
 
 bool takes_any(const std::vector<Glob>& globs, const fs::path& path) {
-    return std::ranges::any_of(globs, [&](const Glob& glob) { return glob.takes(path.string()); });
+    const std::string text = platform::text_of(path);
+    return std::ranges::any_of(globs, [&](const Glob& glob) { return glob.takes(text); });
 }
 
 class Walk {
@@ -63,12 +70,14 @@ class Walk {
         , bounds_(bounds) {}
 
     void add_named(const std::string& path, bool standard_input) {
-        if (!seen_.insert(identity(path)).second) return;
-        found_.files.push_back({standard_input ? path : as_shown(path), true, true, standard_input});
+        const fs::path named = platform::path_of(path);
+        if (!seen_.insert(identity(named)).second) return;
+        found_.files.push_back(
+            {standard_input ? platform::text_of(named) : as_shown(named), true, true, standard_input});
     }
 
     /// What was named is not found once more.
-    void pass_over(const std::string& path) { seen_.insert(identity(path)); }
+    void pass_over(const std::string& path) { seen_.insert(identity(platform::path_of(path))); }
 
     /// How many NC programs are there, those included that were known before.
     std::size_t add_folder(const fs::path& root, Depth depth, bool asked) {
@@ -99,28 +108,24 @@ class Walk {
     /// order of their names.
     std::vector<fs::path> visit(const fs::path& folder, const std::string& real, bool asked) {
         std::error_code error;
-        std::vector<fs::directory_entry> entries;
-        for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
-             entry.increment(error))
-            entries.push_back(*entry);
+        std::vector<platform::FolderEntry> entries = platform::entries_of(folder, error);
         if (error) {
             if (asked) note(unreadable_folder(folder, error));
             return {};
         }
         std::ranges::sort(entries, {},
-                          [](const fs::directory_entry& entry) { return entry.path().native(); });
-        const auto loaded = settings_.for_folder(folder.string());
+                          [](const platform::FolderEntry& entry) { return entry.path.native(); });
+        const auto loaded = settings_.for_folder(platform::text_of(folder));
         const Configuration* configuration = loaded ? loaded->get() : nullptr;
         std::vector<fs::path> folders;
-        for (const fs::directory_entry& entry : entries) {
+        for (const platform::FolderEntry& entry : entries) {
             if (++entries_ > bounds_.entries) full_ = true;
             if (full_) break;
-            std::error_code ignored;
-            if (is_excluded(configuration, entry.path())) continue;
-            if (entry.is_directory(ignored)) {
-                if (!is_passed_over(entry.path().filename().string())) folders.push_back(entry.path());
+            if (is_excluded(configuration, entry.path)) continue;
+            if (entry.kind == platform::FileKind::folder) {
+                if (!is_passed_over(platform::text_of(entry.path.filename()))) folders.push_back(entry.path);
             } else if (is_wanted(configuration, entry)) {
-                take_file(entry, real, asked);
+                take_file(entry, platform::path_of(real), asked);
             }
         }
         return folders;
@@ -130,28 +135,25 @@ class Walk {
         return configuration != nullptr && takes_any(configuration->exclude, path);
     }
 
-    static bool is_wanted(const Configuration* configuration, const fs::directory_entry& entry) {
-        std::error_code ignored;
+    static bool is_wanted(const Configuration* configuration, const platform::FolderEntry& entry) {
         // A link that leads nowhere is reported when it is read; pipes and devices are not for linting.
-        if (!entry.is_regular_file(ignored) && entry.exists(ignored)) return false;
-        if (entry.path().filename().string().starts_with('.')) return false;
-        if (has_nc_extension(entry.path().string())) return true;
-        return configuration != nullptr && takes_any(configuration->include, entry.path());
+        if (entry.kind == platform::FileKind::pipe || entry.kind == platform::FileKind::other) return false;
+        const std::string name = platform::text_of(entry.path.filename());
+        if (name.starts_with('.')) return false;
+        if (has_nc_extension(name)) return true;
+        return configuration != nullptr && takes_any(configuration->include, entry.path);
     }
 
-    void take_file(const fs::directory_entry& entry, const std::string& folder, bool asked) {
+    void take_file(const platform::FolderEntry& entry, const fs::path& folder, bool asked) {
         ++wanted_;
-        std::error_code error;
-        const bool link = entry.is_symlink(error);
-        const std::string name = entry.path().filename().string();
-        if (!seen_.insert(link ? identity(entry.path()) : (fs::path(folder) / name).string()).second) return;
-        const auto size = entry.file_size(error);
-        if (!error) bytes_ += size;
+        const fs::path below = folder / entry.path.filename();
+        if (!seen_.insert(entry.is_link ? identity(entry.path) : platform::text_of(below)).second) return;
+        bytes_ += platform::size_of(entry.path);
         if (found_.files.size() >= bounds_.files || bytes_ > bounds_.bytes) {
             full_ = true;
             return;
         }
-        found_.files.push_back({as_shown(entry.path()), false, asked, false});
+        found_.files.push_back({as_shown(entry.path), false, asked, false});
     }
 
     Settings& settings_;
@@ -173,10 +175,10 @@ struct Home {
 
 /// Where a file in the folder looks for others; nothing when those that were found with it have to do.
 std::optional<Home> home_of(const fs::path& folder, bool named, Settings& settings) {
-    const auto loaded = settings.for_folder(folder.string());
+    const auto loaded = settings.for_folder(platform::text_of(folder));
     const Configuration* configuration = loaded ? loaded->get() : nullptr;
     if (configuration != nullptr && (named || configuration->complete))
-        return Home{configuration->folder, Depth::all_below};
+        return Home{platform::path_of(configuration->folder), Depth::all_below};
     if (!named) return std::nullopt;
     if (auto repository = repository_around(folder)) return Home{*std::move(repository), Depth::all_below};
     return Home{folder, Depth::this_folder};
@@ -189,16 +191,16 @@ std::set<Home> homes_of(const std::vector<InputFile>& files, const std::vector<s
     std::set<Home> homes;
     std::error_code ignored;
     for (const InputFile& file : files) {
-        const fs::path folder = fs::path(file.path).parent_path();
-        if (!seen.emplace(folder.string(), file.named).second) continue;
+        const fs::path folder = platform::path_of(file.path).parent_path();
+        if (!seen.emplace(platform::text_of(folder), file.named).second) continue;
         const fs::path absolute = fs::absolute(folder.empty() ? "." : folder, ignored).lexically_normal();
         const bool has_slash = !absolute.has_filename();
         if (auto home = home_of(has_slash ? absolute.parent_path() : absolute, file.named, settings))
             homes.insert(*std::move(home));
     }
     for (const std::string& path : searched) {
-        if (path == "-" || !fs::is_directory(path, ignored)) continue;
-        const std::string above = identity(path);
+        if (path == "-" || !is_folder(path)) continue;
+        const std::string above = identity(platform::path_of(path));
         std::erase_if(homes, [&](const Home& home) {
             const std::string real = identity(home.folder);
             return real == above || real.starts_with(above.ends_with('/') ? above : above + "/");
@@ -214,7 +216,7 @@ std::optional<Notice> refuse_path(const std::string& path) {
         return Notice{NoticeKind::unreadable, "",
                       "one of the paths is empty and names no file. Write '.' for this folder."};
     std::error_code gone;
-    if (fs::path(path).is_relative()) static_cast<void>(fs::current_path(gone));
+    if (platform::path_of(path).is_relative()) static_cast<void>(fs::current_path(gone));
     if (!gone) return std::nullopt;
     return Notice{NoticeKind::unreadable, path,
                   "cannot be found: the folder in which maclint was started is gone. Change to another one."};
@@ -228,19 +230,18 @@ Discovered discover(const std::vector<std::string>& paths, const std::string& st
     // First, for it stands for the file of its name.
     if (std::ranges::find(paths, "-") != paths.end()) walk.add_named(stdin_name, true);
     for (const std::string& path : paths) {
-        std::error_code ignored;
         if (auto refused = refuse_path(path))
             walk.note(*std::move(refused));
-        else if (path != "-" && !fs::is_directory(path, ignored))
+        else if (path != "-" && !is_folder(path))
             walk.add_named(path, false);
     }
     std::set<std::string> folders;
     for (const std::string& path : paths) {
-        std::error_code ignored;
-        if (path == "-" || !fs::is_directory(path, ignored) || refuse_path(path)) continue;
-        if (!folders.insert(identity(path)).second) continue;
-        if (walk.add_folder(path, Depth::all_below, true) == 0)
-            walk.note({NoticeKind::left_out, as_shown(path),
+        if (path == "-" || !is_folder(path) || refuse_path(path)) continue;
+        const fs::path folder = platform::path_of(path);
+        if (!folders.insert(identity(folder)).second) continue;
+        if (walk.add_folder(folder, Depth::all_below, true) == 0)
+            walk.note({NoticeKind::left_out, as_shown(folder),
                        "no NC program is in this folder. Name files themselves when they have unusual names, "
                        "or add "
                        "'include' to the configuration."});
@@ -258,11 +259,11 @@ Discovered discover_context(const std::vector<InputFile>& asked, const std::vect
     const fs::path here = fs::current_path(ignored);
     for (const Home& home : homes) {
         const fs::path shorter = home.folder.lexically_proximate(here);
-        const bool below = !shorter.string().starts_with("..");
+        const bool below = !platform::text_of(shorter).starts_with("..");
         walk.add_folder(below ? shorter : home.folder, home.depth, false);
     }
     if (walk.is_full())
-        walk.note({NoticeKind::left_out, homes.begin()->folder.string(),
+        walk.note({NoticeKind::left_out, platform::text_of(homes.begin()->folder),
                    "this folder holds too many files to look for callers and callees in all of them. Add a " +
                        std::string(configuration_name) +
                        " to the folder that holds the programs of one control."});

@@ -1,6 +1,7 @@
 //! Paths to URIs.
 #include "cli/report/uri.hpp"
 
+#include "analyzer/source/platform/paths.hpp"
 #include "cli/input/repository.hpp"
 
 #include <cctype>
@@ -13,16 +14,23 @@ namespace fs = std::filesystem;
 std::string source_root() {
     std::error_code error;
     const fs::path here = fs::current_path(error);
-    return repository_around(here).value_or(here).string();
+    return platform::text_of(repository_around(here).value_or(here));
 }
 
 FileUri uri_of(const std::string& path, const std::string& root) {
     std::error_code error;
-    const fs::path absolute = fs::absolute(path, error).lexically_normal();
-    const std::string relative = absolute.lexically_relative(root).generic_string();
+    const fs::path absolute = fs::absolute(platform::path_of(path), error).lexically_normal();
+    const std::string relative = platform::text_of(absolute.lexically_relative(platform::path_of(root)));
     if (relative.empty() || relative == "." || relative.starts_with(".."))
-        return {"file://" + percent_encoded(absolute.generic_string()), false};
+        return {file_uri(platform::text_of(absolute)), false};
     return {percent_encoded(relative), true};
+}
+
+std::string file_uri(std::string_view absolute) {
+    if (absolute.starts_with("//")) return "file:" + percent_encoded(absolute);
+    if (absolute.starts_with('/')) return "file://" + percent_encoded(absolute);
+    const std::size_t drive = absolute.find(':') + 1;
+    return "file:///" + std::string(absolute.substr(0, drive)) + percent_encoded(absolute.substr(drive));
 }
 
 std::string percent_encoded(std::string_view path) {
