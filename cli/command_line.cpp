@@ -266,7 +266,8 @@ void refuse_unknown(const CLI::App& app) {
 
 void parse(CLI::App& app, std::vector<std::string> arguments) {
     app.allow_extras();
-    std::ranges::reverse(arguments); // CLI11 takes words from the back
+    app.allow_windows_style_options(false); // "/shop/O1.nc" is a path there, too
+    std::ranges::reverse(arguments);        // CLI11 takes words from the back
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
