@@ -1,6 +1,8 @@
 //! Finds the command and reads its options.
 #include "cli/command_line.hpp"
 
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/choices.hpp"
 #include "cli/shell/completions.hpp"
@@ -11,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <filesystem>
 #include <limits>
 #include <thread>
 
@@ -51,7 +52,8 @@ void refuse_unknown(const CLI::App& app) {
 
 void parse(CLI::App& app, std::vector<std::string> arguments) {
     app.allow_extras();
-    std::ranges::reverse(arguments); // CLI11 takes words from the back
+    app.allow_windows_style_options(false); // "/shop/O1.nc" is a path there, too
+    std::ranges::reverse(arguments);        // CLI11 takes words from the back
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
@@ -77,8 +79,9 @@ std::optional<PrintRequest> parse_or_help(CLI::App& app, std::vector<std::string
 
 /// A path that does not exist but looks like a command was meant as one.
 void suggest_command(const std::vector<std::string>& paths) {
-    std::error_code ignored;
-    if (paths.empty() || std::filesystem::exists(paths.front(), ignored) || paths.front() == "-") return;
+    if (paths.empty() || paths.front() == "-" ||
+        platform::kind_of(platform::path_of(paths.front())) != platform::FileKind::missing)
+        return;
     const std::vector<std::string> known(commands.begin(), commands.end());
     if (const auto command = closest(paths.front(), known))
         refuse("'" + shown(paths.front()) + "' is neither a command nor a file. Did you mean 'maclint " +

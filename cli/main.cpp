@@ -1,9 +1,10 @@
 //! The entry point.
+#include "analyzer/source/platform/console.hpp"
 #include "cli/run.hpp"
 
 int main(int argc, char** argv) {
     try {
-        return maclint::cli::run({argv + (argc > 0 ? 1 : 0), argv + argc});
+        return maclint::cli::run(maclint::platform::arguments(argc, argv));
     } catch (...) {
         return 2; // not even the arguments fit into memory
     }

@@ -1,8 +1,9 @@
 //! A thread that writes the line again five times a second.
 #include "cli/progress.hpp"
 
+#include "cli/terminal.hpp"
+
 #include <chrono>
-#include <cstdio>
 #include <string>
 
 namespace maclint::cli {
@@ -15,8 +16,7 @@ constexpr auto interval = 200ms;
 
 void write_line(const std::string& text) {
     // To the line's beginning, erase it, write: what ECMA-48 calls CR and EL.
-    std::fputs(("\r\x1B[K" + text).c_str(), stderr);
-    std::fflush(stderr);
+    print_aside("\r\x1B[K" + text);
 }
 
 } // namespace

@@ -2,15 +2,12 @@
 #include "cli/terminal.hpp"
 
 #include "analyzer/source/encoding.hpp"
+#include "analyzer/source/platform/console.hpp"
 #include "cli/suggest.hpp"
 #include "cli/written_file.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
-
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 namespace maclint::cli {
 namespace {
@@ -29,7 +26,7 @@ std::string shortened(const std::string& message) {
 }
 
 void print_line(std::string_view kind, const std::string& text) {
-    std::fputs(("maclint: " + std::string(kind) + ": " + shortened(text) + "\n").c_str(), stderr);
+    print_aside("maclint: " + std::string(kind) + ": " + shortened(text) + "\n");
 }
 
 /// Messages of the reading layer begin with the path in quotes, which stands before them here.
@@ -41,7 +38,9 @@ std::string without_path(const Notice& notice) {
 
 } // namespace
 
-void print_aside(std::string_view lines) { std::fputs(std::string(lines).c_str(), stderr); }
+void print_aside(std::string_view lines) {
+    static_cast<void>(platform::write(platform::Stream::error, lines)); // there is nobody else to tell
+}
 
 void print_error(std::string_view message) { print_line("error", shown(message)); }
 
@@ -73,21 +72,25 @@ Colour colour_for_output(ColourChoice choice) {
     case ColourChoice::never: return Colour::plain;
     case ColourChoice::automatic: break;
     }
-    const bool wanted = output_is_terminal() && set("NO_COLOR").empty() && set("TERM") != "dumb";
+    const bool understood = platform::terminal_at(platform::Stream::output) == platform::Terminal::escapes;
+    const bool wanted = understood && set("NO_COLOR").empty() && set("TERM") != "dumb";
     return wanted ? Colour::coloured : Colour::plain;
 }
 
-bool output_is_terminal() { return isatty(STDOUT_FILENO) != 0; }
-
-std::size_t output_width() {
-    winsize size{};
-    if (!output_is_terminal() || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
-        return usual_width;
-    constexpr std::size_t least = 40;
-    constexpr std::size_t most = 120; // longer lines are hard to read
-    return std::clamp<std::size_t>(size.ws_col, least, most);
+bool output_is_terminal() {
+    return platform::terminal_at(platform::Stream::output) != platform::Terminal::none;
 }
 
-bool error_is_terminal() { return isatty(STDERR_FILENO) != 0; }
+std::size_t output_width() {
+    const auto columns = platform::terminal_columns();
+    if (!columns) return usual_width;
+    constexpr std::size_t least = 40;
+    constexpr std::size_t most = 120; // longer lines are hard to read
+    return std::clamp(*columns, least, most);
+}
+
+bool error_shows_progress() {
+    return platform::terminal_at(platform::Stream::error) == platform::Terminal::escapes;
+}
 
 } // namespace maclint::cli

@@ -34,6 +34,7 @@ void print_aside(std::string_view lines);
 [[nodiscard]] bool output_is_terminal();
 /// Columns of standard output: of the terminal, else as usual.
 [[nodiscard]] std::size_t output_width();
-[[nodiscard]] bool error_is_terminal();
+/// Whether standard error is a terminal on which a line can be written over.
+[[nodiscard]] bool error_shows_progress();
 
 } // namespace maclint::cli

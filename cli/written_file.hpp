@@ -7,9 +7,6 @@
 
 namespace maclint::cli {
 
-/// Where a report of that name goes in the end, all links followed: absolute. The file need not be there yet.
-[[nodiscard]] std::string written_path(const std::string& path);
-
 /// Replaces the file when all is written; a pipe or a device is written as it is. Why it could not be, in
 /// words for the user, or nothing.
 [[nodiscard]] std::optional<std::string> write_file(const std::string& path, std::string_view text);

@@ -7,6 +7,7 @@
 #include "analyzer/dialect/raw_block.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/line_index.hpp"
+#include "analyzer/source/platform/kept_by_thread.hpp"
 #include "analyzer/syntax/parse_cache.hpp"
 
 #include <algorithm>
@@ -147,7 +148,7 @@ class BlockReader {
     /// The block's tree, good until the next block; every thread has a cache of its own. What is plausible
     /// can be seen in the key as well as in the block.
     const syntax::Tree& tree_of(Span block) {
-        thread_local syntax::ParseCache cache(Dialect::grammar);
+        auto& cache = platform::KeptByThread<syntax::ParseCache, Dialect>::get(Dialect::grammar);
         Dialect::make_cache_key(text_.substr(block.begin, block.length()), key_);
         if (const syntax::Tree* known = cache.find(key_)) return *known;
         const bool plausible = Dialect::is_plausible(key_, {0, static_cast<Offset>(key_.size())});

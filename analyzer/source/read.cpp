@@ -1,5 +1,5 @@
-//! Reading files: the only place that talks to the operating system about a program's bytes.
-#include "analyzer/source/pipe_wait.hpp"
+//! Reading files whole, and saying what is wrong with those that cannot be read.
+#include "analyzer/source/platform/input.hpp"
 #include "analyzer/source/source.hpp"
 
 #include <algorithm>
@@ -7,12 +7,9 @@
 #include <chrono>
 #include <limits>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace maclint {
 namespace {
@@ -21,21 +18,10 @@ namespace {
 constexpr std::size_t largest_file = std::numeric_limits<Offset>::max() - 1;
 constexpr std::size_t growth_step = std::size_t{64} * 1024;
 
-/// An open file that closes itself.
-class Descriptor {
-  public:
-    explicit Descriptor(int number)
-        : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    [[nodiscard]] int number() const { return number_; }
-
-  private:
-    int number_;
-};
+/// How long a pipe that was named, and standard input, may stay silent: others write to the latter, and
+/// people type passwords before they do.
+constexpr std::chrono::seconds patience_with_pipes{10};
+constexpr std::chrono::seconds patience_with_input{60};
 
 std::string quoted(const std::string& path) {
     return "'" + printable(to_utf8(path, detect_encoding(path))) + "'";
@@ -59,6 +45,8 @@ InputError system_refused(const std::string& path, int error) {
     case EMFILE:
     case ENFILE:
         return cannot_read(path, "too many files are open. Raise the limit (ulimit -n) or lower --jobs.");
+    case EBUSY:
+        return cannot_read(path, "another program has it open for itself. Close it there and try again.");
     case EIO:
         return cannot_read(path, "the disk or the network reports an error. Copy the file and try again.");
     default: return cannot_read(path, "the system says '" + std::generic_category().message(error) + "'.");
@@ -69,10 +57,14 @@ InputError too_large(const std::string& path) {
     return cannot_read(path, "it has 4 GiB or more. Split the program or leave the file out.");
 }
 
-std::optional<InputError> refuse_kind(const std::string& path, const struct stat& status) {
-    if (S_ISDIR(status.st_mode)) return cannot_read(path, "it is a folder. Name the files in it instead.");
-    if (S_ISREG(status.st_mode) || S_ISFIFO(status.st_mode)) return std::nullopt;
-    return cannot_read(path, "it is a device or a socket. Name a file instead.");
+std::optional<InputError> refuse_kind(const std::string& path, platform::FileKind kind) {
+    switch (kind) {
+    case platform::FileKind::regular:
+    case platform::FileKind::pipe: return std::nullopt;
+    case platform::FileKind::folder:
+        return cannot_read(path, "it is a folder. Name the files in it instead.");
+    default: return cannot_read(path, "it is a device or a socket. Name a file instead.");
+    }
 }
 
 InputError silent(const std::string& path, std::chrono::seconds patience) {
@@ -88,12 +80,11 @@ std::variant<std::string, InputError> read_all(int descriptor, const std::string
     std::size_t filled = 0;
     while (true) {
         if (filled == bytes.size()) bytes.resize(std::max(bytes.size() + bytes.size() / 2, growth_step));
-        if (!comes_in_time(descriptor, patience)) return silent(path, patience);
-        const ssize_t count = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return system_refused(path, errno);
+        if (!platform::comes_in_time(descriptor, patience)) return silent(path, patience);
+        const auto [count, error] = platform::read_some(descriptor, std::span(bytes).subspan(filled));
+        if (error != 0) return system_refused(path, error);
         if (count == 0) break;
-        filled += static_cast<std::size_t>(count);
+        filled += count;
         if (filled > largest_file) return too_large(path);
     }
     bytes.resize(filled);
@@ -108,19 +99,15 @@ std::variant<Source, InputError> to_source(std::string path, std::variant<std::s
 } // namespace
 
 std::variant<Source, InputError> Source::read_file(std::string path) {
-    // Without O_NONBLOCK a named pipe that nobody has opened for writing would hang here.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
-    if (file.number() < 0) return system_refused(path, errno);
-    struct stat status = {};
-    if (::fstat(file.number(), &status) != 0) return system_refused(path, errno);
-    if (auto refused = refuse_kind(path, status)) return *std::move(refused);
-    if (::fcntl(file.number(), F_SETFL, O_RDONLY) != 0) return system_refused(path, errno);
-    auto bytes = read_all(file.number(), path, static_cast<std::size_t>(status.st_size), patience_with_pipes);
+    const platform::OpenFile file(path);
+    if (file.error() != 0) return system_refused(path, file.error());
+    if (auto refused = refuse_kind(path, file.kind())) return *std::move(refused);
+    auto bytes = read_all(file.descriptor(), path, file.size(), patience_with_pipes);
     return to_source(std::move(path), std::move(bytes));
 }
 
 std::variant<Source, InputError> Source::read_standard_input(std::string path) {
-    auto bytes = read_all(STDIN_FILENO, path, 0, patience_with_input);
+    auto bytes = read_all(platform::standard_input, path, 0, patience_with_input);
     return to_source(std::move(path), std::move(bytes));
 }
 

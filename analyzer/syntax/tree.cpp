@@ -1,6 +1,8 @@
 //! Runs tree-sitter and copies its trees.
 #include "analyzer/syntax/tree.hpp"
 
+#include "analyzer/source/platform/kept_by_thread.hpp"
+
 #include <cassert>
 #include <memory>
 
@@ -9,8 +11,17 @@
 namespace maclint::syntax {
 namespace {
 
-struct DeleteParser {
-    void operator()(TSParser* parser) const { ts_parser_delete(parser); }
+class Parser {
+  public:
+    Parser()
+        : parser_(ts_parser_new()) {}
+    Parser(const Parser&) = delete;
+    Parser& operator=(const Parser&) = delete;
+    ~Parser() { ts_parser_delete(parser_); }
+    [[nodiscard]] TSParser* get() const { return parser_; }
+
+  private:
+    TSParser* parser_;
 };
 struct DeleteTree {
     void operator()(TSTree* tree) const { ts_tree_delete(tree); }
@@ -34,11 +45,6 @@ class Cursor {
   private:
     TSTreeCursor cursor_;
 };
-
-TSParser* parser_of_this_thread() {
-    thread_local const std::unique_ptr<TSParser, DeleteParser> parser(ts_parser_new());
-    return parser.get();
-}
 
 Node copy(const Cursor& cursor) {
     const TSNode node = cursor.node();
@@ -105,7 +111,7 @@ void print(Grammar grammar, const Tree& tree, NodeIndex index, std::string& out)
 } // namespace
 
 void parse(Grammar grammar, std::string_view text, Tree& tree) {
-    TSParser* parser = parser_of_this_thread();
+    TSParser* parser = platform::KeptByThread<Parser>::get().get();
     const TSLanguage* language = grammar();
     if (ts_parser_language(parser) != language) {
         [[maybe_unused]] const bool fits = ts_parser_set_language(parser, language);

@@ -1,6 +1,8 @@
 //! A crew of threads that take the next piece of work until none is left.
 #include "analyzer/workspace/parallel.hpp"
 
+#include "analyzer/source/platform/kept_by_thread.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -27,7 +29,11 @@ void for_each_parallel(std::size_t count, unsigned jobs, const std::function<voi
     {
         std::vector<std::jthread> crew;
         try {
-            for (std::size_t i = 1; i < threads; ++i) crew.emplace_back(take);
+            for (std::size_t i = 1; i < threads; ++i)
+                crew.emplace_back([&] {
+                    const platform::ThreadWork with_what_it_keeps;
+                    take();
+                });
         } catch (const std::system_error&) {
             // The system gives no more threads: those that run do the work.
         }

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <ctime>
+#include <cstdio>
 #include <iterator>
 #include <utility>
 
@@ -22,12 +22,18 @@ namespace maclint::cli {
 namespace {
 
 std::string utc_now() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    std::array<char, 32> text{};
-    const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return {text.data(), length};
+    namespace chrono = std::chrono;
+    const auto now = chrono::floor<chrono::seconds>(chrono::system_clock::now());
+    const auto day = chrono::floor<chrono::days>(now);
+    const chrono::year_month_day date(day);
+    const chrono::hh_mm_ss time(now - day);
+    std::array<char, 64> text{};
+    const int length =
+        std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02ld:%02ld:%02ldZ",
+                      static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                      static_cast<unsigned>(date.day()), static_cast<long>(time.hours().count()),
+                      static_cast<long>(time.minutes().count()), static_cast<long>(time.seconds().count()));
+    return {text.data(), static_cast<std::size_t>(length)};
 }
 
 /// A --config that is wrong, a --control that neither maclint nor the configuration knows, or one that does
@@ -140,7 +146,7 @@ int run_check(const CheckRequest& request) {
         print_notice(*refused);
         return exit_error;
     }
-    const bool watched = error_is_terminal() && !request.quiet;
+    const bool watched = error_shows_progress() && !request.quiet;
     std::optional<Progress> progress(std::in_place,
                                      watched ? Progress::Shown::when_long : Progress::Shown::never);
     std::vector<Notice> notices;

@@ -3,42 +3,29 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/content.hpp"
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/output.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "cli/gate/baseline_file.hpp"
 #include "cli/input/own_report.hpp"
 #include "cli/input/program_name.hpp"
 #include "cli/suggest.hpp"
-#include "cli/written_file.hpp"
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <string>
 #include <string_view>
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace maclint::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 bool are_same_file(const std::string& one, const std::string& other) {
-    std::error_code none;
-    return fs::equivalent(one, other, none);
+    return platform::are_same_file(platform::path_of(one), platform::path_of(other));
 }
 
 /// The same, of files that need not be there yet.
 bool will_be_same_file(const std::string& one, const std::string& other) {
-    return are_same_file(one, other) || written_path(one) == written_path(other);
-}
-
-/// A terminal and other devices may well be written twice.
-bool is_standard_output(const std::string& path) {
-    struct stat output {};
-    struct stat file {};
-    return fstat(STDOUT_FILENO, &output) == 0 && stat(path.c_str(), &file) == 0 && !S_ISCHR(file.st_mode) &&
-           output.st_dev == file.st_dev && output.st_ino == file.st_ino;
+    return are_same_file(one, other) || platform::written_path(one) == platform::written_path(other);
 }
 
 bool was_named(const std::vector<InputFile>& files, const std::string& path) {
@@ -62,8 +49,7 @@ bool may_be_report(std::string_view text) {
 }
 
 bool holds_program(const std::string& path) {
-    std::error_code none;
-    if (!fs::is_regular_file(path, none)) return false;
+    if (platform::kind_of(platform::path_of(path)) != platform::FileKind::regular) return false;
     const auto result = Source::read_file(path);
     const auto* source = std::get_if<Source>(&result);
     if (source == nullptr || classify(source->bytes()) != Content::text) return false;
@@ -118,7 +104,7 @@ std::optional<Notice> refuse_targets(const CheckRequest& request, const std::vec
     const std::vector<Target> targets = targets_of(request);
     for (const Target& target : targets) {
         const std::string& path = target.path;
-        if (is_standard_output(path))
+        if (platform::is_standard_output(path))
             return Notice{NoticeKind::configuration, "",
                           std::string(target.option) + " would write '" + shown(path) +
                               "', where standard output goes, too. Name another file for one of them."};

@@ -1,4 +1,6 @@
 //! `maclint rules`: the list, and the pages of the documentation.
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "analyzer/source/source.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/config/selection.hpp"
@@ -46,18 +48,17 @@ bool is_page_name(std::string_view name) {
 /// Pages of rules that are gone, so that the folder shows what there is.
 void remove_old_pages(const fs::path& folder) {
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        if (is_page_name(name) && find_rule(name.substr(0, 6)) == nullptr) fs::remove(entry.path(), ignored);
+    for (const auto& entry : platform::entries_of(folder, ignored)) {
+        const std::string name = platform::text_of(entry.path.filename());
+        if (is_page_name(name) && find_rule(name.substr(0, 6)) == nullptr) fs::remove(entry.path, ignored);
     }
 }
 
 /// Whether everything in the folder may be replaced: it is empty, or what stands there was written here.
 bool is_ours(const fs::path& folder) {
     std::error_code error;
-    if (!fs::is_directory(folder, error)) return true; // writing will say what is wrong
-    if (fs::is_empty(folder, error)) return true;
-    const auto index = Source::read_file((folder / index_name).string());
+    if (platform::entries_of(folder, error).empty()) return true; // writing says if it is none
+    const auto index = Source::read_file(platform::text_of(folder / index_name));
     const auto* source = std::get_if<Source>(&index);
     return source != nullptr && source->bytes().find(generated_mark) != std::string_view::npos;
 }
@@ -71,17 +72,18 @@ std::string written_page(const Rule& rule) {
 
 int write_docs(const std::string& folder) {
     std::error_code ignored;
-    fs::create_directories(folder, ignored);
-    if (!is_ours(folder)) {
+    const fs::path path = platform::path_of(folder);
+    fs::create_directories(path, ignored);
+    if (!is_ours(path)) {
         print_notice({NoticeKind::unreadable, folder,
                       "this folder holds files, and no " + std::string(index_name) +
                           " that --write-docs wrote. Name an empty folder."});
         return exit_error;
     }
-    remove_old_pages(folder);
-    auto failure = write_to((fs::path(folder) / index_name).string(), markdown_index());
+    remove_old_pages(path);
+    auto failure = write_to(platform::text_of(path / index_name), markdown_index());
     for (const Rule* rule : all_rules())
-        if (!failure) failure = write_to((fs::path(folder) / page_name(*rule)).string(), written_page(*rule));
+        if (!failure) failure = write_to(platform::text_of(path / page_name(*rule)), written_page(*rule));
     if (!failure) return exit_clean;
     print_notice(*failure);
     return exit_error;

@@ -2,6 +2,8 @@
 //! it.
 #include "cli/config/glob.hpp"
 
+#include "analyzer/source/platform/paths.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -126,8 +128,8 @@ bool matches(std::string_view pattern, std::string_view path) {
 
 bool Glob::takes(const std::string& path) const {
     std::error_code ignored;
-    const auto whole = std::filesystem::absolute(path, ignored).lexically_normal();
-    return matches(pattern, whole.lexically_relative(folder).generic_string());
+    const auto whole = std::filesystem::absolute(platform::path_of(path), ignored).lexically_normal();
+    return matches(pattern, platform::text_of(whole.lexically_relative(platform::path_of(folder))));
 }
 
 } // namespace maclint::cli

@@ -1,6 +1,7 @@
 //! Reads .maclint.json: every key is known, every value is of its kind, or the user is told where and what
 //! instead.
 #include "analyzer/dialect/dialect.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "cli/config/configuration.hpp"
 #include "cli/config/json_tree.hpp"
 #include "cli/config/selection.hpp"
@@ -61,7 +62,7 @@ class Loader {
     }
 
     static std::string folder_of(const std::string& path) {
-        return fs::absolute(path).lexically_normal().parent_path().string();
+        return platform::text_of(fs::absolute(platform::path_of(path)).lexically_normal().parent_path());
     }
 
     void read(const std::string& path) {
@@ -97,11 +98,12 @@ class Loader {
     }
 
     void extend(const JsonNode& node, const std::string& path) {
-        const fs::path other = fs::path(path).parent_path() / text(node, "'extends'");
+        const fs::path other =
+            platform::path_of(path).parent_path() / platform::path_of(text(node, "'extends'"));
         if (configuration_->sources.size() >= longest_chain)
             reject(node.span, "'extends' leads in a circle or through more than " +
                                   std::to_string(longest_chain) + " files. Break the chain");
-        read(other.lexically_normal().string());
+        read(platform::text_of(other.lexically_normal()));
     }
 
     // ---- the keys
@@ -271,8 +273,8 @@ class Loader {
     void read_baseline(const JsonNode& node) {
         const std::string& name = text(node, "'baseline'");
         if (name.empty()) reject(node.span, "'baseline' is empty. Name a file, or leave it out");
-        const fs::path folder = fs::path(configuration_->sources.back().path()).parent_path();
-        configuration_->baseline = (folder / name).lexically_normal().string();
+        const fs::path folder = platform::path_of(configuration_->sources.back().path()).parent_path();
+        configuration_->baseline = platform::text_of((folder / platform::path_of(name)).lexically_normal());
     }
 
     // ---- values of a kind

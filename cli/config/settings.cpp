@@ -2,6 +2,8 @@
 //! other.
 #include "cli/config/settings.hpp"
 
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ namespace fs = std::filesystem;
 
 fs::path absolute(const std::string& path) {
     std::error_code ignored;
-    return fs::absolute(path, ignored).lexically_normal();
+    return fs::absolute(platform::path_of(path), ignored).lexically_normal();
 }
 
 std::vector<const Rule*> rules_of(const std::vector<RuleWord>& words) {
@@ -68,27 +70,28 @@ std::optional<std::shared_ptr<const Configuration>> Settings::for_folder(const s
     if (overrides_.isolated) return nullptr;
     if (!overrides_.config_path.empty()) return load(overrides_.config_path);
     const fs::path at = absolute(folder);
-    if (const auto known = by_folder_.find(at.string()); known != by_folder_.end()) return known->second;
-    std::error_code ignored;
+    if (const auto known = by_folder_.find(platform::text_of(at)); known != by_folder_.end())
+        return known->second;
     const fs::path candidate = at / configuration_name;
+    const std::string shown = platform::text_of(candidate.lexically_proximate(absolute(".")));
+    const platform::FileKind kind = platform::kind_of(candidate);
     Loaded found = nullptr;
-    if (fs::is_regular_file(candidate, ignored)) {
-        const fs::path shown = candidate.lexically_proximate(absolute("."));
-        found = load(shown.string());
-    } else if (fs::exists(fs::symlink_status(candidate, ignored))) {
+    if (kind == platform::FileKind::regular) {
+        found = load(shown);
+    } else if (kind != platform::FileKind::missing) {
         notices_.push_back(
-            {NoticeKind::configuration, candidate.lexically_proximate(absolute(".")).string(),
+            {NoticeKind::configuration, shown,
              "is a folder, a pipe or a link that leads nowhere. Put a configuration in its place, "
              "or remove it."});
         found = std::nullopt;
     } else if (at.has_relative_path()) {
-        found = for_folder(at.parent_path().string());
+        found = for_folder(platform::text_of(at.parent_path()));
     }
-    return by_folder_[at.string()] = found;
+    return by_folder_[platform::text_of(at)] = found;
 }
 
 std::optional<FileSettings> Settings::for_file(const std::string& path) {
-    const auto found = for_folder(absolute(path).parent_path().string());
+    const auto found = for_folder(platform::text_of(absolute(path).parent_path()));
     if (!found) return std::nullopt;
     FileSettings settings;
     settings.configuration = *found;

@@ -2,6 +2,8 @@
 #include "cli/gate/baseline_file.hpp"
 
 #include "analyzer/source/encoding.hpp"
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "analyzer/source/source.hpp"
 #include "cli/config/json_tree.hpp"
 #include "cli/suggest.hpp"
@@ -9,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include <nlohmann/json.hpp>
@@ -137,8 +138,7 @@ bool is_hexadecimal(char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <=
 } // namespace
 
 std::variant<Baseline, Notice> read_baseline(const std::string& path) {
-    std::error_code none;
-    if (!fs::exists(path, none))
+    if (platform::kind_of(platform::path_of(path)) == platform::FileKind::missing)
         return refusal(path, "there is no such baseline. Write it with '--write-baseline " + shown(path) +
                                  "', or leave the name out.");
     const auto result = Source::read_file(path);
@@ -164,20 +164,20 @@ std::string baseline_text(Baseline baseline) {
 }
 
 bool holds_baseline(const std::string& path) {
-    std::error_code none;
-    if (!fs::is_regular_file(path, none)) return false;
-    std::ifstream file(path, std::ios::binary);
-    std::string head(64, '\0');
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    return head.find('"' + std::string(version_key) + '"') != std::string::npos;
+    if (platform::kind_of(platform::path_of(path)) != platform::FileKind::regular) return false;
+    const auto read = Source::read_file(path);
+    const auto* source = std::get_if<Source>(&read);
+    constexpr std::size_t head = 64;
+    return source != nullptr && source->bytes().substr(0, head).find('"' + std::string(version_key) + '"') !=
+                                    std::string_view::npos;
 }
 
 std::string name_in_baseline(const std::string& path, const std::string& folder) {
     std::error_code none;
-    const fs::path absolute = fs::absolute(path, none).lexically_normal();
+    const fs::path absolute = fs::absolute(platform::path_of(path), none).lexically_normal();
     const fs::path file = fs::weakly_canonical(absolute.parent_path(), none) / absolute.filename();
-    const fs::path relative = file.lexically_relative(folder);
-    const std::string name = (relative.empty() ? file : relative).generic_string();
+    const fs::path relative = file.lexically_relative(platform::path_of(folder));
+    const std::string name = platform::text_of(relative.empty() ? file : relative);
     const bool valid = detect_encoding(name) == Encoding::utf8;
     std::string out;
     for (const char c : name) {
@@ -202,12 +202,13 @@ std::string path_of_name(std::string_view name, const std::string& folder) {
             bytes += name[i];
         }
     }
-    return (fs::path(folder) / bytes).lexically_normal().string();
+    return platform::text_of((platform::path_of(folder) / platform::path_of(bytes)).lexically_normal());
 }
 
 std::string folder_of_baseline(const std::string& path) {
     std::error_code none;
-    return fs::weakly_canonical(fs::absolute(path, none).lexically_normal().parent_path(), none).string();
+    const fs::path absolute = fs::absolute(platform::path_of(path), none).lexically_normal();
+    return platform::text_of(fs::weakly_canonical(absolute.parent_path(), none));
 }
 
 } // namespace maclint::cli

@@ -1,8 +1,10 @@
 //! Three questions to git: which commit is meant, what differs from it, and which files it knows at all.
 #include "cli/gate/changed_lines.hpp"
 
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
+#include "analyzer/source/platform/process.hpp"
 #include "cli/input/repository.hpp"
-#include "cli/process.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
@@ -18,7 +20,7 @@ namespace fs = std::filesystem;
 
 std::string real_path(const std::string& path) {
     std::error_code none;
-    return fs::weakly_canonical(fs::absolute(path, none), none).string();
+    return platform::text_of(fs::weakly_canonical(fs::absolute(platform::path_of(path), none), none));
 }
 
 /// Names with quotes, line ends and the like stand in quotes, as C writes them.
@@ -64,13 +66,13 @@ std::pair<std::uint32_t, std::uint32_t> range_at(std::string_view header, char s
 Notice refusal(const std::string& message) { return {NoticeKind::configuration, "", message}; }
 
 /// The first line of what git says.
-std::string words_of(const ProcessEnd& end) {
+std::string words_of(const platform::ProcessEnd& end) {
     const std::string line = end.errors.substr(0, end.errors.find('\n'));
     return line.empty() ? "it ended with status " + std::to_string(end.status)
                         : "it says '" + shown(line) + "'";
 }
 
-Notice git_failed(const std::string& root, const ProcessEnd& end) {
+Notice git_failed(const std::string& root, const platform::ProcessEnd& end) {
     if (!end.started)
         return refusal("--since runs git, and no git is found here. Install it, or leave --since out.");
     return refusal("--since cannot ask git about '" + shown(root) + "': " + words_of(end) +
@@ -130,16 +132,17 @@ std::variant<ChangedLines, Notice> ChangedLines::since(const std::string& revisi
                                                        const std::vector<InputFile>& files) {
     ChangedLines changed;
     std::set<std::string> roots;
-    std::error_code none;
     for (const InputFile& file : files) {
         if (!file.asked) continue;
         if (file.standard_input) changed.standard_input_.insert(file.path);
-        if (file.standard_input || !fs::exists(file.path, none)) continue;
-        const auto root = repository_around(fs::path(real_path(file.path)).parent_path());
+        if (file.standard_input ||
+            platform::kind_of(platform::path_of(file.path)) == platform::FileKind::missing)
+            continue;
+        const auto root = repository_around(platform::path_of(real_path(file.path)).parent_path());
         if (!root)
             return refusal("--since wants files of a git repository, and '" + shown(file.path) +
                            "' lies in none. Leave --since out, or this file.");
-        roots.insert(root->string());
+        roots.insert(platform::text_of(*root));
     }
     for (const std::string& root : roots)
         if (auto failure = changed.ask(revision, root)) return *std::move(failure);
@@ -148,8 +151,9 @@ std::variant<ChangedLines, Notice> ChangedLines::since(const std::string& revisi
 
 std::optional<Notice> ChangedLines::ask(const std::string& revision, const std::string& root) {
     std::string commit;
-    const auto named = run_process(git(root, {"rev-parse", "--verify", "--quiet", revision + "^{commit}"}),
-                                   [&](std::string_view part) { commit += part; });
+    const auto named =
+        platform::run_process(git(root, {"rev-parse", "--verify", "--quiet", revision + "^{commit}"}),
+                              [&](std::string_view part) { commit += part; });
     commit.erase(std::min(commit.find('\n'), commit.size()));
     if (!named.started || (named.status != 0 && !named.errors.empty())) return git_failed(root, named);
     if (named.status != 0 || commit.empty())
@@ -158,21 +162,23 @@ std::optional<Notice> ChangedLines::ask(const std::string& revision, const std::
                        "'. Write a commit, a branch or a tag; where only a part of the history was fetched, "
                        "fetch the rest.");
     DiffReader reader;
-    const auto compared =
-        run_process(git(root, {"diff", "--unified=0", "--inter-hunk-context=0", "--no-color", "--no-ext-diff",
-                               "--no-textconv", "--text", "--find-renames", "--ignore-cr-at-eol",
-                               "--ignore-submodules", "--src-prefix=a/", "--dst-prefix=b/", commit, "--"}),
-                    [&](std::string_view part) { reader.take(part); });
+    const auto compared = platform::run_process(
+        git(root, {"diff", "--unified=0", "--inter-hunk-context=0", "--no-color", "--no-ext-diff",
+                   "--no-textconv", "--text", "--find-renames", "--ignore-cr-at-eol", "--ignore-submodules",
+                   "--src-prefix=a/", "--dst-prefix=b/", commit, "--"}),
+        [&](std::string_view part) { reader.take(part); });
     if (!compared.started || compared.status != 0) return git_failed(root, compared);
     std::string names;
     const auto listed =
-        run_process(git(root, {"ls-files", "-z"}), [&](std::string_view part) { names += part; });
+        platform::run_process(git(root, {"ls-files", "-z"}), [&](std::string_view part) { names += part; });
     if (!listed.started || listed.status != 0) return git_failed(root, listed);
-    const auto path_of = [&](std::string_view name) { return (fs::path(root) / name).string(); };
-    for (auto& [name, ranges] : reader.finish()) ranges_[path_of(name)] = std::move(ranges);
+    const auto place_of = [&](std::string_view name) {
+        return platform::text_of(platform::path_of(root) / platform::path_of(name));
+    };
+    for (auto& [name, ranges] : reader.finish()) ranges_[place_of(name)] = std::move(ranges);
     for (std::string_view rest = names; !rest.empty();) {
         const std::string_view name = rest.substr(0, rest.find('\0'));
-        tracked_.insert(path_of(name));
+        tracked_.insert(place_of(name));
         rest.remove_prefix(std::min(rest.size(), name.size() + 1));
     }
     return std::nullopt;

@@ -2,6 +2,8 @@
 #include "cli/gate/known_findings.hpp"
 
 #include "analyzer/source/encoding.hpp"
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "cli/gate/match.hpp"
 #include "cli/report/fingerprint.hpp"
 #include "cli/suggest.hpp"
@@ -26,8 +28,8 @@ struct Share {
     std::vector<FoundPlaces> places = {};        ///< of these
 
     [[nodiscard]] bool exists(const std::string& name) const {
-        std::error_code none;
-        return fs::exists(path_of_name(name, folder), none);
+        return platform::kind_of(platform::path_of(path_of_name(name, folder))) !=
+               platform::FileKind::missing;
     }
     [[nodiscard]] auto existing() const {
         return [this](const std::string& name) { return exists(name); };
@@ -160,8 +162,8 @@ Notice write(const std::string& path, const Share& share, const Baseline& before
 
 /// A file that is there is only written over when it is a baseline.
 std::variant<Baseline, Notice> read_before(const std::string& path) {
-    std::error_code none;
-    if (!fs::is_regular_file(path, none) || fs::file_size(path, none) == 0) return Baseline{};
+    const auto at = platform::path_of(path);
+    if (platform::kind_of(at) != platform::FileKind::regular || platform::size_of(at) == 0) return Baseline{};
     auto read = read_baseline(path);
     if (auto* notice = std::get_if<Notice>(&read)) {
         if (!holds_baseline(path))

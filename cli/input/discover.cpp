@@ -1,6 +1,8 @@
 //! Walks folders without recursion; what was seen once, by whatever name, is not seen again.
 #include "cli/input/discover.hpp"
 
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "cli/input/gitignore.hpp"
 #include "cli/input/program_name.hpp"
 #include "cli/input/repository.hpp"
@@ -37,15 +39,19 @@ bool is_passed_over(const std::string& name) {
 }
 
 std::string as_shown(const fs::path& path) {
-    const std::string normal = path.lexically_normal().string();
+    const std::string normal = platform::text_of(path.lexically_normal());
     return normal.empty() ? "." : normal;
+}
+
+bool is_folder(const std::string& path) {
+    return platform::kind_of(platform::path_of(path)) == platform::FileKind::folder;
 }
 
 /// The file after all symbolic links: what makes two names one file.
 std::string identity(const fs::path& path) {
     std::error_code error;
-    const fs::path real = fs::canonical(path, error);
-    return error ? path.lexically_normal().generic_string() : real.generic_string();
+    const fs::path real = platform::real_path(path, error);
+    return platform::text_of(error ? path.lexically_normal() : real);
 }
 
 Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
@@ -55,7 +61,8 @@ Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
 }
 
 bool takes_any(const std::vector<Glob>& globs, const fs::path& path) {
-    return std::ranges::any_of(globs, [&](const Glob& glob) { return glob.takes(path.string()); });
+    const std::string text = platform::text_of(path);
+    return std::ranges::any_of(globs, [&](const Glob& glob) { return glob.takes(text); });
 }
 
 class Walk {
@@ -66,12 +73,14 @@ class Walk {
         , options_(options) {}
 
     void add_named(const std::string& path, bool standard_input) {
-        if (!seen_.insert(identity(path)).second) return;
-        found_.files.push_back({standard_input ? path : as_shown(path), true, true, standard_input});
+        const fs::path named = platform::path_of(path);
+        if (!seen_.insert(identity(named)).second) return;
+        found_.files.push_back(
+            {standard_input ? platform::text_of(named) : as_shown(named), true, true, standard_input});
     }
 
     /// What was named is not found once more.
-    void pass_over(const std::string& path) { seen_.insert(identity(path)); }
+    void pass_over(const std::string& path) { seen_.insert(identity(platform::path_of(path))); }
 
     /// How many NC programs are there, those included that were known before.
     std::size_t add_folder(const fs::path& root, Depth depth, bool asked) {
@@ -93,12 +102,12 @@ class Walk {
     /// Whether a search of the folders above it would not have come to what was named.
     [[nodiscard]] bool is_left_out(const std::string& named) {
         if (!options_.force_exclude) return false;
+        const fs::path path = platform::path_of(named);
+        if (options_.gitignore && git_.ignores_path(identity(path), is_folder(named))) return true;
         std::error_code ignored;
-        if (options_.gitignore && git_.ignores_path(identity(named), fs::is_directory(named, ignored)))
-            return true;
-        for (fs::path at = fs::absolute(named, ignored).lexically_normal(); at.has_relative_path();) {
+        for (fs::path at = fs::absolute(path, ignored).lexically_normal(); at.has_relative_path();) {
             const fs::path folder = at.parent_path();
-            const auto loaded = settings_.for_folder(folder.string());
+            const auto loaded = settings_.for_folder(platform::text_of(folder));
             const Configuration* configuration = loaded ? loaded->get() : nullptr;
             if (configuration == nullptr) return false;
             if (is_excluded(configuration, at)) return true;
@@ -121,79 +130,70 @@ class Walk {
     /// order of their names.
     std::vector<fs::path> visit(const fs::path& folder, const std::string& real, bool asked) {
         std::error_code error;
-        std::vector<fs::directory_entry> entries;
-        for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
-             entry.increment(error))
-            entries.push_back(*entry);
+        std::vector<platform::FolderEntry> entries = platform::entries_of(folder, error);
         if (error) {
             if (asked) note(unreadable_folder(folder, error));
             return {};
         }
         std::ranges::sort(entries, {},
-                          [](const fs::directory_entry& entry) { return entry.path().native(); });
-        const auto loaded = settings_.for_folder(folder.string());
+                          [](const platform::FolderEntry& entry) { return entry.path.native(); });
+        const auto loaded = settings_.for_folder(platform::text_of(folder));
         const Configuration* configuration = loaded ? loaded->get() : nullptr;
         std::vector<fs::path> folders;
-        for (const fs::directory_entry& entry : entries) {
+        for (const platform::FolderEntry& entry : entries) {
             if (++entries_ > bounds_.entries) full_ = true;
             if (full_) break;
-            if (!is_excluded(configuration, entry.path()))
-                sort_out(configuration, entry, real, asked, folders);
+            if (!is_excluded(configuration, entry.path)) sort_out(configuration, entry, real, asked, folders);
         }
         return folders;
     }
 
     /// Takes an entry of the folder `real` when it is a program, adds it to `folders` when it is one.
-    void sort_out(const Configuration* configuration, const fs::directory_entry& entry,
+    void sort_out(const Configuration* configuration, const platform::FolderEntry& entry,
                   const std::string& real, bool asked, std::vector<fs::path>& folders) {
-        std::error_code ignored;
-        const std::string name = entry.path().filename().string();
-        if (entry.is_directory(ignored)) {
-            if (!is_passed_over(name) && !is_ignored(real, entry, name)) folders.push_back(entry.path());
+        const std::string name = platform::text_of(entry.path.filename());
+        if (entry.kind == platform::FileKind::folder) {
+            if (!is_passed_over(name) && !is_ignored(real, entry, name)) folders.push_back(entry.path);
             return;
         }
         // A link that leads nowhere is reported when it is read; pipes and devices are not for linting.
-        const bool is_file = entry.is_regular_file(ignored) || !entry.exists(ignored);
-        if (!is_file || name.starts_with('.')) return;
+        if (entry.kind == platform::FileKind::pipe || entry.kind == platform::FileKind::other ||
+            name.starts_with('.'))
+            return;
         const std::size_t one = asked ? 1 : 0;
-        if (!is_wanted(configuration, entry.path()))
+        if (!is_wanted(configuration, entry.path, name))
             found_.passed_over.other_names += is_named_like_other(name) ? 0 : one;
         else if (is_ignored(real, entry, name))
             found_.passed_over.ignored_by_git += one;
         else
-            take_file(entry, real, asked);
+            take_file(entry, platform::path_of(real), asked);
     }
 
     /// For git a link is a file, wherever it leads.
-    bool is_ignored(const std::string& folder, const fs::directory_entry& entry, const std::string& name) {
-        std::error_code ignored;
+    bool is_ignored(const std::string& folder, const platform::FolderEntry& entry, const std::string& name) {
         return options_.gitignore &&
-               git_.ignores(folder, name, entry.is_directory(ignored) && !entry.is_symlink(ignored));
+               git_.ignores(folder, name, entry.kind == platform::FileKind::folder && !entry.is_link);
     }
 
     static bool is_excluded(const Configuration* configuration, const fs::path& path) {
         return configuration != nullptr && takes_any(configuration->exclude, path);
     }
 
-    static bool is_wanted(const Configuration* configuration, const fs::path& path) {
-        if (has_nc_extension(path.string())) return true;
+    static bool is_wanted(const Configuration* configuration, const fs::path& path, const std::string& name) {
+        if (has_nc_extension(name)) return true;
         return configuration != nullptr && takes_any(configuration->include, path);
     }
 
-    void take_file(const fs::directory_entry& entry, const std::string& folder, bool asked) {
+    void take_file(const platform::FolderEntry& entry, const fs::path& folder, bool asked) {
         ++wanted_;
-        std::error_code error;
-        const bool link = entry.is_symlink(error);
-        const std::string name = entry.path().filename().string();
-        if (!seen_.insert(link ? identity(entry.path()) : (fs::path(folder) / name).generic_string()).second)
-            return;
-        const auto size = entry.file_size(error);
-        if (!error) bytes_ += size;
+        const fs::path below = folder / entry.path.filename();
+        if (!seen_.insert(entry.is_link ? identity(entry.path) : platform::text_of(below)).second) return;
+        bytes_ += platform::size_of(entry.path);
         if (found_.files.size() >= bounds_.files || bytes_ > bounds_.bytes) {
             full_ = true;
             return;
         }
-        found_.files.push_back({as_shown(entry.path()), false, asked, false});
+        found_.files.push_back({as_shown(entry.path), false, asked, false});
     }
 
     Settings& settings_;
@@ -217,10 +217,10 @@ struct Home {
 
 /// Where a file in the folder looks for others; nothing when those that were found with it have to do.
 std::optional<Home> home_of(const fs::path& folder, bool named, Settings& settings) {
-    const auto loaded = settings.for_folder(folder.string());
+    const auto loaded = settings.for_folder(platform::text_of(folder));
     const Configuration* configuration = loaded ? loaded->get() : nullptr;
     if (configuration != nullptr && (named || configuration->complete))
-        return Home{configuration->folder, Depth::all_below};
+        return Home{platform::path_of(configuration->folder), Depth::all_below};
     if (!named) return std::nullopt;
     if (auto repository = repository_around(folder)) return Home{*std::move(repository), Depth::all_below};
     return Home{folder, Depth::this_folder};
@@ -233,16 +233,16 @@ std::set<Home> homes_of(const std::vector<InputFile>& files, const std::vector<s
     std::set<Home> homes;
     std::error_code ignored;
     for (const InputFile& file : files) {
-        const fs::path folder = fs::path(file.path).parent_path();
-        if (!seen.emplace(folder.string(), file.named).second) continue;
+        const fs::path folder = platform::path_of(file.path).parent_path();
+        if (!seen.emplace(platform::text_of(folder), file.named).second) continue;
         const fs::path absolute = fs::absolute(folder.empty() ? "." : folder, ignored).lexically_normal();
         const bool has_slash = !absolute.has_filename();
         if (auto home = home_of(has_slash ? absolute.parent_path() : absolute, file.named, settings))
             homes.insert(*std::move(home));
     }
     for (const std::string& path : searched) {
-        if (path == "-" || !fs::is_directory(path, ignored)) continue;
-        const std::string above = identity(path);
+        if (path == "-" || !is_folder(path)) continue;
+        const std::string above = identity(platform::path_of(path));
         std::erase_if(homes, [&](const Home& home) {
             const std::string real = identity(home.folder);
             return real == above || real.starts_with(above.ends_with('/') ? above : above + "/");
@@ -258,7 +258,7 @@ std::optional<Notice> refuse_path(const std::string& path) {
         return Notice{NoticeKind::unreadable, "",
                       "one of the paths is empty and names no file. Write '.' for this folder."};
     std::error_code gone;
-    if (fs::path(path).is_relative()) static_cast<void>(fs::current_path(gone));
+    if (platform::path_of(path).is_relative()) static_cast<void>(fs::current_path(gone));
     if (!gone) return std::nullopt;
     return Notice{NoticeKind::unreadable, path,
                   "cannot be found: the folder in which maclint was started is gone. Change to another one."};
@@ -266,18 +266,18 @@ std::optional<Notice> refuse_path(const std::string& path) {
 
 Notice left_out(const std::string& path) {
     return {
-        NoticeKind::left_out, as_shown(path),
+        NoticeKind::left_out, as_shown(platform::path_of(path)),
         "this is excluded or ignored by git, so it is not checked. Leave --force-exclude out to check it."};
 }
 
 /// A folder without programs is told of.
 void search(Walk& walk, const std::string& folder) {
     const PassedOver before = walk.passed_over();
-    if (walk.add_folder(folder, Depth::all_below, true) > 0) return;
+    if (walk.add_folder(platform::path_of(folder), Depth::all_below, true) > 0) return;
     const PassedOver after = walk.passed_over();
     const std::string others =
         text_of({after.other_names - before.other_names, after.ignored_by_git - before.ignored_by_git});
-    walk.note({NoticeKind::left_out, as_shown(folder),
+    walk.note({NoticeKind::left_out, as_shown(platform::path_of(folder)),
                "no NC program is in this folder" + (others.empty() ? "" : " (" + others + ")") +
                    ". Name files themselves when they have unusual names, or add 'include' to the "
                    "configuration."});
@@ -297,17 +297,15 @@ Discovered discover(const std::vector<std::string>& paths, const std::string& st
     // First, for it stands for the file of its name.
     if (std::ranges::find(paths, "-") != paths.end()) add(stdin_name, true);
     for (const std::string& path : paths) {
-        std::error_code ignored;
         if (auto refused = refuse_path(path))
             walk.note(*std::move(refused));
-        else if (path != "-" && !fs::is_directory(path, ignored))
+        else if (path != "-" && !is_folder(path))
             add(path, false);
     }
     std::set<std::string> folders;
     for (const std::string& path : paths) {
-        std::error_code ignored;
-        if (path == "-" || !fs::is_directory(path, ignored) || refuse_path(path)) continue;
-        if (!folders.insert(identity(path)).second) continue;
+        if (path == "-" || !is_folder(path) || refuse_path(path)) continue;
+        if (!folders.insert(identity(platform::path_of(path))).second) continue;
         if (walk.is_left_out(path))
             walk.note(left_out(path));
         else
@@ -326,11 +324,11 @@ Discovered discover_context(const std::vector<InputFile>& asked, const std::vect
     const fs::path here = fs::current_path(ignored);
     for (const Home& home : homes) {
         const fs::path shorter = home.folder.lexically_proximate(here);
-        const bool below = !shorter.string().starts_with("..");
+        const bool below = !platform::text_of(shorter).starts_with("..");
         walk.add_folder(below ? shorter : home.folder, home.depth, false);
     }
     if (walk.is_full())
-        walk.note({NoticeKind::left_out, homes.begin()->folder.string(),
+        walk.note({NoticeKind::left_out, platform::text_of(homes.begin()->folder),
                    "this folder holds too many files to look for callers and callees in all of them. Add a " +
                        std::string(configuration_name) +
                        " to the folder that holds the programs of one control."});

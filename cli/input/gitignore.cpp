@@ -2,11 +2,13 @@
 //! first.
 #include "cli/input/gitignore.hpp"
 
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
+#include "analyzer/source/source.hpp"
 #include "cli/config/glob.hpp"
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <system_error>
@@ -18,8 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string read_text(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+    const auto read = Source::read_file(platform::text_of(file));
+    const auto* source = std::get_if<Source>(&read);
+    return source == nullptr ? std::string() : std::string(source->bytes());
 }
 
 struct CharacterClass {
@@ -173,9 +176,8 @@ bool matches(const IgnoreRule& rule, const std::vector<std::string_view>& names)
 
 /// The folder of a repository's own files; for a work tree beside it a file names it.
 fs::path git_folder(const fs::path& root) {
-    std::error_code ignored;
     fs::path at = root / ".git";
-    if (fs::is_directory(at, ignored)) return at;
+    if (platform::kind_of(at) == platform::FileKind::folder) return at;
     const auto named_in = [](const fs::path& file, std::string_view key) {
         std::string text = read_text(file);
         text.resize(std::min(text.size(), text.find_first_of("\r\n")));
@@ -183,9 +185,9 @@ fs::path git_folder(const fs::path& root) {
     };
     const std::string named = named_in(at, "gitdir: ");
     if (named.empty()) return at;
-    const fs::path folder = root / named;
+    const fs::path folder = root / platform::path_of(named);
     const std::string common = named_in(folder / "commondir", "");
-    return common.empty() ? folder : folder / common;
+    return common.empty() ? folder : folder / platform::path_of(common);
 }
 
 } // namespace
@@ -203,8 +205,7 @@ std::vector<IgnoreRule> read_ignore_rules(std::string_view text) {
 }
 
 GitIgnore::Chain GitIgnore::with_file(Chain above, const std::string& folder, const fs::path& file) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) return above;
+    if (platform::kind_of(file) != platform::FileKind::regular) return above;
     auto rules = read_ignore_rules(read_text(file));
     if (rules.empty()) return above;
     return std::make_shared<const Rules>(Rules{std::move(above), folder, std::move(rules)});
@@ -212,13 +213,12 @@ GitIgnore::Chain GitIgnore::with_file(Chain above, const std::string& folder, co
 
 const GitIgnore::Known& GitIgnore::known_of(const std::string& folder) {
     if (const auto known = by_folder_.find(folder); known != by_folder_.end()) return known->second;
-    const fs::path path(folder);
-    std::error_code ignored;
+    const fs::path path = platform::path_of(folder);
     Known known;
-    if (fs::exists(path / ".git", ignored))
+    if (platform::kind_of(path / ".git") != platform::FileKind::missing)
         known = {with_file(nullptr, folder, git_folder(path) / "info" / "exclude"), true};
     else if (path.has_relative_path())
-        known = known_of(path.parent_path().generic_string());
+        known = known_of(platform::text_of(path.parent_path()));
     if (known.in_repository) known.rules = with_file(std::move(known.rules), folder, path / ".gitignore");
     return by_folder_.emplace(folder, std::move(known)).first->second;
 }
@@ -237,17 +237,16 @@ bool GitIgnore::ignores(const std::string& folder, const std::string& name, bool
 }
 
 bool GitIgnore::ignores_path(const std::string& path, bool is_folder) {
-    std::error_code ignored;
-    const fs::path at(path);
-    const std::string folder = at.parent_path().generic_string();
-    const bool is_root = is_folder && fs::exists(at / ".git", ignored);
+    const fs::path at = platform::path_of(path);
+    const std::string folder = platform::text_of(at.parent_path());
+    const bool is_root = is_folder && platform::kind_of(at / ".git") != platform::FileKind::missing;
     if (is_root || !at.has_relative_path() || !known_of(folder).in_repository) return false;
-    return ignores(folder, at.filename().string(), is_folder) || ignores_path(folder, true);
+    return ignores(folder, platform::text_of(at.filename()), is_folder) || ignores_path(folder, true);
 }
 
 void GitIgnore::ask_for(const std::string& folder) {
     if (ignores_path(folder, true))
-        by_folder_[folder] = {with_file(nullptr, folder, fs::path(folder) / ".gitignore"), true};
+        by_folder_[folder] = {with_file(nullptr, folder, platform::path_of(folder) / ".gitignore"), true};
 }
 
 } // namespace maclint::cli

@@ -2,6 +2,7 @@
 #include "cli/input/program_name.hpp"
 
 #include "analyzer/dialect/dialect.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ constexpr auto others = std::to_array<std::string_view>(
 bool is_named_like_program(std::string_view path) { return has_nc_extension(path) && is_worth_a_note(path); }
 
 bool is_named_like_other(std::string_view path) {
-    const std::string extension = in_lower_case(std::filesystem::path(path).extension().string());
+    const std::string extension = in_lower_case(platform::text_of(platform::path_of(path).extension()));
     return std::ranges::find(others, extension) != others.end();
 }
 

@@ -2,6 +2,8 @@
 //! good one.
 #include "cli/options/check_options.hpp"
 
+#include "analyzer/source/platform/console.hpp"
+#include "cli/input/wildcards.hpp"
 #include "cli/options/choices.hpp"
 #include "cli/suggest.hpp"
 
@@ -210,6 +212,7 @@ void declare_check(CLI::App& check, CheckWords& words) {
 CheckRequest check_request(const CheckWords& words) {
     CheckRequest request;
     request.paths = words.paths.empty() ? std::vector<std::string>{"."} : words.paths;
+    if (!platform::shell_expands_wildcards()) request.paths = with_wildcards_expanded(request.paths);
     request.sinks = sinks_of(words);
     request.overrides = overrides_of(words);
     require_control(request.overrides);

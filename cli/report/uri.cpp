@@ -1,6 +1,7 @@
 //! Paths to URIs.
 #include "cli/report/uri.hpp"
 
+#include "analyzer/source/platform/paths.hpp"
 #include "cli/input/repository.hpp"
 
 #include <cctype>
@@ -14,21 +15,28 @@ namespace fs = std::filesystem;
 std::string source_root() {
     std::error_code error;
     const fs::path here = fs::current_path(error);
-    return repository_around(here).value_or(here).string();
+    return platform::text_of(repository_around(here).value_or(here));
 }
 
 PlacedPath placed_path(const std::string& path, const std::string& root) {
     std::error_code error;
-    const fs::path absolute = fs::absolute(path, error).lexically_normal();
-    std::string relative = absolute.lexically_relative(root).generic_string();
+    const fs::path absolute = fs::absolute(platform::path_of(path), error).lexically_normal();
+    std::string relative = platform::text_of(absolute.lexically_relative(platform::path_of(root)));
     if (relative.empty() || relative == "." || relative.starts_with(".."))
-        return {absolute.generic_string(), false};
+        return {platform::text_of(absolute), false};
     return {std::move(relative), true};
 }
 
 FileUri uri_of(const std::string& path, const std::string& root) {
     const PlacedPath placed = placed_path(path, root);
-    return {(placed.below_root ? "" : "file://") + percent_encoded(placed.path), placed.below_root};
+    return {placed.below_root ? percent_encoded(placed.path) : file_uri(placed.path), placed.below_root};
+}
+
+std::string file_uri(std::string_view absolute) {
+    if (absolute.starts_with("//")) return "file:" + percent_encoded(absolute);
+    if (absolute.starts_with('/')) return "file://" + percent_encoded(absolute);
+    const std::size_t drive = absolute.find(':') + 1;
+    return "file:///" + std::string(absolute.substr(0, drive)) + percent_encoded(absolute.substr(drive));
 }
 
 std::string percent_encoded(std::string_view path) {

@@ -24,6 +24,10 @@ struct PlacedPath {
 
 [[nodiscard]] FileUri uri_of(const std::string& path, const std::string& root);
 
+/// That of a path from the root of a file system: "/shop/O1.nc", on Windows "C:/shop/O1.nc" and
+/// "//server/shop/O1.nc", whose server the URI names as its own.
+[[nodiscard]] std::string file_uri(std::string_view absolute);
+
 /// Everything but unreserved characters (RFC 3986, section 2.3) and '/' is encoded.
 [[nodiscard]] std::string percent_encoded(std::string_view path);
 

@@ -1,6 +1,6 @@
 //! What git's differences say about lines.
+#include "analyzer/source/platform/process.hpp"
 #include "cli/gate/changed_lines.hpp"
-#include "cli/process.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -59,9 +59,9 @@ TEST(Diff, ReadsPartsAsTheWhole) {
 
 TEST(Process, GivesOutputErrorsAndStatus) {
     std::string out;
-    const auto end =
-        run_process({"sh", "-c", "printf '%s' \"$1\"; cat; echo no >&2; exit 3", "sh", "a 'b\" $c\n"},
-                    [&](std::string_view part) { out += part; });
+    const auto end = platform::run_process(
+        {"sh", "-c", "printf '%s' \"$1\"; cat; echo no >&2; exit 3", "sh", "a 'b\" $c\n"},
+        [&](std::string_view part) { out += part; });
     EXPECT_TRUE(end.started);
     EXPECT_EQ(end.status, 3);
     EXPECT_EQ(out, "a 'b\" $c\n");
@@ -71,15 +71,15 @@ TEST(Process, GivesOutputErrorsAndStatus) {
 TEST(Process, ReadsMoreThanPipesHold) {
     std::size_t size = 0;
     const auto end =
-        run_process({"sh", "-c", "yes o | head -c 300000; yes e | head -c 300000 >&2; kill -9 $$"},
-                    [&](std::string_view part) { size += part.size(); });
+        platform::run_process({"sh", "-c", "yes o | head -c 300000; yes e | head -c 300000 >&2; kill -9 $$"},
+                              [&](std::string_view part) { size += part.size(); });
     EXPECT_EQ(size, 300'000U);
     EXPECT_EQ(end.errors.size(), 4096U);
     EXPECT_EQ(end.status, 137);
 }
 
 TEST(Process, TellsThatThereIsNoSuchProgram) {
-    EXPECT_FALSE(run_process({"maclint-no-such-program"}, [](std::string_view) {}).started);
+    EXPECT_FALSE(platform::run_process({"maclint-no-such-program"}, [](std::string_view) {}).started);
 }
 
 } // namespace

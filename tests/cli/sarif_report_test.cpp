@@ -180,6 +180,12 @@ TEST(Sarif, EncodesPathsAsUris) {
     EXPECT_THAT(uri_of("../O1.nc", root).uri, testing::StartsWith("file:///"));
 }
 
+TEST(Sarif, NamesFilesOfEverySystemByUris) {
+    EXPECT_EQ(file_uri("/shop/O 1.nc"), "file:///shop/O%201.nc");
+    EXPECT_EQ(file_uri("Z:/shop/O:1.nc"), "file:///Z:/shop/O%3A1.nc");
+    EXPECT_EQ(file_uri("//server/shop/O1.nc"), "file://server/shop/O1.nc");
+}
+
 TEST(Json, HoldsFindingsSuppressedOnesAndTheSummary) {
     HandMade made("O1.nc", "O1\nM30\nM30\n");
     made.add("M30", Severity::error);

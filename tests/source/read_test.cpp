@@ -1,5 +1,5 @@
 //! Reading from disk: what is read byte for byte, and what is refused with words that help.
-#include "analyzer/source/pipe_wait.hpp"
+#include "analyzer/source/platform/input.hpp"
 #include "analyzer/source/source.hpp"
 
 #include <array>
@@ -86,17 +86,17 @@ TEST(PipeWait, EndsWithBytesWithTheEndOrAfterTheTime) {
     using namespace std::chrono_literals;
     std::array<int, 2> ends{};
     ASSERT_EQ(::pipe(ends.data()), 0);
-    EXPECT_FALSE(comes_in_time(ends[0], 20ms));
+    EXPECT_FALSE(platform::comes_in_time(ends[0], 20ms));
     std::jthread writer([&] {
         std::this_thread::sleep_for(30ms);
         EXPECT_EQ(::write(ends[1], "%", 1), 1);
     });
-    EXPECT_TRUE(comes_in_time(ends[0], 20s));
+    EXPECT_TRUE(platform::comes_in_time(ends[0], 20s));
     writer.join();
     char byte = 0;
     EXPECT_EQ(::read(ends[0], &byte, 1), 1);
     ::close(ends[1]);
-    EXPECT_TRUE(comes_in_time(ends[0], 20s));
+    EXPECT_TRUE(platform::comes_in_time(ends[0], 20s));
     ::close(ends[0]);
 }
 

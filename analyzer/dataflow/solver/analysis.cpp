@@ -6,6 +6,7 @@
 #include "analyzer/dataflow/solver/summarise.hpp"
 #include "analyzer/dataflow/solver/transfer.hpp"
 #include "analyzer/flow/solve.hpp"
+#include "analyzer/source/platform/kept_by_thread.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -107,7 +108,7 @@ Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowle
     , callees_(std::move(callees))
     , states_(std::make_unique<States>(program, knowledge_))
     , known_starts_(std::make_unique<KnownStarts>()) {
-    thread_local WorkingLists lists;
+    auto& lists = platform::KeptByThread<WorkingLists>::get();
     AnalysisBuilder(program, graph, callees_, wanted, lists, *this).run();
     lists.release();
 }

@@ -1,5 +1,5 @@
 //! posix_spawn and two pipes, read as they fill.
-#include "cli/process.hpp"
+#include "analyzer/source/platform/process.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 
 extern char** environ; // NOLINT(readability-redundant-declaration): not every system declares it
 
-namespace maclint::cli {
+namespace maclint::platform {
 namespace {
 
 class Pipe {
@@ -106,4 +106,4 @@ ProcessEnd run_process(const std::vector<std::string>& words,
     return end;
 }
 
-} // namespace maclint::cli
+} // namespace maclint::platform

@@ -1,4 +1,4 @@
-//! Runs another program. What differs between systems stays in its source file.
+//! Runs another program.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace maclint::cli {
+namespace maclint::platform {
 
 struct ProcessEnd {
     bool started = false; ///< otherwise there is no such program, or it must not run
@@ -19,4 +19,4 @@ struct ProcessEnd {
 [[nodiscard]] ProcessEnd run_process(const std::vector<std::string>& words,
                                      const std::function<void(std::string_view part)>& take);
 
-} // namespace maclint::cli
+} // namespace maclint::platform

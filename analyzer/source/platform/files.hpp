@@ -1,0 +1,44 @@
+//! What the system knows of files and folders. On Windows paths of more than 260 characters are known, too.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace maclint::platform {
+
+enum class FileKind : std::uint8_t {
+    missing,     ///< or in a folder that cannot be looked at
+    broken_link, ///< that leads nowhere, or in a circle
+    regular,
+    folder,
+    pipe,
+    other, ///< a device, a socket
+};
+
+/// What is there, all links followed.
+[[nodiscard]] FileKind kind_of(const std::filesystem::path& path);
+FileKind kind_of(const std::string& text) = delete; // path_of makes a path of it
+
+/// Whether two paths lead to one file or folder that is there.
+[[nodiscard]] bool are_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
+
+/// Absolute, all links followed; nothing is there: an error.
+[[nodiscard]] std::filesystem::path real_path(const std::filesystem::path& path, std::error_code& error);
+
+/// Bytes of a file, 0 when it cannot be looked at.
+[[nodiscard]] std::uintmax_t size_of(const std::filesystem::path& path);
+
+struct FolderEntry {
+    std::filesystem::path path; ///< that of the folder with the entry's name
+    FileKind kind;              ///< of what a link leads to
+    bool is_link;
+};
+
+/// What is in a folder, in no order.
+[[nodiscard]] std::vector<FolderEntry> entries_of(const std::filesystem::path& folder,
+                                                  std::error_code& error);
+
+} // namespace maclint::platform

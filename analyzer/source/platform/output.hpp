@@ -1,0 +1,27 @@
+//! Writing files whole or not at all. Results are 0, or what errno has for the failure.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace maclint::platform {
+
+/// How long a pipe that is written may be without a reader.
+inline constexpr std::chrono::seconds patience_with_readers{10};
+
+/// Where a file of that name goes in the end, all links followed: absolute. It need not be there yet.
+[[nodiscard]] std::string written_path(const std::string& path);
+
+/// Puts a file with that text in the place of the old one. Whoever stops the run, or a full disk, leaves the
+/// old file as it was.
+[[nodiscard]] int replace_file(const std::string& path, std::string_view text);
+
+/// Writes to a pipe or a device. ENXIO: nobody came to read the pipe.
+[[nodiscard]] int write_in_place(const std::string& path, std::string_view text);
+
+/// Whether the path names the file or the pipe that standard output goes to. A terminal and other devices may
+/// well be written twice.
+[[nodiscard]] bool is_standard_output(const std::string& path);
+
+} // namespace maclint::platform
