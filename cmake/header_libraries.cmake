@@ -2,20 +2,6 @@
 add_library(maclint_json INTERFACE)
 add_library(maclint_cli11 INTERFACE)
 
-if(CMAKE_CROSSCOMPILING AND NOT MACLINT_HEADERS)
-  # A cross build may see nothing else of this machine's /usr/include: they are copied to a folder of its own.
-  set(MACLINT_HEADERS "${CMAKE_BINARY_DIR}/include")
-  foreach(header nlohmann/json.hpp CLI/CLI.hpp)
-    if(NOT EXISTS "${MACLINT_HEADERS}/${header}")
-      find_path(system_headers ${header} PATHS /usr/include /usr/local/include
-        REQUIRED NO_CACHE NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
-      cmake_path(GET header PARENT_PATH folder)
-      file(COPY "${system_headers}/${folder}" DESTINATION "${MACLINT_HEADERS}")
-      unset(system_headers)
-    endif()
-  endforeach()
-endif()
-
 if(MACLINT_HEADERS)
   foreach(header nlohmann/json.hpp CLI/CLI.hpp)
     if(NOT EXISTS "${MACLINT_HEADERS}/${header}")
