@@ -18,8 +18,6 @@
 namespace maclint::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// What a baseline is for: files that were linted, and what was found in them.
 struct Share {
     std::string folder;
