@@ -75,7 +75,7 @@ TEST_F(Match, ACauseWithAFurtherPlaceIsNew) {
                       .looked_at = {"O1"}};
     EXPECT_THAT(run(before).known, ElementsAre(true));
     Case after = before;
-    after.findings[0].push_back("O1 MAC501 c");
+    after.findings[0].emplace_back("O1 MAC501 c");
     const Matched matched = run(after);
     EXPECT_THAT(matched.known, ElementsAre(false));
     EXPECT_EQ(matched.gone, 0U);
@@ -113,7 +113,7 @@ TEST_F(Match, AFileThatIsThereIsNotRenamed) {
     EXPECT_THAT(run(copied).known, ElementsAre(false));
     Case known = copied;
     known.there = {};
-    known.baseline.push_back({"O2 MAC301 b", 1});
+    known.baseline.emplace_back("O2 MAC301 b", 1);
     EXPECT_THAT(run(known).known, ElementsAre(false)) << "the baseline knows O2 by its own name";
 }
 
@@ -144,12 +144,12 @@ TEST_F(Match, ThousandsOfFilesThatAreAlikeAreRenamedInTheOrderOfTheirNames) {
     Case what;
     for (int i = 10'000; i < 20'000; ++i) {
         const std::string number = std::to_string(i);
-        what.baseline.push_back({"old" + number + " MAC301 a", 1});
+        what.baseline.emplace_back("old" + number + " MAC301 a", 1);
         what.findings.push_back({"new" + number + " MAC301 a"});
         what.looked_at.push_back("new" + number);
     }
     what.findings.push_back({"new20000 MAC301 a"});
-    what.looked_at.push_back("new20000");
+    what.looked_at.emplace_back("new20000");
     const Matched matched = run(what);
     EXPECT_EQ(matched.renamed.size(), 10'000U);
     EXPECT_EQ(matched.renamed.back(), (Renamed{"old19999", "new19999"}));
@@ -159,11 +159,11 @@ TEST_F(Match, ThousandsOfFilesThatAreAlikeAreRenamedInTheOrderOfTheirNames) {
 TEST_F(Match, WhatManyFilesHaveInCommonSaysNotWhichWasRenamed) {
     Case what;
     for (int i = 10; i < 50; ++i) {
-        what.baseline.push_back({"old" + std::to_string(i) + " MAC301 a", 1});
-        what.baseline.push_back({"old" + std::to_string(i) + " MAC301 b", 1});
+        what.baseline.emplace_back("old" + std::to_string(i) + " MAC301 a", 1);
+        what.baseline.emplace_back("old" + std::to_string(i) + " MAC301 b", 1);
     }
-    what.baseline.push_back({"other MAC301 a", 1});
-    what.baseline.push_back({"other MAC301 c", 1});
+    what.baseline.emplace_back("other MAC301 a", 1);
+    what.baseline.emplace_back("other MAC301 c", 1);
     what.findings = {{"new MAC301 a"}, {"new MAC301 c"}, {"new MAC301 d"}, {"new2 MAC301 a"}};
     what.looked_at = {"new", "new2"};
     const Matched matched = run(what);

@@ -225,9 +225,8 @@ TEST_F(BaselineOption, WhatACommentAllowsIsNoBusinessOfIt) {
 }
 
 TEST_F(BaselineOption, TakesNamesOfAllKinds) {
-    for (const char* name : {"W\xC3\xBCrfel Gr\xC3\xB6\xC3\x9F"
-                             "e.nc",
-                             "it's \"5%\".nc", "two\nlines.nc", "w\xFCrfel.nc", "100%25.nc"})
+    for (const char* name : {"W\xC3\xBCrfel Gr\xC3\xB6\xC3\x9F\x65.nc", "it's \"5%\".nc", "two\nlines.nc",
+                             "w\xFCrfel.nc", "100%25.nc"})
         folder.write(name, bad);
     write_baseline();
     EXPECT_EQ(found({"--baseline", "base.json"}), "0");

@@ -97,10 +97,8 @@ TEST_F(Since, CountsLinesAsGitDoes) {
 }
 
 TEST_F(Since, TakesNamesOfAllKinds) {
-    for (const char* name :
-         {"W\xC3\xBCrfel Gr\xC3\xB6\xC3\x9F"
-          "e.nc",
-          "it's \"5%\" b.nc", "two\nlines.nc", "w\xFCrfel.nc", "tab\tback\\slash.nc", "a b.nc"})
+    for (const char* name : {"W\xC3\xBCrfel Gr\xC3\xB6\xC3\x9F\x65.nc", "it's \"5%\" b.nc", "two\nlines.nc",
+                             "w\xFCrfel.nc", "tab\tback\\slash.nc", "a b.nc"})
         folder.write(name, bad);
     commit();
     EXPECT_EQ(found("--since HEAD"), "");
