@@ -352,6 +352,7 @@ TEST(CallersLocals, ThatNoCallerSetsAreVacantOnAPath) {
     for (const std::string caller :
          {"O1\n#1=2\nM98P9001\nM30\n", "O1\nIF[#501EQ1]THEN#1=2\nM98P9001\nM30\n",
           "O1\nM98P9002\nM98P9001\nM30\nO9002\n#1=3\nM99\n",
+          "O1\nM98P9002\nM98P9001\nM30\nO9002\nM98P9004\nM99\nO9004\n#1=3\nM99\n",
           "O1\n#1=2\nM98P9002\nM30\nO9002\nM98P9001\nM99\n", "O1\n#[#501]=2\nM98P9001\nM30\n",
           "O1\nM98P#501\nM98P9001\nM30\n", "O1\nM98P9003\nM98P9001\nM30\n", "O9002\nM98P9001\nM99\n",
           "O1\nG65P9002A1\nM30\nO9002\nM98P9001\nM99\n", "O1\nM98P9001\nG65P9001A1\nM30\n"})
