@@ -76,9 +76,12 @@ class BlockReader {
     }
 
     [[nodiscard]] ProgramFile run() {
-        const auto precede = [this](Span block) { precede_comments(block); };
+        const auto take_plain = [this](Span block) {
+            precede_comments(block);
+            throttle_.record(false);
+        };
         for (Offset at = dialect_.start(); at < text_.size();) {
-            at = dialect_.pass(at, precede);
+            at = dialect_.pass(at, take_plain);
             if (at >= text_.size()) break;
             if (extent_ == Extent::names_and_calls) {
                 if (const auto end = Dialect::end_at_a_glance(text_, at)) {

@@ -66,18 +66,20 @@ std::vector<std::string> meaning(const ProgramFile& file) {
 BothLanes forbid_plain_lane(std::string_view text, std::string_view control) {
     const std::string_view comment = control == "dinplus" ? "[maclint]" : "(maclint)";
     const ProgramFile file = read_as(control, "O1.nc", text);
-    BothLanes lanes;
-    Offset copied = 0;
+    std::vector<Offset> ends; // of the plain blocks; a program may go on behind another
     for (const Program& program : file.programs)
-        for (const Item& item : program.items) {
-            const auto* run = std::get_if<PlainRun>(&item);
-            if (run == nullptr) continue;
-            blocks::visit_part(program, *run, run->span, [&](const BlockView& block) {
-                ++lanes.plain;
-                lanes.grammar_only.append(text.substr(copied, block.span.end - copied)).append(comment);
-                copied = block.span.end;
-            });
-        }
+        for (const Item& item : program.items)
+            if (const auto* run = std::get_if<PlainRun>(&item))
+                blocks::visit_part(program, *run, run->span,
+                                   [&](const BlockView& block) { ends.push_back(block.span.end); });
+    std::ranges::sort(ends);
+    BothLanes lanes;
+    lanes.plain = ends.size();
+    Offset copied = 0;
+    for (const Offset end : ends) {
+        lanes.grammar_only.append(text.substr(copied, end - copied)).append(comment);
+        copied = end;
+    }
     lanes.grammar_only.append(text.substr(copied));
     return lanes;
 }

@@ -261,21 +261,27 @@ TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocks) {
     EXPECT_GT(plain, 500U);
 }
 
+TEST(PlainLane, AgreesWithTheGrammarWhereAProgramGoesOnBehindAnother) {
+    EXPECT_EQ(
+        compare_lanes("MACHINING\nN1 G0 X1\nSUBPROGRAM \"U\"\nN2 G0 X2\nTURRET\nT1\n", "dinplus", "part.nc"),
+        3U);
+}
+
 TEST(PlainLane, AgreesWithTheGrammarOnGeneratedBlocksOfDinPlus) {
     static constexpr const char* pieces[] = {
-        "N10 ",   "N5",         "n7 ",    "G0",      " G1 ",   "G2",         "G40",
-        "G95",    "G96",        "G97",    "G810",    "G14",    "G16",        "G4",
-        "G59",    "G999",       "G1000",  "G1.",     "GO",     "M3",         "M8",
-        "M30",    "M99",        "T1",     "X10",     " X10.5", " Z-.5",      " Zi-3",
-        "Xi",     "XK5",        " YK-2",  " NS2",    " NE3",   " NE 3",      "LE5",
-        "LE 5",   "IF1",        "OR1",    "EQ2",     "L1",     "F0.2",       " S200",
-        "Q1",     " Q0",        "HID3",   "ABC1",    "X 1",    "X- 1",       "X+1",
-        "X1.2.3", "X1,5",       "+1",     "O",       "[A]",    " [B;C] ",    "[//]",
+        "N10 ",   "N5",         "n7 ",      "G0",          " G1 ",   "G2",         "G40",
+        "G95",    "G96",        "G97",      "G810",        "G14",    "G16",        "G4",
+        "G59",    "G999",       "G1000",    "G1.",         "GO",     "M3",         "M8",
+        "M30",    "M99",        "T1",       "X10",         " X10.5", " Z-.5",      " Zi-3",
+        "Xi",     "XK5",        " YK-2",    " NS2",        " NE3",   " NE 3",      "LE5",
+        "LE 5",   "IF1",        "OR1",      "EQ2",         "L1",     "F0.2",       " S200",
+        "Q1",     " Q0",        "HID3",     "ABC1",        "X 1",    "X- 1",       "X+1",
+        "X1.2.3", "X1,5",       "+1",       "O",           "[A]",    " [B;C] ",    "[//]",
 
-        "\"A\"",  " ",          "\t",     "\n",      "\n",     "\r\n",       "\n",
-        ";",      "//",         "/",      "$1 ",     "#l1",    "=",          "12345678901234567",
-        ".",      "IF #l1>5\n", "THEN\n", "ENDIF\n", "END\n",  "FINISHED\n", "MACHINING\n",
-        "VAR\n",  "T1 ID\"X\""};
+        "\"A\"",  " ",          "\t",       "\n",          "\n",     "\r\n",       "\n",
+        ";",      "//",         "/",        "$1 ",         "#l1",    "=",          "12345678901234567",
+        ".",      "IF #l1>5\n", "THEN\n",   "ENDIF\n",     "END\n",  "FINISHED\n", "MACHINING\n",
+        "VAR\n",  "T1 ID\"X\"", "TURRET\n", "SUBPROGRAM\n"};
     std::mt19937 random(20240502);
     std::size_t plain = 0;
     for (int round = 0; round < 1000 && !HasFailure(); ++round) {

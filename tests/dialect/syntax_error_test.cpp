@@ -155,6 +155,29 @@ TEST(SyntaxErrors, NoCauseIsToldOfAGoodBlock) {
     if (std::filesystem::is_directory(outer)) expect_no_cause_in_good_blocks(outer);
 }
 
+TEST(SyntaxErrors, WhatIsReadAndThenRefusedHasNoCauseInItsText) {
+    for (const std::string code : {"G0 ZI1", "ZI#5", "GOTO N5", "IF[#1EQ1]GOTO O5"}) {
+        const auto cause = fanuc::find_cause(code, {0, static_cast<Offset>(code.size())});
+        EXPECT_FALSE(cause) << code << ": " << cause->subject << ": " << cause->cure;
+    }
+    EXPECT_TRUE(fanuc::find_cause("XY10.", {0, 5}));
+    EXPECT_TRUE(fanuc::find_cause("GOTO X5", {0, 7}));
+}
+
+/// What is said of `GO1` behind forty errors, with `between` after each of them.
+SyntaxErrorKind kind_behind_errors(const std::string& between) {
+    std::string text;
+    for (int i = 0; i < 40; ++i) text += "==\n" + between;
+    return test::read(text + "GO1\n").syntax_errors.back().kind;
+}
+
+TEST(SyntaxErrors, AreNoNoiseWithGoodBlocksBetweenThem) {
+    const SyntaxErrorKind read = test::read("GO1").syntax_errors.at(0).kind;
+    EXPECT_NE(kind_behind_errors(""), read) << "in noise it is not read";
+    EXPECT_EQ(kind_behind_errors("X1.\nX2.\nX3.\nX4.\n"), read) << "plain blocks";
+    EXPECT_EQ(kind_behind_errors("#1=1\n#1=2\n#1=3\n#1=4\n"), read);
+}
+
 TEST(SyntaxErrors, AWordOfAnotherLanguageHasOneCauseInNoiseAndElsewhere) {
     for (const std::string code : {"ENDWHILE", "ENDIF", "ELSE", "NEXT", "WEND", "N27 ENDWHILE"}) {
         const SyntaxError alone = test::read(code).syntax_errors.at(0);

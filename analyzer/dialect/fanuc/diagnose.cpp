@@ -56,7 +56,8 @@ class ErrorExplainer {
     [[nodiscard]] std::string last_keyword(const Token& token) const;
     [[nodiscard]] bool wants_value(const Token& token) const;
     [[nodiscard]] bool gives_value(const Token* token) const;
-    /// `XY10.`: two addresses, of which the first has no value.
+    /// `XY10.`: two addresses, of which the first has no value. An I as second one makes an increment on some
+    /// controls: the tree tells.
     [[nodiscard]] bool lacks_value(const Token& token, const Token* next) const;
     [[nodiscard]] bool looks_like_expression(const Token& comment) const;
     [[nodiscard]] bool is_known(const Token& token, const Token* next, int depth) const;
@@ -121,7 +122,7 @@ bool ErrorExplainer::wants_value(const Token& token) const {
 bool ErrorExplainer::lacks_value(const Token& token, const Token* next) const {
     const std::string word = capitals(token);
     const auto is_address = [](char c) { return c >= 'A' && c <= 'Z' && c != 'N' && c != 'O'; };
-    return word.size() == 2 && std::ranges::all_of(word, is_address) && !is_keyword(word) &&
+    return word.size() == 2 && word[1] != 'I' && std::ranges::all_of(word, is_address) && !is_keyword(word) &&
            gives_value(next) && next->kind != TokenKind::letters && token.span.end == next->span.begin;
 }
 
@@ -303,7 +304,9 @@ std::optional<SyntaxError> ErrorExplainer::missing_value() const {
                             text(token).substr(0, 1), "");
             const std::string word = last_keyword(token);
             std::string expected;
-            if (word == "GOTO" && !gives_value(next)) expected = "a sequence number after 'GOTO'";
+            const bool number_word = next != nullptr && (capitals(*next) == "N" || capitals(*next) == "O");
+            if (word == "GOTO" && !gives_value(next) && !number_word)
+                expected = "a sequence number after 'GOTO'";
             if ((word == "DO" || word == "END") && !gives_value(next))
                 expected = "a loop number 1 to 3 after '" + word + "'";
             if ((word == "IF" || word == "WHILE") && !gives_value(next))
