@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace maclint {
@@ -14,9 +15,24 @@ std::string in_capitals(std::string_view text) {
     return capitals;
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
+namespace {
+
+/// A bit for each letter that the word has.
+std::uint32_t letters_in(std::string_view word) {
+    std::uint32_t letters = 0;
+    for (const char c : word) letters |= 1U << (static_cast<unsigned char>(c) & 31U);
+    return letters;
+}
+
+} // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most) {
     constexpr std::size_t longest = 16;
-    if (a.size() > longest || b.size() > longest) return longest;
+    if (a.size() > longest || b.size() > longest) return most + 1;
+    const std::size_t longer = std::max(a.size(), b.size()) - std::min(a.size(), b.size());
+    // An edit brings in one letter at most and takes out one.
+    const auto others = static_cast<std::size_t>(std::popcount(letters_in(a) ^ letters_in(b)));
+    if (longer > most || others > 2 * most) return most + 1;
     std::array<std::array<std::uint8_t, longest + 1>, longest + 1>
         cost{}; // small: noise asks a million times
     for (std::size_t i = 0; i <= longest; ++i) cost[i][0] = cost[0][i] = static_cast<std::uint8_t>(i);
@@ -28,7 +44,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
                 least = std::min(least, cost[i - 2][j - 2] + 1);
             cost[i][j] = static_cast<std::uint8_t>(least);
         }
-    return cost[a.size()][b.size()];
+    return std::min<std::size_t>(cost[a.size()][b.size()], most + 1);
 }
 
 bool addresses_maclint(std::string_view comment) {

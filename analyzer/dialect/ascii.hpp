@@ -13,9 +13,9 @@ namespace maclint {
 /// ASCII letters become capitals.
 [[nodiscard]] std::string in_capitals(std::string_view text);
 
-/// Edits (insert, delete, change, swap of neighbours) between two words of at most 16 bytes; longer ones
-/// count as far apart.
-[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
+/// Edits (insert, delete, change, swap of neighbours) between two words of at most 16 bytes; `most` + 1 when
+/// they are more than `most`, or a word is longer.
+[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most);
 
 /// Whether a comment speaks to maclint: it holds the name, any case.
 [[nodiscard]] bool addresses_maclint(std::string_view comment);

@@ -56,8 +56,8 @@ struct Nearest {
     std::size_t edits;
 
     void look_at(std::string_view candidate) {
-        if (candidate.size() < 3) return;
-        const std::size_t distance = edit_distance(capitals, candidate);
+        if (candidate.size() < 3 || edits == 0) return;
+        const std::size_t distance = edit_distance(capitals, candidate, edits - 1);
         if (distance >= edits) return;
         edits = distance;
         word = candidate;

@@ -136,9 +136,8 @@ Misspelling explain(std::string_view capitals) {
     std::string_view nearest;
     std::size_t least = capitals.size() >= 6 ? 2 : 1;
     for_each_keyword([&](std::string_view word) {
-        const std::size_t longer = std::max(word.size(), capitals.size());
-        if (word.size() < 3 || longer - std::min(word.size(), capitals.size()) > least) return;
-        const std::size_t edits = edit_distance(capitals, word);
+        if (word.size() < 3) return;
+        const std::size_t edits = edit_distance(capitals, word, least);
         if (edits < least + (nearest.empty() ? 1 : 0)) {
             least = edits;
             nearest = word;
