@@ -35,6 +35,19 @@ const Call& call_of(const Program& program, EffectId effect) {
     return std::get<Call>(program.effects[effect].what);
 }
 
+const Argument* argument_for(const ProgramAnalysis& analysis, const Caller& caller, Variable formal) {
+    const decltype(Argument::given) given = formal;
+    const Program& program = calling_program(analysis, caller).program();
+    const auto arguments = program.arguments_of(call_of(program, caller.effect));
+    const auto found = std::ranges::find(arguments, given, &Argument::given);
+    return found == arguments.end() ? nullptr : &*found;
+}
+
+bool opens_locals(const ProgramAnalysis& analysis, const Caller& caller) {
+    const ProgramAnalysis& calling = calling_program(analysis, caller);
+    return calling.control().calls[call_of(calling.program(), caller.effect).kind].frame == Frame::fresh;
+}
+
 const Caller* find_reached_caller(const ProgramAnalysis& analysis) {
     return find_caller(analysis, [&](const Caller& caller) {
         const ProgramAnalysis& calling = calling_program(analysis, caller);
@@ -46,12 +59,8 @@ const Caller* find_reached_caller(const ProgramAnalysis& analysis) {
 }
 
 const Caller* find_caller_without(const ProgramAnalysis& analysis, Variable formal) {
-    const decltype(Argument::given) given = formal;
-    return find_caller(analysis, [&](const Caller& caller) {
-        const Program& program = calling_program(analysis, caller).program();
-        const auto arguments = program.arguments_of(call_of(program, caller.effect));
-        return std::ranges::find(arguments, given, &Argument::given) == arguments.end();
-    });
+    return find_caller(
+        analysis, [&](const Caller& caller) { return argument_for(analysis, caller, formal) == nullptr; });
 }
 
 std::vector<const Caller*> first_callers(const ProgramAnalysis& analysis) {

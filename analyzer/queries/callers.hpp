@@ -18,6 +18,13 @@ namespace maclint::queries {
 /// The call that an effect is, which must be one.
 [[nodiscard]] const Call& call_of(const Program& program, EffectId effect);
 
+/// The argument by which the call gives the variable a value; nullptr where it leaves it out.
+[[nodiscard]] const Argument* argument_for(const ProgramAnalysis& analysis, const Caller& caller,
+                                           Variable formal);
+
+/// Whether the call gives the program a set of local variables of its own.
+[[nodiscard]] bool opens_locals(const ProgramAnalysis& analysis, const Caller& caller);
+
 /// The first call from another program that is reached, and that belongs to the same control; nullptr when
 /// there is none. Programs of a folder beside this one may be another machine's, unless all programs are
 /// known.

@@ -1,6 +1,7 @@
 //! Follows copies back to what was read.
 #include "analyzer/queries/copies.hpp"
 
+#include "analyzer/dataflow/facts/with_value.hpp"
 #include "analyzer/queries/origins.hpp"
 
 #include <algorithm>
@@ -20,11 +21,8 @@ const dataflow::Store* only_store_of(const ProgramAnalysis& analysis, Variable v
                                      const dataflow::Value& value) {
     if (const dataflow::Store* store = store_of(analysis, value)) return store;
     if (analysis.data().table().symbols[value.symbol].kind != dataflow::Symbol::Kind::joined) return nullptr;
-    const auto stores = analysis.facts().all<dataflow::Store>();
-    const auto first = std::ranges::find(stores, variable, &dataflow::Store::variable);
-    const bool only =
-        first != stores.end() && std::ranges::count(stores, variable, &dataflow::Store::variable) == 1;
-    return only ? &*first : nullptr;
+    const auto stores = analysis.facts().about<dataflow::Store>(variable);
+    return stores.size() == 1 ? stores.front() : nullptr;
 }
 
 std::optional<CopySource> copy_source(const ProgramAnalysis& analysis, ExpressionId expression,
@@ -62,13 +60,8 @@ bool saves_group(const ProgramAnalysis& analysis, GroupId group) {
 }
 
 bool is_copied_into(const ProgramAnalysis& analysis, Variable variable, const dataflow::Value& value) {
-    const dataflow::Facts& facts = analysis.facts();
-    const auto of_variable = facts.about<dataflow::Store>(variable);
-    const auto of_value = facts.with<dataflow::Store>(value.symbol);
-    return std::ranges::any_of(of_variable.size() < of_value.size() ? of_variable : of_value,
-                               [&](const dataflow::Store* store) {
-                                   return store->variable == variable && is_same_value(store->value, value);
-                               });
+    return dataflow::any_with_value<dataflow::Store>(analysis.facts(), variable, value.symbol,
+                                                     [](const dataflow::Store&) { return true; });
 }
 
 } // namespace maclint::queries

@@ -16,8 +16,8 @@ namespace maclint::queries {
 /// The assignment that made the value the content of its variable; nullptr when several may have.
 [[nodiscard]] const dataflow::Store* store_of(const ProgramAnalysis& analysis, const dataflow::Value& value);
 
-/// That assignment, or the only one that the program has for the variable where other paths lead around it:
-/// to a value that nobody here has stored.
+/// That assignment. Where paths with different values meet, the only assignment to the variable that the
+/// control can reach: on the other paths the program has stored nothing in it. Else nullptr.
 [[nodiscard]] const dataflow::Store* only_store_of(const ProgramAnalysis& analysis, Variable variable,
                                                    const dataflow::Value& value);
 

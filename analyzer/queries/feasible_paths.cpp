@@ -8,25 +8,17 @@
 #include <array>
 
 namespace maclint::queries {
-namespace {
-
-/// Sorted, without `except`.
-std::vector<flow::NodeId> assigning_nodes(const dataflow::Facts& facts, Variable variable,
-                                          flow::NodeId except) {
+std::vector<flow::NodeId> nodes_that_may_change(const ProgramAnalysis& analysis, Variable variable,
+                                                flow::NodeId except) {
+    const dataflow::Facts& facts = analysis.facts();
     std::vector<flow::NodeId> nodes;
     for (const dataflow::Store* store : facts.about<dataflow::Store>(variable))
         if (store->node != except) nodes.push_back(store->node);
-    return nodes;
-}
-
-void add_clobbering_nodes(const dataflow::Facts& facts, Variable variable, flow::NodeId except,
-                          std::vector<flow::NodeId>& nodes) {
     for (const dataflow::Clobber& clobber : facts.all<dataflow::Clobber>())
         if (clobber.node != except && clobber.may_change(variable)) nodes.push_back(clobber.node);
     std::ranges::sort(nodes);
+    return nodes;
 }
-
-} // namespace
 
 std::vector<bool> WithoutAssignment::reach_of(Variable variable, const Reach& reach) const {
     const flow::Graph& graph = analysis_.graph();
@@ -76,8 +68,7 @@ std::vector<const dataflow::Store*> last_stores_before(const ProgramAnalysis& an
 execution::PathFound path_without_assignment(execution::PathSearch& search, const ProgramAnalysis& analysis,
                                              Variable variable, flow::NodeId node,
                                              std::optional<flow::NodeId> then) {
-    std::vector<flow::NodeId> assigning = assigning_nodes(analysis.facts(), variable, node);
-    add_clobbering_nodes(analysis.facts(), variable, node, assigning);
+    const std::vector<flow::NodeId> assigning = nodes_that_may_change(analysis, variable, node);
     if (node != 0 && std::ranges::binary_search(assigning, flow::NodeId{0})) return {};
     std::vector<execution::Leg> legs{{node, assigning}};
     if (then) legs.push_back({*then, {}});

@@ -37,6 +37,10 @@ class WithoutAssignment {
     std::unordered_map<Variable, Reach, VariableHash> reach_;
 };
 
+/// The nodes at which the variable may get another value, sorted; without `except`.
+[[nodiscard]] std::vector<flow::NodeId> nodes_that_may_change(const ProgramAnalysis& analysis,
+                                                              Variable variable, flow::NodeId except);
+
 /// The assignments to the variable that can be the last one before the loop begins.
 [[nodiscard]] std::vector<const dataflow::Store*>
 last_stores_before(const ProgramAnalysis& analysis, Variable variable, const dataflow::Loop& loop);

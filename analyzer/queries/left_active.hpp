@@ -31,7 +31,7 @@ class Lasting {
     [[nodiscard]] bool until(flow::NodeId node, GroupId group, const dataflow::ModalPart& part);
 
   private:
-    /// The nodes that set the group for any of the channels, sorted.
+    /// The nodes that set the group for all of the channels, sorted.
     [[nodiscard]] const std::vector<flow::NodeId>& setting(GroupId group, Channels channels);
 
     const ProgramAnalysis& analysis_;

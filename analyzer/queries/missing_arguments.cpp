@@ -7,22 +7,13 @@
 #include "analyzer/queries/provoking_calls.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace maclint::queries {
 namespace {
-
-bool opens_locals(const ProgramAnalysis& analysis, const Caller& caller) {
-    const Call& call = call_of(calling_program(analysis, caller).program(), caller.effect);
-    return calling_program(analysis, caller).control().calls[call.kind].frame == Frame::fresh;
-}
-
-bool passes(const ProgramAnalysis& analysis, const Caller& caller, Variable formal) {
-    const Program& program = calling_program(analysis, caller).program();
-    const decltype(Argument::given) given = formal;
-    const auto arguments = program.arguments_of(call_of(program, caller.effect));
-    return std::ranges::find(arguments, given, &Argument::given) != arguments.end();
-}
 
 /// Whether a call whose program only the running program knows may mean it.
 bool may_be_computed(const ProgramAnalysis& analysis) {
@@ -45,6 +36,27 @@ bool is_asked_for(const ProgramAnalysis& analysis, const dataflow::Read& wanted)
     });
 }
 
+/// The first call that comes to the read with the variable as it has left it. What it passes decides where it
+/// goes: another call's path may be closed to it, and another way open.
+const Caller* call_that_comes_to(execution::PathSearch& search, const ProgramAnalysis& analysis,
+                                 const dataflow::Read& read) {
+    const auto changing = nodes_that_may_change(analysis, read.variable, read.node);
+    if (read.node != 0 && std::ranges::binary_search(changing, flow::NodeId{0})) return nullptr;
+    std::set<std::vector<flow::NodeId>> in_vain; // calls that go the same ways
+    for (const Caller& caller : analysis.callers()) {
+        const std::vector<bool> reached = nodes_reached_by(analysis, caller, changing);
+        if (!reached[read.node]) continue;
+        std::vector<flow::NodeId> barred = changing;
+        for (flow::NodeId node = 0; node < reached.size(); ++node)
+            if (!reached[node]) barred.push_back(node);
+        std::ranges::sort(barred);
+        if (in_vain.contains(barred)) continue;
+        if (search.find(std::array{execution::Leg{read.node, barred}}).path) return &caller;
+        in_vain.insert(std::move(barred));
+    }
+    return nullptr;
+}
+
 } // namespace
 
 std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analysis) {
@@ -61,12 +73,12 @@ std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analy
         if (known || read.use != dataflow::Use::arithmetic || !is_as_passed(analysis, read) ||
             std::ranges::find(formals, read.variable) == formals.end() || is_asked_for(analysis, read))
             continue;
-        if (std::ranges::any_of(
-                callers, [&](const Caller& caller) { return passes(analysis, caller, read.variable); }))
+        if (std::ranges::any_of(callers, [&](const Caller& caller) {
+                return argument_for(analysis, caller, read.variable) != nullptr;
+            }))
             continue;
         if (!search) search.emplace(analysis);
-        const auto way = path_without_assignment(*search, analysis, read.variable, read.node);
-        const Caller* call = way.path ? call_that_leaves_out(analysis, read.variable, *way.path) : nullptr;
+        const Caller* call = call_that_comes_to(*search, analysis, read);
         if (call != nullptr) found.push_back({&read, call});
     }
     return found;

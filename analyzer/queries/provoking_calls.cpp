@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/flow/walk.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/semantics/truth.hpp"
@@ -16,18 +17,13 @@ namespace {
 using dataflow::Comparison;
 using semantics::Truth;
 
-bool opens_locals(const ProgramAnalysis& calling, const Caller& call) {
-    const Call& made = call_of(calling.program(), call.effect);
-    return calling.control().calls[made.kind].frame == Frame::fresh;
-}
-
 /// What the call gives the variable; nothing where it is computed.
-std::optional<semantics::AbstractValue> value_given(const Program& caller, EffectId call, Variable variable) {
-    const decltype(Argument::given) given = variable;
-    const auto arguments = caller.arguments_of(call_of(caller, call));
-    const auto argument = std::ranges::find(arguments, given, &Argument::given);
-    if (argument == arguments.end()) return semantics::of_vacant();
-    const auto* literal = std::get_if<Literal>(&caller.expressions[argument->value].node);
+std::optional<semantics::AbstractValue> value_given(const ProgramAnalysis& analysis, const Caller& call,
+                                                    Variable variable) {
+    const Argument* argument = argument_for(analysis, call, variable);
+    if (argument == nullptr) return semantics::of_vacant();
+    const auto& expressions = calling_program(analysis, call).program().expressions;
+    const auto* literal = std::get_if<Literal>(&expressions[argument->value].node);
     return literal == nullptr ? std::nullopt : std::optional(semantics::of_number(literal->value));
 }
 
@@ -51,12 +47,12 @@ Truth outcome_of(const ProgramAnalysis& analysis, const Comparison& comparison,
 }
 
 /// Whether the call can go on over the edge.
-bool allows(const ProgramAnalysis& analysis, const Program& caller, EffectId call, const flow::Edge& edge) {
+bool allows(const ProgramAnalysis& analysis, const Caller& call, const flow::Edge& edge) {
     if (!edge.condition) return true;
     for (const Comparison& comparison : analysis.facts().in<Comparison>(edge.from)) {
         if (comparison.expression != *edge.condition) continue;
         const auto variable = argument_asked_for(analysis, comparison);
-        const auto given = variable ? value_given(caller, call, *variable) : std::nullopt;
+        const auto given = variable ? value_given(analysis, call, *variable) : std::nullopt;
         if (!given) return true;
         const Truth truth = outcome_of(analysis, comparison, *given);
         return edge.holds ? truth.can_hold : truth.can_fail;
@@ -70,16 +66,26 @@ const Caller* call_that_leaves_out(const ProgramAnalysis& analysis, Variable arg
                                    std::span<const flow::EdgeId> path) {
     if (!analysis.program().is_formal(argument)) return nullptr;
     const auto found = std::ranges::find_if(analysis.callers(), [&](const Caller& call) {
-        const ProgramAnalysis& calling = calling_program(analysis, call);
-        const Program& caller = calling.program();
-        const auto given = value_given(caller, call.effect, argument);
-        if (!opens_locals(calling, call) || !given || given->vacancy != semantics::Vacancy::vacant)
-            return false;
-        return std::ranges::all_of(path, [&](flow::EdgeId edge) {
-            return allows(analysis, caller, call.effect, analysis.graph().edges[edge]);
-        });
+        if (!opens_locals(analysis, call) || argument_for(analysis, call, argument) != nullptr) return false;
+        return std::ranges::all_of(
+            path, [&](flow::EdgeId edge) { return allows(analysis, call, analysis.graph().edges[edge]); });
     });
     return found == analysis.callers().end() ? nullptr : &*found;
+}
+
+std::vector<bool> nodes_reached_by(const ProgramAnalysis& analysis, const Caller& call,
+                                   std::span<const flow::NodeId> ends) {
+    const flow::Graph& graph = analysis.graph();
+    std::vector<bool> reached(graph.nodes.size(), false);
+    reached[0] = true;
+    if (std::ranges::binary_search(ends, flow::NodeId{0})) return reached;
+    flow::walk<flow::Direction::forward>(graph, {0}, [&](flow::EdgeId edge, flow::NodeId to) {
+        if (!analysis.data().passable(edge) || !allows(analysis, call, graph.edges[edge]))
+            return flow::Step::refuse;
+        reached[to] = true;
+        return std::ranges::binary_search(ends, to) ? flow::Step::end : flow::Step::go_on;
+    });
+    return reached;
 }
 
 } // namespace maclint::queries

@@ -1,10 +1,11 @@
-//! Which known call makes a program go a path.
+//! Where known calls lead in the program that they call.
 #pragma once
 
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <span>
+#include <vector>
 
 namespace maclint::queries {
 
@@ -13,5 +14,10 @@ namespace maclint::queries {
 /// path that compare an argument, as the call gives it, with a number or with vacant.
 [[nodiscard]] const Caller* call_that_leaves_out(const ProgramAnalysis& analysis, Variable argument,
                                                  std::span<const flow::EdgeId> path);
+
+/// The nodes of the program that the call can come to as far as such conditions tell, by paths that do not go
+/// on from the nodes `ends` (sorted). The call gives the program local variables of its own.
+[[nodiscard]] std::vector<bool> nodes_reached_by(const ProgramAnalysis& analysis, const Caller& call,
+                                                 std::span<const flow::NodeId> ends);
 
 } // namespace maclint::queries

@@ -1,12 +1,15 @@
 //! The flow graph says which blocks are reached; what stands before and in the others says why they are not.
 #include "analyzer/queries/unreached_regions.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/callers.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -15,8 +18,6 @@
 
 namespace maclint::queries {
 namespace {
-
-bool is_letter(unsigned char c) { return std::isalpha(c) != 0; }
 
 bool is_reached(const flow::Graph& graph, flow::NodeId node) {
     return graph.order[node] != flow::Graph::no_order;
@@ -87,48 +88,89 @@ UnreachedRegion region_at(flow::NodeId node, Span part) {
     return region;
 }
 
-/// The words of the program's jumps, as written: "GOTO".
+/// The words of the program's jumps, in capitals: "GOTO".
 std::vector<std::string> jump_words(const ProgramAnalysis& analysis) {
     std::vector<std::string> words;
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
-        std::string word(analysis.program().slice(analysis.program().effects[jump.jump].span));
+        std::string word = in_capitals(analysis.program().slice(analysis.program().effects[jump.jump].span));
         word.erase(std::ranges::find_if_not(word, is_letter), word.end());
         if (!word.empty() && std::ranges::find(words, word) == words.end()) words.push_back(std::move(word));
     }
     return words;
 }
 
-/// The numbers that stand behind such words, in remarks, too; sorted.
-std::vector<std::int64_t> numbers_jumped_to(const ProgramAnalysis& analysis) {
-    const std::string_view text = analysis.program().slice(analysis.program().span);
+/// A number that stands behind a word.
+struct NumberInText {
+    std::int64_t number;
+    Offset word;
+};
+
+/// The number that the text begins with.
+std::optional<std::int64_t> number_at(std::string_view text) {
+    std::int64_t number = 0;
+    const bool is_number = std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc();
+    return is_number ? std::optional(number) : std::nullopt;
+}
+
+/// Sorted by number. Between the word, which is in capitals, and the number `blanks` may stand.
+std::vector<NumberInText> numbers_behind(std::string_view word, std::string_view blanks,
+                                         const Program& program) {
+    const std::string text = in_capitals(program.slice(program.span));
+    std::vector<NumberInText> numbers;
+    for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+        const std::string_view rest = std::string_view(text).substr(at + word.size());
+        const std::size_t digits = std::min(rest.find_first_not_of(blanks), rest.size());
+        if (const auto number = number_at(rest.substr(digits)))
+            numbers.push_back({*number, static_cast<Offset>(program.span.begin + at)});
+    }
+    std::ranges::sort(numbers, {}, &NumberInText::number);
+    return numbers;
+}
+
+/// The numbers that stand behind such words in remarks and other text that is no jump; sorted.
+std::vector<std::int64_t> numbers_told_of(const ProgramAnalysis& analysis) {
+    const Program& program = analysis.program();
+    const auto& jumps = analysis.graph().jumps;
+    const auto span_of = [&](const flow::ResolvedJump& jump) { return program.effects[jump.jump].span; };
     std::vector<std::int64_t> numbers;
     for (const std::string& word : jump_words(analysis))
-        for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-            const std::string_view rest = text.substr(at + word.size());
-            const std::size_t digits = std::min(rest.find_first_not_of(' '), rest.size());
-            std::int64_t number = 0;
-            const char* const end = rest.data() + rest.size();
-            if (std::from_chars(rest.data() + digits, end, number).ec == std::errc())
-                numbers.push_back(number);
+        for (const NumberInText& found : numbers_behind(word, " ", program)) {
+            const auto after = std::ranges::upper_bound(
+                jumps, found.word, {}, [&](const flow::ResolvedJump& jump) { return span_of(jump).begin; });
+            if (after == jumps.begin() || !span_of(*std::prev(after)).contains(found.word))
+                numbers.push_back(found.number);
         }
     std::ranges::sort(numbers);
     return numbers;
 }
 
-/// Whether the number stands behind an N elsewhere in the text.
-bool is_named_elsewhere(const Program& program, const UnreachedRegion& region) {
-    const std::string_view text = program.slice(program.span);
-    for (auto at = text.find_first_of("Nn"); at != text.npos; at = text.find_first_of("Nn", at + 1)) {
-        const auto place = static_cast<Offset>(program.span.begin + at);
-        std::int64_t number = 0;
-        const char* const digits = text.data() + at + 1;
-        if (!region.text.contains(place) && region.head.begin != place &&
-            std::from_chars(digits, text.data() + text.size(), number).ec == std::errc() &&
-            number == region.number)
-            return true;
+/// What the text says of block numbers.
+class NamedBlocks {
+  public:
+    explicit NamedBlocks(const ProgramAnalysis& analysis)
+        : program_(analysis.program())
+        , told_of_(numbers_told_of(analysis)) {}
+
+    /// Whether a jump to the region stands in a remark.
+    [[nodiscard]] bool has_jump_to(const UnreachedRegion& region) const {
+        return region.number && std::ranges::binary_search(told_of_, *region.number);
     }
-    return false;
-}
+    /// Whether its number stands behind an N elsewhere.
+    [[nodiscard]] bool names(const UnreachedRegion& region) {
+        if (!region.number) return false;
+        if (!behind_n_) behind_n_ = numbers_behind("N", "", program_);
+        return std::ranges::any_of(
+            std::ranges::equal_range(*behind_n_, *region.number, {}, &NumberInText::number),
+            [&](const NumberInText& named) {
+                return !region.text.contains(named.word) && region.head.begin != named.word;
+            });
+    }
+
+  private:
+    const Program& program_;
+    std::vector<std::int64_t> told_of_;
+    std::optional<std::vector<NumberInText>> behind_n_; ///< nothing: nobody has asked
+};
 
 /// Whether a jump, or a called program when it returns, looks for a number that no block bears.
 bool misses_a_number(const ProgramAnalysis& analysis) {
@@ -194,6 +236,7 @@ void look_at(const ProgramAnalysis& analysis, UnreachedRegion& region) {
 std::vector<UnreachedRegion> unreached_regions(const ProgramAnalysis& analysis) {
     const flow::Graph& graph = analysis.graph();
     std::vector<UnreachedRegion> found;
+    if (analysis.regions().balance_unknown || !analysis.regions().faults.empty()) return found;
     for (flow::NodeId node = 1; node < graph.nodes.size(); ++node) {
         if (is_reached(graph, node)) continue;
         // What follows in the block of the jump itself is another matter.
@@ -210,15 +253,13 @@ std::vector<UnreachedRegion> unreached_regions(const ProgramAnalysis& analysis) 
         return !region.ender;
     });
     if (found.empty()) return found;
-    const std::vector<std::int64_t> jumped_to = numbers_jumped_to(analysis);
+    NamedBlocks named(analysis);
     const bool misses = misses_a_number(analysis);
     for (UnreachedRegion& region : found) {
         look_at(analysis, region);
-        // No jump leads to it: one that names it stands in a remark.
-        region.is_meant = is_passed_on_purpose(analysis, region) ||
-                          (region.number && std::ranges::binary_search(jumped_to, *region.number));
+        region.is_meant = is_passed_on_purpose(analysis, region) || named.has_jump_to(region);
         region.is_explained = is_explained(analysis, region, misses);
-        region.is_named = region.number && is_named_elsewhere(analysis.program(), region);
+        region.is_named = region.is_alarm && named.names(region);
     }
     return found;
 }

@@ -17,10 +17,10 @@ struct UnreachedRegion {
     std::optional<EffectId> ender;      ///< the jump, stop or return before it, which never goes on
     std::optional<Span> work;           ///< the first block that does more than stop, wait and jump
     std::vector<EffectId> alarms;
-    bool is_alarm = false; ///< it leads straight to the first of them
-    bool is_named = false; ///< the program's text names its number elsewhere: "if low battery, go to N801"
-    bool leaves = false;   ///< a block of it ends the program or returns
-    bool moves = false;    ///< some block moves or calls
+    bool is_alarm = false;     ///< it leads straight to the first of them
+    bool is_named = false;     ///< such a one whose number the text names elsewhere: "low battery: N801"
+    bool leaves = false;       ///< a block of it ends the program or returns
+    bool moves = false;        ///< some block moves or calls
     bool only_switches = true; ///< no block moves, calls or stores
     /// A remark stands behind the jump or holds a jump to its number, or the program does nothing but stop
     /// before it.
@@ -31,7 +31,8 @@ struct UnreachedRegion {
 };
 
 /// In text order. Parts that are never executed at all, such as lists and contours, are none, and so is what
-/// stands behind a call that does not return.
+/// stands behind a call that does not return. None at all where loops or branches do not match: nobody knows
+/// where paths lead there.
 [[nodiscard]] std::vector<UnreachedRegion> unreached_regions(const ProgramAnalysis& analysis);
 
 } // namespace maclint::queries

@@ -1,11 +1,11 @@
 //! Compares what calls pass with what is live at the start of the called program.
 #include "analyzer/queries/unread_arguments.hpp"
 
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/callers.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -70,7 +70,7 @@ bool is_told_of(const Program& program, Variable variable) {
     const std::string_view text = program.slice(program.span);
     const std::string name = program.spell(variable);
     const auto goes_on = [&](std::size_t at) {
-        return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
+        return at < text.size() && (is_letter(text[at]) || is_digit(text[at]));
     };
     for (auto at = text.find(name); at != text.npos; at = text.find(name, at + 1))
         if (!goes_on(at + name.size())) return true;
@@ -86,70 +86,91 @@ std::vector<Variable> arguments_read(const ProgramAnalysis& called) {
     return live;
 }
 
-bool passes(const ProgramAnalysis& analysis, const Caller& caller, Variable variable) {
-    const Program& program = calling_program(analysis, caller).program();
-    const decltype(Argument::given) given = variable;
-    const auto arguments = program.arguments_of(call_of(program, caller.effect));
-    return std::ranges::find(arguments, given, &Argument::given) != arguments.end();
+/// Whether the call passes the variable, and somebody asked for its file. Calls within a cycle and those that
+/// may mean another variable do not count.
+bool passes(const ProgramAnalysis& called, const Caller& caller, Variable variable) {
+    const ProgramAnalysis& calling = calling_program(called, caller);
+    const Argument* argument = argument_for(called, caller, variable);
+    const CallSite* site = calling.call_at(caller.effect);
+    return argument != nullptr && site != nullptr && !site->in_cycle && calling.asked() &&
+           opens_locals(called, caller) &&
+           !is_of_a_series(called.control(), variable, calling.program(), *argument);
 }
 
-/// The calls that pass it, those of files that somebody asked for.
-std::vector<Caller> all_that_pass(const ProgramAnalysis& called, Variable variable) {
+/// Whether no call that stands before it passes the variable.
+bool is_first_that_passes(const ProgramAnalysis& called, const Caller& call, Variable variable) {
+    const auto first = std::ranges::find_if(
+        called.callers(), [&](const Caller& caller) { return passes(called, caller, variable); });
+    return first != called.callers().end() && first->program == call.program && first->effect == call.effect;
+}
+
+std::vector<Caller> others_that_pass(const ProgramAnalysis& called, const Caller& call, Variable variable) {
     std::vector<Caller> found;
     for (const Caller& caller : called.callers())
-        if (calling_program(called, caller).asked() && passes(called, caller, variable))
+        if ((caller.program != call.program || caller.effect != call.effect) &&
+            passes(called, caller, variable))
             found.push_back(caller);
     return found;
 }
 
-/// The arguments that a called program reads, and those that were looked at.
-struct Looked {
-    std::vector<Variable>
-        read; ///< none: nothing is known, or it stands in for one that is still to be written
-    std::vector<Variable> at = {};
+/// What becomes of an argument that is not read as it was passed.
+struct Fate {
+    bool is_open = false; ///< a remark tells of it, or a block reads it that no path reaches
+    std::optional<EffectId> overwritten = {};
 };
 
-Looked look_at(const ProgramAnalysis& called) {
-    return {reads_by_name(called.program()) ? arguments_read(called) : std::vector<Variable>{}};
+Fate fate_of(const Program& called, Variable variable) {
+    const auto store = first_store(called, variable);
+    return {!store && (is_named(called, variable) || is_told_of(called, variable)), store};
 }
 
-/// What becomes of an argument that is not read as it was passed; nothing where a remark tells of it, or
-/// where a block reads it that no path reaches.
-std::optional<std::optional<EffectId>> fate_of(const Program& called, Variable variable) {
-    const auto store = first_store(called, variable);
-    if (!store && (is_named(called, variable) || is_told_of(called, variable))) return std::nullopt;
-    return store;
-}
+/// A called program: which arguments were looked at, and which of them it reads.
+class Called {
+  public:
+    explicit Called(const ProgramAnalysis& analysis)
+        : analysis_(analysis) {}
+
+    /// Whether this is the first call, of those that were asked about, that passes the variable.
+    bool takes(const Caller& call, Variable variable) {
+        if (std::ranges::find(looked_at_, variable) != looked_at_.end() || !passes(analysis_, call, variable))
+            return false;
+        looked_at_.push_back(variable);
+        return true;
+    }
+    /// Whether it certainly does not read it. It may where nothing is known, and where it stands in for a
+    /// program that is still to be written: one that reads no argument.
+    bool leaves_unread(Variable variable) {
+        if (!read_) read_ = reads_by_name(analysis_.program()) ? arguments_read(analysis_) : Variables{};
+        return !read_->empty() && std::ranges::find(*read_, variable) == read_->end();
+    }
+
+  private:
+    using Variables = std::vector<Variable>;
+    const ProgramAnalysis& analysis_;
+    Variables looked_at_;
+    std::optional<Variables> read_; ///< nothing: nobody has asked
+};
 
 } // namespace
 
 std::vector<UnreadArgument> unread_arguments(const ProgramAnalysis& analysis) {
     std::vector<UnreadArgument> found;
-    std::map<ProgramIndex, Looked> programs;
+    std::map<ProgramIndex, Called> programs;
     const Program& program = analysis.program();
     for (const CallSite& site : analysis.calls()) {
         const ProgramAnalysis* called = called_program(analysis, site);
-        const Call& call = call_of(program, site.effect);
-        if (called == nullptr || site.in_cycle || analysis.control().calls[call.kind].frame != Frame::fresh)
-            continue;
-        auto known = programs.find(*site.target);
-        if (known == programs.end()) known = programs.emplace(*site.target, look_at(*called)).first;
-        Looked& looked = known->second;
-        if (looked.read.empty()) continue;
-        for (const Argument& argument : program.arguments_of(call)) {
+        if (called == nullptr) continue;
+        Called& known = programs.try_emplace(*site.target, *called).first->second;
+        const Caller here{analysis.index(), site.effect};
+        for (const Argument& argument : program.arguments_of(call_of(program, site.effect))) {
             const auto* variable = std::get_if<Variable>(&argument.given);
-            if (variable == nullptr || std::ranges::find(looked.read, *variable) != looked.read.end() ||
-                std::ranges::find(looked.at, *variable) != looked.at.end())
+            if (variable == nullptr || !known.takes(here, *variable) ||
+                !is_first_that_passes(*called, here, *variable) || !known.leaves_unread(*variable))
                 continue;
-            looked.at.push_back(*variable);
-            if (is_of_a_series(called->control(), *variable, analysis.program(), argument)) continue;
-            const auto fate = fate_of(called->program(), *variable);
-            std::vector<Caller> callers = fate ? all_that_pass(*called, *variable) : std::vector<Caller>{};
-            if (callers.empty() || callers.front().effect != site.effect ||
-                callers.front().program != analysis.index())
-                continue;
-            callers.erase(callers.begin());
-            found.push_back({site.effect, called, &argument, *variable, *fate, std::move(callers)});
+            const Fate fate = fate_of(called->program(), *variable);
+            if (fate.is_open) continue;
+            found.push_back({site.effect, called, &argument, *variable, fate.overwritten,
+                             others_that_pass(*called, here, *variable)});
         }
     }
     return found;

@@ -18,9 +18,10 @@ struct UnreadArgument {
 };
 
 /// In the order of the program's calls. Of several calls that pass the same to one program the first is told,
-/// of those in files that somebody asked for. Nothing where the called program may read any of its local
-/// variables: through an index, in a program that shares them, in a block that nobody can read; where it
-/// reads no argument at all, calls itself, or a remark of it tells of the variable.
+/// of those in files that somebody asked for; calls within a cycle do not count, nor does what may arrive as
+/// another variable (K1.I2.). Nothing where the called program may read any of its local variables: through
+/// an index, in a program that shares them, in a block that nobody can read; where it reads no argument at
+/// all, or a remark of it tells of the variable.
 [[nodiscard]] std::vector<UnreadArgument> unread_arguments(const ProgramAnalysis& analysis);
 
 } // namespace maclint::queries

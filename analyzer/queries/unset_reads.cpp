@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace maclint::queries {
@@ -20,7 +22,6 @@ constexpr int most_attempts = 64; // reads of one variable to which a path is lo
 
 /// The searches for reads of one variable.
 struct Attempts {
-    Variable variable;
     int searches = 0;
     bool some_failed = false;
 };
@@ -52,20 +53,34 @@ std::vector<Variable> series_taken(const ProgramAnalysis& analysis) {
     return taken;
 }
 
-/// Whether the program stores in the variable somewhere, be it where no path leads.
-bool is_set_somewhere(const Program& program, Variable variable) {
-    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
-        const auto* assign = std::get_if<Assign>(&effect.what);
-        const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
-        return target != nullptr && *target == variable;
-    });
-}
+/// The variables that the program stores in somewhere, be it where no path leads.
+class SetSomewhere {
+  public:
+    explicit SetSomewhere(const Program& program)
+        : program_(program) {}
+    [[nodiscard]] bool has(Variable variable) {
+        if (!variables_) collect();
+        return variables_->contains(variable);
+    }
+
+  private:
+    void collect() {
+        variables_.emplace();
+        for (const Effect& effect : program_.effects) {
+            const auto* assign = std::get_if<Assign>(&effect.what);
+            const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+            if (target != nullptr) variables_->insert(*target);
+        }
+    }
+
+    const Program& program_;
+    std::optional<std::unordered_set<Variable, VariableHash>> variables_; ///< nothing: nobody has asked
+};
 
 /// A comparison may be the very test that takes care of vacancy: of a flag that only some paths set.
-bool may_be_a_test(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+bool may_be_a_test(const ProgramAnalysis& analysis, const dataflow::Read& read, SetSomewhere& set) {
     return read.use == dataflow::Use::comparison && may_hold_vacant(analysis.program(), read.variable) &&
-           (read.value.vacancy == dataflow::Vacancy::maybe ||
-            is_set_somewhere(analysis.program(), read.variable));
+           (read.value.vacancy == dataflow::Vacancy::maybe || set.has(read.variable));
 }
 
 /// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
@@ -100,27 +115,28 @@ bool is_as_callers_left_it(const ProgramAnalysis& analysis, const dataflow::Read
 
 /// No block of the program sets the variable, no letter of a call stands for it, and no caller is known: one
 /// that shares its variables may have set it.
-bool is_left_to_unknown_callers(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+bool is_left_to_unknown_callers(const ProgramAnalysis& analysis, const dataflow::Read& read,
+                                SetSomewhere& set) {
     const auto& kinds = analysis.control().calls;
     return !has_own_locals(analysis) && analysis.callers().empty() && !analysis.has_possible_callers() &&
            std::ranges::find(kinds, Frame::shared, &CallKind::frame) != kinds.end() &&
            is_as_at_entry(analysis, read) && analysis.data().is_vacant_at_entry(read.variable) &&
-           !is_set_somewhere(analysis.program(), read.variable);
+           !set.has(read.variable);
 }
 
 /// Whether the read uses what is not there: a test takes care of it. It is unknown whether a control still
 /// looks at what decides nothing any more, as after NDEF(…) OR.
-bool uses_unset(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+bool uses_unset(const ProgramAnalysis& analysis, const dataflow::Read& read, SetSomewhere& set) {
     return read.use != dataflow::Use::vacancy_test &&
            (is_as_nothing_set_it(analysis, read) || is_as_callers_left_it(analysis, read) ||
-            is_left_to_unknown_callers(analysis, read) || is_as_tested(analysis, read)) &&
+            is_left_to_unknown_callers(analysis, read, set) || is_as_tested(analysis, read)) &&
            !asks_for_vacancy(analysis.program(), analysis.facts(), read.node, read.node, read.variable) &&
-           !may_be_a_test(analysis, read) && is_used(analysis, read);
+           !may_be_a_test(analysis, read, set) && is_used(analysis, read);
 }
 
-Unset kind_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
+Unset kind_of(const ProgramAnalysis& analysis, const dataflow::Read& read, SetSomewhere& set) {
     if (is_as_callers_left_it(analysis, read)) return Unset::by_callers;
-    if (is_left_to_unknown_callers(analysis, read)) return Unset::unless_by_callers;
+    if (is_left_to_unknown_callers(analysis, read, set)) return Unset::unless_by_callers;
     if (read.value.vacancy != dataflow::Vacancy::vacant) return Unset::in_some_cases;
     if (is_as_tested(analysis, read)) return Unset::as_tested;
     const auto& formals = analysis.control().formals;
@@ -129,8 +145,7 @@ Unset kind_of(const ProgramAnalysis& analysis, const dataflow::Read& read) {
 }
 
 /// Puts the read to those that go back to the same mistake.
-void add_to(std::vector<UnsetReads>& groups, const ProgramAnalysis& analysis, UnsetRead found) {
-    const Unset kind = kind_of(analysis, *found.read);
+void add_to(std::vector<UnsetReads>& groups, const ProgramAnalysis& analysis, Unset kind, UnsetRead found) {
     MissingCase missing;
     if (kind == Unset::in_some_cases)
         missing = missing_case_on(analysis, found.path, found.read->variable, found.read->node);
@@ -186,16 +201,17 @@ bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect, 
 std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
     std::vector<UnsetReads> groups;
     const std::vector<Variable> series = series_taken(analysis);
-    std::vector<Attempts> attempts;
+    std::unordered_map<Variable, Attempts, VariableHash> attempts;
+    SetSomewhere set(analysis.program());
     WithoutAssignment without_assignment(analysis);
     std::optional<execution::PathSearch> search; // most programs have no such read
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
-        if (!uses_unset(analysis, read) || std::ranges::find(series, read.variable) != series.end()) continue;
-        auto tried = std::ranges::find(attempts, read.variable, &Attempts::variable);
-        if (tried == attempts.end()) tried = attempts.insert(tried, {read.variable});
-        if (tried->searches >= most_attempts || counts(analysis, read)) continue;
-        if (tried->some_failed && !without_assignment.leads_to(read.variable, read.node)) continue;
-        ++tried->searches;
+        Attempts& tried = attempts[read.variable];
+        if (tried.searches >= most_attempts || std::ranges::find(series, read.variable) != series.end() ||
+            !uses_unset(analysis, read, set) || counts(analysis, read))
+            continue;
+        if (tried.some_failed && !without_assignment.leads_to(read.variable, read.node)) continue;
+        ++tried.searches;
         if (!search) search.emplace(analysis);
         execution::PathFound found = is_as_at_entry(analysis, read)
                                          ? path_to_use(*search, analysis, read)
@@ -203,11 +219,11 @@ std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
         // A path to a word has to lead on to an exit.
         if (!found.path && !found.gave_up && read.use != dataflow::Use::word) {
             without_assignment.exclude(read.variable, read.node);
-            tried->some_failed = true;
+            tried.some_failed = true;
         }
         if (!found.path) continue;
-        tried->searches = most_attempts; // once a variable
-        add_to(groups, analysis, {&read, *std::move(found.path)});
+        tried.searches = most_attempts; // once a variable
+        add_to(groups, analysis, kind_of(analysis, read, set), {&read, *std::move(found.path)});
     }
     return groups;
 }

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/dataflow/facts/with_value.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
@@ -29,12 +30,11 @@ bool is_refused(const ProgramAnalysis& analysis, Variable variable) {
 
 /// Whether the variable is set nowhere but behind IF and THEN in the same block.
 bool is_set_under_conditions(const ProgramAnalysis& analysis, Variable variable) {
-    const auto& effects = analysis.program().effects;
+    const auto& items = analysis.program().items;
     return std::ranges::all_of(analysis.facts().about<dataflow::Store>(variable), [&](const auto* store) {
-        return std::ranges::any_of(effects, [&](const Effect& effect) {
-            const auto* guarded = std::get_if<Guarded>(&effect.what);
-            return guarded != nullptr && store->effect - guarded->effects.first < guarded->effects.count;
-        });
+        // What stands behind a condition is not among the effects of the block itself.
+        const auto* block = std::get_if<Block>(&items[analysis.graph().nodes[store->node].item]);
+        return block != nullptr && store->effect - block->effects.first >= block->effects.count;
     });
 }
 
@@ -68,13 +68,9 @@ bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read, std::s
     if (!analysis.liveness().is_live_after(store.effect, store.variable)) return false;
     if (read.use != Use::copy) return true;
     if (!seen.insert(read.effect).second) return false;
-    const dataflow::Facts& facts = analysis.facts();
-    const auto of_variable = facts.about<dataflow::Read>(store.variable);
-    const auto of_value = facts.with<dataflow::Read>(store.value.symbol);
-    return std::ranges::any_of(
-        of_variable.size() < of_value.size() ? of_variable : of_value, [&](const dataflow::Read* later) {
-            return later->variable == store.variable && later->value.symbol == store.value.symbol &&
-                   later->use != Use::vacancy_test && is_used(analysis, *later, seen);
+    return dataflow::any_with_value<dataflow::Read>(
+        analysis.facts(), store.variable, store.value.symbol, [&](const dataflow::Read& later) {
+            return later.use != Use::vacancy_test && is_used(analysis, later, seen);
         });
 }
 

@@ -12,9 +12,9 @@ namespace {
 /// The searches that are kept have no more steps than so many that go through all programs.
 constexpr std::size_t most_kept = 4;
 
-/// A search looks at so many calls: where thousands of programs call each other in circles, each circle has
-/// its own.
-constexpr std::size_t most_looked_at = 1000;
+/// A search goes to about so many programs: where thousands call each other in circles, each circle has its
+/// own. How often they call each other does not count.
+constexpr std::size_t most_reached = 1000;
 
 constexpr std::size_t half = CallPath::most / 2;
 
@@ -39,18 +39,18 @@ CallPath CallPaths::between(ProgramIndex from, ProgramIndex to) {
 const CallPaths::Step* CallPaths::reach(Search& search, ProgramIndex from, ProgramIndex to) {
     if (search.reached.empty()) search.pending = {from};
     auto found = search.reached.find(to);
-    while (found == search.reached.end() && !search.pending.empty() && search.looked_at <= most_looked_at) {
+    while (found == search.reached.end() && !search.pending.empty() && search.looked_at <= most_reached) {
         const ProgramAnalysis& at = programs_[search.pending.front()];
         search.pending.pop_front();
         const auto own = search.reached.find(at.index());
         const Step before = own == search.reached.end() ? Step{from, 0, 0, from} : own->second;
-        search.looked_at += at.calls().size();
         for (const CallSite& site : at.calls()) {
             if (!site.target || *site.target == from) continue;
             const std::uint32_t near = before.length < half ? *site.target : before.near;
             const Step step{at.index(), site.effect, before.length + 1, near};
             if (!search.reached.try_emplace(*site.target, step).second) continue;
             search.pending.push_back(*site.target);
+            ++search.looked_at;
             ++kept_;
         }
         found = search.reached.find(to);

@@ -5,6 +5,7 @@
 #include "analyzer/program/block_view.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace maclint {
 namespace {
@@ -24,7 +25,7 @@ void CallersLocals::Locals::add(const Locals& more) {
 }
 
 CallersLocals::CallersLocals(const std::deque<ProgramAnalysis>& programs, const flow::Components& components,
-                             const std::function<bool(const ProgramAnalysis&)>& begins_vacant)
+                             const Asked& begins_vacant, const Asked& has_unknown_callers)
     : components_(components)
     , programs_(programs) {
     const auto is_given_locals = [&](const ProgramAnalysis& analysis) {
@@ -46,9 +47,15 @@ CallersLocals::CallersLocals(const std::deque<ProgramAnalysis>& programs, const 
         const auto members = components.members[component];
         const ProgramAnalysis& analysis = programs[members.front()];
         Locals& before = before_[component];
-        before.any = members.size() > 1 || analysis.has_possible_callers() ||
+        before.any = members.size() > 1 || has_unknown_callers(analysis) ||
                      (analysis.callers().empty() && !begins_vacant(analysis));
-        for (const Caller& caller : analysis.callers()) add_before(before, caller, analysis.index());
+        std::optional<ProgramIndex> last; // calls of one program stand side by side
+        for (const Caller& caller : analysis.callers()) {
+            if (before.any) break;
+            before.any = !shares(caller);
+            if (last != caller.program) add_before(before, caller.program, analysis.index());
+            last = caller.program;
+        }
     }
 }
 
@@ -105,15 +112,15 @@ CallersLocals::Locals CallersLocals::stored_below(const ProgramAnalysis& analysi
     return locals;
 }
 
-/// Adds what the caller may have set, itself or by other calls.
-void CallersLocals::add_before(Locals& before, const Caller& caller, ProgramIndex called) const {
-    const ProgramAnalysis& calling = programs_[caller.program];
-    before.any |= !shares(caller) || calling.calls().size() > most_calls;
+/// Adds what the calling program may have set, itself or by other calls.
+void CallersLocals::add_before(Locals& before, ProgramIndex caller, ProgramIndex called) const {
+    const ProgramAnalysis& calling = programs_[caller];
+    before.any |= calling.calls().size() > most_calls;
     if (before.any) return;
-    before.add(before_[components_.of[caller.program]]);
-    before.add(stored_[caller.program]);
+    before.add(before_[components_.of[caller]]);
+    before.add(stored_[caller]);
     for (const CallSite& site : calling.calls()) {
-        if (site.target == called || !shares({caller.program, site.effect})) continue;
+        if (site.target == called || !shares({caller, site.effect})) continue;
         if (site.target)
             before.add(below_[components_.of[*site.target]]);
         else

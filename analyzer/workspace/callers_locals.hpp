@@ -14,10 +14,12 @@ namespace maclint {
 /// Follows the calls that share local variables, from the programs that run on their own.
 class CallersLocals {
   public:
+    using Asked = std::function<bool(const ProgramAnalysis&)>;
     /// The references must outlive it. `begins_vacant` tells of a program without callers whether its local
-    /// variables are vacant when it begins.
+    /// variables are vacant when it begins, `has_unknown_callers` whether calls may mean a program that are
+    /// not among its callers.
     CallersLocals(const std::deque<ProgramAnalysis>& programs, const flow::Components& components,
-                  const std::function<bool(const ProgramAnalysis&)>& begins_vacant);
+                  const Asked& begins_vacant, const Asked& has_unknown_callers);
 
     /// What may be set when one of the known calls of the program runs it for the first time; nothing: any.
     [[nodiscard]] std::optional<std::vector<Variable>> set_before(const ProgramAnalysis& called) const;
@@ -35,7 +37,7 @@ class CallersLocals {
     [[nodiscard]] static Locals stored_in(const Program& program);
     [[nodiscard]] bool shares(const Caller& caller) const;
     [[nodiscard]] Locals stored_below(const ProgramAnalysis& analysis) const;
-    void add_before(Locals& before, const Caller& caller, ProgramIndex called) const;
+    void add_before(Locals& before, ProgramIndex caller, ProgramIndex called) const;
 
     const flow::Components& components_;
     const std::deque<ProgramAnalysis>& programs_;

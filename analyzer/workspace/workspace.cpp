@@ -46,7 +46,11 @@ class WorkspaceBuilder {
         components_ = flow::find_components(adjacency_);
         find_needed();
         handed_down_.emplace(programs_, components_);
-        callers_locals_.emplace(programs_, components_, &runs_on_its_own);
+        callers_locals_.emplace(programs_, components_, &runs_on_its_own,
+                                [this](const ProgramAnalysis& analysis) {
+                                    return !analysis.undecided_.empty() ||
+                                           (may_be_computed(analysis) && !runs_on_its_own(analysis));
+                                });
         for (const auto& layer : flow::layers_of(adjacency_, components_)) analyse_layer(layer);
         mark_cycles();
         measure_depth();
@@ -301,8 +305,7 @@ class WorkspaceBuilder {
         passed = passed_by(analysis.callers_, &analysis.program());
         entry.ambiguous_names = workspace_.ambiguous_names_;
         entry.locals_are_callers = analysis.locals_are_callers_;
-        if (entry.locals_are_callers && !may_be_computed(analysis))
-            entry.set_by_callers = callers_locals_->set_before(analysis);
+        if (entry.locals_are_callers) entry.set_by_callers = callers_locals_->set_before(analysis);
         for (const auto& calls : analysis.undecided_) {
             passed.insert(passed.end(), calls->passed.begin(), calls->passed.end());
             if (analysis.program().formals.empty()) continue;

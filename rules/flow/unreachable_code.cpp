@@ -100,7 +100,6 @@ std::string_view message_for(const ProgramAnalysis& analysis, const UnreachedReg
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    if (analysis.regions().balance_unknown || !analysis.regions().faults.empty()) return;
     const Program& program = analysis.program();
     for (const UnreachedRegion& region : queries::unreached_regions(analysis)) {
         const std::string_view message = message_for(analysis, region);

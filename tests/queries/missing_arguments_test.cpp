@@ -36,6 +36,18 @@ TEST(MissingArguments, AreCalculatedWithOnAPathThatTheCallGoes) {
     EXPECT_THAT(missing_in("IF[#1EQ1]GOTO5\nGOTO6\nN5#3000=1\nN6Z[#26+1.]\nM99\n"), IsEmpty()); // the alarm
 }
 
+TEST(MissingArguments, AreMissedOnAnyWayThatTheCallCanGo) {
+    // Where #1 is 2 the program goes the shorter way; the call, which passes 1, goes the other one.
+    EXPECT_THAT(missing_in("IF[#1EQ2]GOTO5\n#500=1\nN5Z[#26+1.]\nM99\n"), ElementsAre(26));
+    const std::string sets_it = "IF[#1EQ2]GOTO5\n#26=1.\nGOTO9\nN5Z[#26+1.]\nN9M99\n";
+    EXPECT_THAT(missing_in(sets_it), IsEmpty());
+    EXPECT_THAT(missing_in(sets_it, "O1\nG65P9A1.\nG65P9A2.\nM30\n"), ElementsAre(26));
+    // #500 decides twice, the same both times: no call goes the one way there and the other one here.
+    EXPECT_THAT(missing_in("IF[#500EQ2]GOTO4\n#26=1.\nN4IF[#500EQ2]GOTO5\nZ[#26+1.]\nN5M99\n",
+                           "O1\nG65P9A1.\nG65P9A2.\nM30\n"),
+                IsEmpty());
+}
+
 TEST(MissingArguments, AreNotThoseThatSomeCallPasses) {
     EXPECT_THAT(missing_in("Z[#1+1.]\nM99\n"), IsEmpty());
     EXPECT_THAT(missing_in("Z[#26+1.]\nM99\n", "O1\nG65P9A1.\nG65P9Z1.\nM30\n"), IsEmpty());

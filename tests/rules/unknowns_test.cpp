@@ -44,6 +44,22 @@ TEST(StoreThroughAnIndex, ThatAnAssignmentGivesABaseReachesNoLocal) {
     EXPECT_THAT(lines_raised("MAC209", with_index("#11=5221+#3\n#10=#3")), IsEmpty());
 }
 
+TEST(StoreThroughAnIndex, ThatACallMayPassReachesLocals) {
+    const auto with_index = [](std::string_view before) {
+        return set_on_one_path_after(std::string(before) + "\n#[#1]=0");
+    };
+    EXPECT_THAT(lines_raised("MAC209", with_index("#1=500+#3")), ElementsAre(6)); // whatever is passed
+    EXPECT_THAT(lines_raised("MAC209", with_index("#2=#1\n#1=500+#3")), ElementsAre(7));
+    EXPECT_THAT(lines_raised("MAC209", with_index("IF[#1EQ#0]THEN#1=500+#3")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", with_index("IF[#1NE#0]GOTO2\n#1=500+#3\nN2")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", with_index("/#1=500+#3")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", with_index("WHILE[#1EQ#0]DO1\n#1=500+#3\nEND1")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after("#[#1]=0\n#1=500+#3")), IsEmpty());
+    // #10 is no argument.
+    EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after("#10=600\nIF[#3EQ1]THEN#10=500+#3\n#[#10]=0")),
+                ElementsAre(7));
+}
+
 TEST(StoreThroughAnIndex, MayChangeCommonVariables) {
     const auto after = [](std::string_view block) {
         return "O9001\n#100=0\n" + std::string(block) + "\n#5=#2/#100\nM99\n";

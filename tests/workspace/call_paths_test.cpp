@@ -73,6 +73,13 @@ TEST(CallPaths, OfManyCallsAreTheFirstAndTheLastOnes) {
     EXPECT_THAT(lines_of(*workspace, whole.calls), ElementsAre(5, 8, 11, 14, 47, 50, 53, 56));
 }
 
+TEST(CallPaths, AreFoundBehindManyCallsOfOneProgram) {
+    std::string text = "O1\n";
+    for (int i = 0; i < 1001; ++i) text += "M98P2\n";
+    const auto workspace = test::analyse_fanuc(text + "M30\nO2\nM98P3\nM99\nO3\nM99\n");
+    EXPECT_THAT(path(*workspace, "O1", "O3"), ElementsAre(2, 1005));
+}
+
 TEST(CallSites, AreFoundByTheirEffects) {
     const auto workspace = test::analyse_fanuc("O1\nM98P2\n#1=1\nG65P2A1.\nM98P77\nM30\nO2\nM99\n");
     const ProgramAnalysis& main = program(*workspace, "O1");

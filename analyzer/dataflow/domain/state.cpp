@@ -20,7 +20,8 @@ void add_part(ModalValue& value, const ModalPart& part) {
 OriginId joined_origin(const Value& a, const Value& b) {
     if (a.origin == b.origin) return a.origin;
     const bool a_vacant = a.vacancy == Vacancy::vacant, b_vacant = b.vacancy == Vacancy::vacant;
-    return a_vacant == b_vacant ? 0 : a_vacant ? b.origin : a.origin;
+    if (a_vacant == b_vacant) return 0;
+    return a_vacant ? b.origin : a.origin;
 }
 
 } // namespace

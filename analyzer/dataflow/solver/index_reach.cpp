@@ -1,6 +1,8 @@
 //! Takes the sum apart that an index is.
 #include "analyzer/dataflow/solver/index_reach.hpp"
 
+#include "analyzer/program/block_view.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -73,13 +75,18 @@ IndexReach IndexReaches::of(FamilyId family, ExpressionId index, const semantics
     if (custom.shared_points_to_shared && sum.shared && sum.terms > 1) reach.locals = false;
     if (reach.locals && std::isfinite(custom.least_base))
         reach.locals = std::ranges::none_of(sum.variables, [&](Variable variable) {
-            return sum.number + base_of(variable) >= custom.least_base;
+            return sum.number + base_of(variable, program_.expressions[index].span.begin) >=
+                   custom.least_base;
         });
     return reach;
 }
 
-double IndexReaches::base_of(Variable variable) {
+double IndexReaches::base_of(Variable variable, Offset at) {
     if (!bases_) collect_bases();
+    if (program_.is_formal(variable)) {
+        const auto overwritten = overwritten_.find(variable);
+        if (overwritten == overwritten_.end() || overwritten->second >= at) return 0; // what a call passes
+    }
     const auto found = std::ranges::lower_bound(*bases_, key(variable), {},
                                                 [](const Base& base) { return key(base.variable); });
     return found == bases_->end() || !(found->variable == variable) ? 0 : found->number;
@@ -89,6 +96,8 @@ double IndexReaches::base_of(Variable variable) {
 void IndexReaches::collect_bases() {
     std::vector<Base> all;
     for (const Effect& effect : program_.effects) {
+        if (const auto* unreadable = std::get_if<UnreadableBlock>(&effect.what))
+            for (const Variable variable : unreadable->may_write) all.push_back({variable, 0});
         const auto* assign = std::get_if<Assign>(&effect.what);
         const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
         if (target == nullptr) continue;
@@ -100,6 +109,24 @@ void IndexReaches::collect_bases() {
     const auto twice = std::ranges::unique(all, {}, &Base::variable);
     all.erase(twice.begin(), twice.end());
     bases_ = std::move(all);
+    collect_overwritten();
+}
+
+/// Looks as far as all paths go the same way.
+void IndexReaches::collect_overwritten() {
+    bool straight = true;
+    for_each_block_with_effects(program_, [&](const BlockView& block) {
+        for_each_effect_in(program_, block.effects, [&](EffectId id) {
+            const Effect& effect = program_.effects[id];
+            straight &= !std::holds_alternative<Jump>(effect.what) &&
+                        !std::holds_alternative<RegionMark>(effect.what) &&
+                        !std::holds_alternative<UnreadableBlock>(effect.what);
+            const auto* assign = std::get_if<Assign>(&effect.what);
+            const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+            const bool always = block.skip_levels == 0 && id - block.effects.first < block.effects.count;
+            if (target != nullptr && straight && always) overwritten_.emplace(*target, effect.span.begin);
+        });
+    });
 }
 
 } // namespace maclint::dataflow

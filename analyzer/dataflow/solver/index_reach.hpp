@@ -5,6 +5,7 @@
 #include "analyzer/semantics/range.hpp"
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -26,17 +27,22 @@ class IndexReaches {
     [[nodiscard]] IndexReach of(FamilyId family, ExpressionId index, const semantics::Range& known);
 
   private:
-    /// A variable that assignments set, and the least number in the sums that they store; steps left out.
+    /// A variable that assignments set, and the least number in the sums that they store; steps left
+    /// out. 0 where a block may set it that nobody can read.
     struct Base {
         Variable variable;
         double number;
     };
 
     void collect_bases();
-    [[nodiscard]] double base_of(Variable variable);
+    void collect_overwritten();
+    /// The least number that the variable has in an index there; 0: nothing is known.
+    [[nodiscard]] double base_of(Variable variable, Offset at);
 
     const Program& program_;
     std::optional<std::vector<Base>> bases_; ///< sorted; nothing: nobody has asked
+    /// Where every run of the program first sets a variable: from there on no argument is in it.
+    std::unordered_map<Variable, Offset, VariableHash> overwritten_;
 };
 
 } // namespace maclint::dataflow

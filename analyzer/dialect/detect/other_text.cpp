@@ -9,6 +9,8 @@
 namespace maclint::detect {
 namespace {
 
+constexpr std::string_view pdf_head = "%PDF-";
+
 /// Whether at least two of the first lines, blanks around them left out, are signs of a language.
 template<class IsSign>
 bool has_signs(std::string_view text, const IsSign& is_sign) {
@@ -91,7 +93,7 @@ std::optional<std::string_view> find_other_text(std::string_view text) {
     static constexpr std::string_view markup[] = {"<?xml", "<!DOCTYPE", "<html"};
     if (starts_with_any(text, markup)) return "XML or HTML";
     if (text.starts_with("#!")) return "a script";
-    if (text.starts_with("%PDF-")) return "PDF";
+    if (text.starts_with(pdf_head)) return "PDF";
     if (has_signs(text, is_c_sign)) return "C source";
     if (has_signs(text, is_python_sign)) return "Python source";
     if (has_signs(text, is_markdown_sign)) return "Markdown";
@@ -105,7 +107,7 @@ std::optional<std::string_view> find_binary_kind(std::string_view bytes) {
     static constexpr Kind kinds[] = {{"\x89PNG", "PNG image"},
                                      {"\xFF\xD8\xFF", "JPEG image"},
                                      {"GIF8", "GIF image"},
-                                     {"%PDF-", "PDF"},
+                                     {pdf_head, "PDF"},
                                      {"PK\x03\x04", "ZIP archive"},
                                      {"\x1F\x8B", "gzip archive"},
                                      {"7z\xBC\xAF", "7z archive"},
