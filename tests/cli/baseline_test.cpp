@@ -128,7 +128,7 @@ TEST_F(BaselineOption, KnowsAFileByTheNameThatItHasNotByTheCaseThatWasTyped) {
     fs::create_symlink("O1001.nc", folder.path() / "o1001.NC"); // as if this system did not mind case
     fs::create_symlink("../O1001.nc", folder.path() / "links/O1001.nc");
     EXPECT_EQ(found({"--baseline", "base.json", "o1001.NC"}), "0");
-    EXPECT_THAT(found({"--baseline", "base.json", "links/O1001.nc"}), StartsWith("links/O1001.nc:4:1: "));
+    EXPECT_THAT(found({"--baseline", "base.json", "links/O1001.nc"}), StartsWith("links/O1001.nc:4:5: "));
 }
 
 TEST_F(BaselineOption, TheConfigurationNamesItFromItsOwnFolder) {
