@@ -1,4 +1,4 @@
-//! Finds the command and reads its options.
+//! Finds the command in a table and reads its options.
 #include "cli/command_line.hpp"
 
 #include "analyzer/source/platform/files.hpp"
@@ -12,22 +12,48 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <limits>
-#include <thread>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
 namespace maclint::cli {
 namespace {
 
-constexpr std::array<std::string_view, 7> commands = {"check", "rules", "explain", "completions",
-                                                      "man",   "help",  "version"};
 constexpr std::string_view version_text = "maclint " MACLINT_VERSION "\n";
 
 using ShellScript = std::string (*)(const std::vector<CommandText>&);
 constexpr std::array<Choice<ShellScript>, 3> shells{
     {{"bash", bash_completions}, {"zsh", zsh_completions}, {"fish", fish_completions}}};
+
+/// What was typed behind a command, each of which has its own.
+struct Words {
+    CheckWords check;
+    std::string format = "text", docs_folder, rule, colour = "auto", shell, about = "check";
+};
+
+struct Command {
+    std::string_view name;
+    std::string_view operands; ///< as they are written behind it
+    std::string_view text;     ///< what it does
+    std::string_view heading;  ///< of its help
+    void (*declare)(CLI::App& app, Words& words);
+    Request (*request)(const Words& words);
+};
+
+std::span<const Command> commands();
+
+const Command* find_command(std::string_view name) {
+    const auto found = std::ranges::find(commands(), name, &Command::name);
+    return found == commands().end() ? nullptr : &*found;
+}
+
+std::vector<std::string> command_names() {
+    std::vector<std::string> names;
+    for (const Command& command : commands()) names.emplace_back(command.name);
+    return names;
+}
 
 void declare_common(CLI::App& app) {
     app.set_help_flag("--help,-h", "This text");
@@ -50,31 +76,50 @@ void refuse_unknown(const CLI::App& app) {
     }
 }
 
-void parse(CLI::App& app, std::vector<std::string> arguments) {
+std::string overview(CLI::App& check) {
+    check.name("[check]");
+    std::string text =
+        "maclint finds in NC programs what the control would only find with the spindle turning.\n\n"
+        "Commands:\n";
+    for (const Command& command : commands()) {
+        constexpr std::size_t width = 20;
+        const bool is_default = command.name == "check";
+        std::string line(is_default ? "[check]" : command.name);
+        if (!command.operands.empty()) line.append(" ").append(command.operands);
+        line.resize(std::max(width, line.size() + 1), ' ');
+        text += "  maclint " + line + in_lower_case(command.text.substr(0, 1)) +
+                std::string(command.text.substr(1)) + "\n";
+    }
+    return text + "\n" + check.help("maclint") +
+           "\nExit status: 0 nothing at or above --fail-on, 1 findings, 2 wrong usage, configuration or "
+           "input.\n";
+}
+
+/// What is to be printed in place of what the command does, where that was asked for.
+std::optional<PrintRequest> parse(CLI::App& app, std::vector<std::string> arguments) {
     app.allow_extras();
     app.allow_windows_style_options(false); // "/shop/O1.nc" is a path there, too
     std::ranges::reverse(arguments);        // CLI11 takes words from the back
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
-        throw Refused{};
+        return PrintRequest{app.get_name() == "check" ? overview(app) : app.help("maclint")};
     } catch (const CLI::CallForVersion&) {
-        throw PrintRequest{std::string(version_text)};
+        return PrintRequest{std::string(version_text)};
     } catch (const CLI::ParseError& error) {
         refuse(std::string(error.what()) + ". See 'maclint " + app.get_name() + " --help'.");
     }
     refuse_unknown(app);
+    return std::nullopt;
 }
 
-/// The text to print when help was asked for.
-std::optional<PrintRequest> parse_or_help(CLI::App& app, std::vector<std::string> arguments) {
-    try {
-        parse(app, std::move(arguments));
-    } catch (const Refused& refused) {
-        if (refused.message.empty()) return PrintRequest{app.help("maclint")};
-        throw;
-    }
-    return std::nullopt;
+Request read(const Command& command, std::vector<std::string> arguments) {
+    CLI::App app(std::string(command.heading), std::string(command.name));
+    Words words;
+    declare_common(app);
+    command.declare(app, words);
+    if (auto print = parse(app, std::move(arguments))) return *std::move(print);
+    return command.request(words);
 }
 
 /// A path that does not exist but looks like a command was meant as one.
@@ -82,191 +127,122 @@ void suggest_command(const std::vector<std::string>& paths) {
     if (paths.empty() || paths.front() == "-" ||
         platform::kind_of(platform::path_of(paths.front())) != platform::FileKind::missing)
         return;
-    const std::vector<std::string> known(commands.begin(), commands.end());
-    if (const auto command = closest(paths.front(), known))
+    if (const auto command = closest(paths.front(), command_names()))
         refuse("'" + shown(paths.front()) + "' is neither a command nor a file. Did you mean 'maclint " +
                *command + "'?");
 }
 
-std::string overview(CLI::App& check) {
-    check.name("[check]");
-    return "maclint finds in NC programs what the control would only find with the spindle turning.\n\n"
-           "Commands:\n"
-           "  maclint [check] [PATH...]   lint files and folders\n"
-           "  maclint rules               the list of rules\n"
-           "  maclint explain RULE        a rule's page\n"
-           "  maclint completions SHELL   what bash, zsh or fish need to complete maclint's words\n"
-           "  maclint man                 the manual page\n"
-           "  maclint help [COMMAND]      this text, or that of a command\n"
-           "  maclint version             the version\n\n" +
-           check.help("maclint") +
-           "\nExit status: 0 nothing at or above --fail-on, 1 findings, 2 wrong usage, configuration or "
-           "input.\n";
+void declare_check_command(CLI::App& app, Words& words) { declare_check(app, words.check); }
+
+Request check_command(const Words& words) {
+    suggest_command(words.check.paths);
+    return check_request(words.check);
 }
 
-Request read_check(std::vector<std::string> arguments, bool with_overview) {
-    CLI::App app("", "check");
-    CheckWords words;
-    declare_common(app);
-    declare_check(app, words);
-    if (with_overview) return PrintRequest{overview(app)};
-    try {
-        parse(app, std::move(arguments));
-    } catch (const Refused& refused) {
-        if (refused.message.empty()) return PrintRequest{overview(app)};
-        throw;
-    }
-    suggest_command(words.paths);
-    return check_request(words);
-}
-
-void declare_rules(CLI::App& app, std::string& format, std::string& docs_folder) {
-    app.add_option("--format", format, "text, json or markdown")->type_name("FORMAT");
-    app.add_option("--write-docs", docs_folder, "Write one page a rule and an index into this folder")
+void declare_rules(CLI::App& app, Words& words) {
+    app.add_option("--format", words.format, "text, json or markdown")->type_name("FORMAT");
+    app.add_option("--write-docs", words.docs_folder, "Write one page a rule and an index into this folder")
         ->type_name("DIR");
 }
 
-void declare_explain(CLI::App& app, std::string& rule, std::string& colour) {
-    app.add_option("RULE", rule, "Code or name, in any case, or a part of it")->type_name("");
-    app.add_option("--color", colour, "auto, always or never; NO_COLOR is respected")->type_name("WHEN");
+Request rules_request(const Words& words) {
+    return RulesRequest{choose("--format", words.format, list_formats), words.docs_folder};
 }
 
-void declare_completions(CLI::App& app, std::string& shell) {
-    app.add_option("SHELL", shell, "bash, zsh or fish")->type_name("");
+void declare_explain(CLI::App& app, Words& words) {
+    app.add_option("RULE", words.rule, "Code or name, in any case, or a part of it")->type_name("");
+    app.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
+        ->type_name("WHEN");
 }
 
-void declare_help(CLI::App& app, std::string& command) {
-    app.add_option("COMMAND", command, "The command that they are of")->type_name("");
-}
-
-Request read_rules(std::vector<std::string> arguments) {
-    CLI::App app("The list of rules.", "rules");
-    std::string format = "text";
-    RulesRequest request;
-    declare_common(app);
-    declare_rules(app, format, request.docs_folder);
-    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
-    request.format = choose("--format", format, list_formats);
-    return request;
-}
-
-Request read_explain(std::vector<std::string> arguments) {
-    CLI::App app("A rule's page.", "explain");
-    ExplainRequest request;
-    declare_common(app);
-    std::string colour = "auto";
-    declare_explain(app, request.rule, colour);
-    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
-    request.colour = choose("--color", colour, colours);
-    if (request.rule.empty())
+Request explain_request(const Words& words) {
+    const ColourChoice colour = choose("--color", words.colour, colours);
+    if (words.rule.empty())
         refuse("explain needs a rule. Write 'maclint explain MAC303', or see 'maclint rules'.");
-    return request;
+    return ExplainRequest{words.rule, colour};
+}
+
+void declare_completions(CLI::App& app, Words& words) {
+    app.add_option("SHELL", words.shell, "bash, zsh or fish")->type_name("");
+}
+
+Request completions_request(const Words& words) {
+    if (words.shell.empty())
+        refuse("completions needs a shell. Write 'maclint completions bash', zsh or fish.");
+    return PrintRequest{choose("completions", words.shell, shells)(command_list())};
+}
+
+void declare_nothing(CLI::App&, Words&) {}
+
+Request man_request(const Words&) { return PrintRequest{manual_page(command_list(), MACLINT_VERSION)}; }
+
+void declare_help(CLI::App& app, Words& words) {
+    app.add_option("COMMAND", words.about, "The command that they are of")->type_name("");
+}
+
+/// `help rules` is `rules --help`.
+Request help_request(const Words& words) {
+    if (const Command* command = find_command(words.about)) return read(*command, {"--help"});
+    if (!rules_named(words.about).empty())
+        refuse("help knows commands, not rules. Did you mean 'maclint explain " + words.about + "'?");
+    refuse_word("help", words.about, command_names());
+}
+
+Request version_request(const Words&) { return PrintRequest{std::string(version_text)}; }
+
+std::span<const Command> commands() {
+    static constexpr std::array<Command, 7> all{
+        {{"check", "[PATH...]", "Lint files and folders", "", declare_check_command, check_command},
+         {"rules", "", "List the rules", "The list of rules.", declare_rules, rules_request},
+         {"explain", "RULE", "Show a rule's page", "A rule's page.", declare_explain, explain_request},
+         {"completions", "SHELL", "Print what bash, zsh or fish need to complete maclint's words",
+          "A script on standard output that lets a shell complete maclint's words.", declare_completions,
+          completions_request},
+         {"man", "", "Print the manual page", "The manual page on standard output, as 'man' reads it.",
+          declare_nothing, man_request},
+         {"help", "[COMMAND]", "Show the options of a command", "The options of a command.", declare_help,
+          help_request},
+         {"version", "", "Print the version", "The version on standard output.", declare_nothing,
+          version_request}}};
+    return all;
 }
 
 /// Options of all commands that take one of a few words; the others take any.
 std::vector<std::string> known_words(std::string_view command, std::string_view option) {
     if (option == "--format") return command == "rules" ? words_of(list_formats) : words_of(formats);
-    if (option == "--dialect") {
-        auto names = dialect_names();
-        names.insert(names.begin(), "auto");
-        return names;
-    }
+    if (option == "--dialect") return dialect_words();
     if (option == "--control") return control_names();
-    if (option == "--fail-on") return {"error", "warning", "note", "never"};
+    if (option == "--fail-on") return fail_on_words();
     if (option == "--path") return words_of(path_details);
     if (option == "--color") return words_of(colours);
     if (option == "--select" || option == "--ignore" || option == "RULE") return rule_words();
     if (option == "SHELL") return words_of(shells);
-    if (option == "COMMAND") return {commands.begin(), commands.end()};
+    if (option == "COMMAND") return command_names();
     return {};
-}
-
-/// One command as it is declared; `declare` is given the application and does that.
-template<class Declare>
-CommandText described(const std::string& name, std::string text, Declare declare) {
-    CLI::App app("", name);
-    declare_common(app);
-    declare(app);
-    return describe(app, std::move(text),
-                    [&name](std::string_view option) { return known_words(name, option); });
-}
-
-Request read_completions(std::vector<std::string> arguments) {
-    CLI::App app("A script on standard output that lets a shell complete maclint's words.", "completions");
-    declare_common(app);
-    std::string shell;
-    declare_completions(app, shell);
-    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
-    if (shell.empty()) refuse("completions needs a shell. Write 'maclint completions bash', zsh or fish.");
-    return PrintRequest{choose("completions", shell, shells)(command_list())};
-}
-
-Request read_man(std::vector<std::string> arguments) {
-    CLI::App app("The manual page on standard output, as 'man' reads it.", "man");
-    declare_common(app);
-    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
-    return PrintRequest{manual_page(command_list(), MACLINT_VERSION)};
-}
-
-Request read_version(std::vector<std::string> arguments) {
-    CLI::App app("The version on standard output.", "version");
-    declare_common(app);
-    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
-    return PrintRequest{std::string(version_text)};
-}
-
-/// `help rules` is `rules --help`.
-Request read_help(std::vector<std::string> arguments) {
-    CLI::App app("The options of a command.", "help");
-    declare_common(app);
-    std::string about = "check";
-    declare_help(app, about);
-    if (const auto help = parse_or_help(app, std::move(arguments))) return *help;
-    if (about == "check") return read_check({}, true);
-    if (about == "rules") return read_rules({"--help"});
-    if (about == "explain") return read_explain({"--help"});
-    if (about == "completions") return read_completions({"--help"});
-    if (about == "man") return read_man({"--help"});
-    if (about == "version") return read_version({"--help"});
-    if (about == "help") return read_help({"--help"});
-    if (!rules_named(about).empty())
-        refuse("help knows commands, not rules. Did you mean 'maclint explain " + about + "'?");
-    const std::vector<std::string> known(commands.begin(), commands.end());
-    refuse_word("help", about, known);
 }
 
 } // namespace
 
 std::vector<CommandText> command_list() {
-    CheckWords words;
-    std::string text;
-    return {
-        described("check", "Lint files and folders", [&](CLI::App& app) { declare_check(app, words); }),
-        described("rules", "List the rules", [&](CLI::App& app) { declare_rules(app, text, text); }),
-        described("explain", "Show a rule's page", [&](CLI::App& app) { declare_explain(app, text, text); }),
-        described("completions", "Print what a shell needs to complete maclint's words",
-                  [&](CLI::App& app) { declare_completions(app, text); }),
-        described("man", "Print the manual page", [](CLI::App&) {}),
-        described("help", "Show the options", [&](CLI::App& app) { declare_help(app, text); }),
-        described("version", "Print the version", [](CLI::App&) {})};
+    std::vector<CommandText> list;
+    for (const Command& command : commands()) {
+        CLI::App app("", std::string(command.name));
+        Words words;
+        declare_common(app);
+        command.declare(app, words);
+        list.push_back(describe(app, std::string(command.text),
+                                [&](std::string_view option) { return known_words(command.name, option); }));
+    }
+    return list;
 }
 
 Request read_command_line(std::vector<std::string> arguments) {
-    const std::string first = arguments.empty() ? "" : arguments.front();
-    const bool is_command = std::ranges::find(commands, first) != commands.end();
-    if (is_command) arguments.erase(arguments.begin());
+    const Command* command = arguments.empty() ? nullptr : find_command(arguments.front());
+    if (command != nullptr) arguments.erase(arguments.begin());
     try {
-        if (first == "rules") return read_rules(std::move(arguments));
-        if (first == "explain") return read_explain(std::move(arguments));
-        if (first == "completions") return read_completions(std::move(arguments));
-        if (first == "man") return read_man(std::move(arguments));
-        if (first == "help") return read_help(std::move(arguments));
-        if (first == "version") return read_version(std::move(arguments));
-        return read_check(std::move(arguments), first == "--help" || first == "-h");
+        return read(command == nullptr ? commands().front() : *command, std::move(arguments));
     } catch (const Refused& refused) {
         return UsageError{refused.message};
-    } catch (const PrintRequest& print) {
-        return print;
     }
 }
 

@@ -12,7 +12,6 @@
 #include "cli/suggest.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 
@@ -41,41 +40,37 @@ bool is_configuration(const Settings& settings, const std::string& path) {
     });
 }
 
-/// What text and concise reports write beside places in programs, which alone look like blocks.
-bool may_be_report(std::string_view text) {
-    constexpr std::array<std::string_view, 4> words = {" checked", "error[", "warning[", "note["};
-    return std::ranges::any_of(
-        words, [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
-}
-
 bool holds_program(const std::string& path) {
     if (platform::kind_of(platform::path_of(path)) != platform::FileKind::regular) return false;
     const auto result = Source::read_file(path);
     const auto* source = std::get_if<Source>(&result);
     if (source == nullptr || classify(source->bytes()) != Content::text) return false;
     if (is_own_report(source->bytes())) return false;
-    const Detection detection = detect_dialect(*source);
-    return !detection.not_nc_text && (detection.certain || !may_be_report(source->bytes()));
+    return !detect_dialect(*source).not_nc_text;
 }
+
+enum class Written : std::uint8_t { report, baseline };
 
 /// A file that is to be written.
 struct Target {
     std::string_view option; ///< that names it
-    std::string_view what;   ///< goes there
+    Written what;
     std::string path;
 };
+
+std::string_view name_of(Written what) { return what == Written::report ? "report" : "baseline"; }
 
 std::vector<Target> targets_of(const CheckRequest& request) {
     std::vector<Target> targets;
     for (const Sink& sink : request.sinks)
-        if (sink.path != "-") targets.push_back({"--output", "report", sink.path});
+        if (sink.path != "-") targets.push_back({"--output", Written::report, sink.path});
     if (!request.write_baseline.empty())
-        targets.push_back({"--write-baseline", "baseline", request.write_baseline});
+        targets.push_back({"--write-baseline", Written::baseline, request.write_baseline});
     return targets;
 }
 
 Notice refusal(const Target& target, const std::string& where) {
-    const std::string what(target.what);
+    const std::string what(name_of(target.what));
     return {NoticeKind::configuration, "",
             std::string(target.option) + " would write a " + what + " " + where +
                 ". Name another file for the " + what + "."};
@@ -112,7 +107,8 @@ std::optional<Notice> refuse_targets(const CheckRequest& request, const std::vec
             if (&other != &target && will_be_same_file(other.path, path)) return refuse_twice(target, other);
         if (was_named(files, path)) return refuse_over(target, "is one of the files to check");
         if (is_configuration(settings, path)) return refuse_over(target, "is a configuration");
-        if (target.what == "report" && holds_baseline(path)) return refuse_over(target, "is a baseline");
+        if (target.what == Written::report && holds_baseline(path))
+            return refuse_over(target, "is a baseline");
         if (holds_program(path)) return refuse_over(target, "holds an NC program");
         if (is_named_like_program(path))
             return refusal(target, "to '" + shown(path) + "', which is named like an NC program");

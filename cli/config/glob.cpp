@@ -46,16 +46,6 @@ std::size_t take(std::string_view pattern, char c) {
     return pattern.front() == c ? 1 : 0;
 }
 
-std::vector<std::string_view> names_of(std::string_view path) {
-    std::vector<std::string_view> names;
-    while (!path.empty()) {
-        const auto name = path.substr(0, path.find('/'));
-        if (!name.empty() && name != ".") names.push_back(name);
-        path.remove_prefix(name.size() == path.size() ? name.size() : name.size() + 1);
-    }
-    return names;
-}
-
 enum class Reach : std::uint8_t {
     whole_path,
     head, ///< the pattern may end before the path does: then it names a folder above it
@@ -108,6 +98,16 @@ bool matches_name(std::string_view pattern, std::string_view name) {
     }
     while (p < pattern.size() && pattern[p] == '*') ++p;
     return p == pattern.size();
+}
+
+std::vector<std::string_view> names_of(std::string_view path) {
+    std::vector<std::string_view> names;
+    while (!path.empty()) {
+        const auto name = path.substr(0, path.find('/'));
+        if (!name.empty() && name != ".") names.push_back(name);
+        path.remove_prefix(name.size() == path.size() ? name.size() : name.size() + 1);
+    }
+    return names;
 }
 
 bool matches_names(std::span<const std::string> pattern, std::span<const std::string_view> names) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace maclint::cli {
 
@@ -13,6 +14,9 @@ namespace maclint::cli {
 
 /// Whether one name, without '/', matches.
 [[nodiscard]] bool matches_name(std::string_view pattern, std::string_view name);
+
+/// The names of a path, without "." and empty ones.
+[[nodiscard]] std::vector<std::string_view> names_of(std::string_view path);
 
 /// Whether all the names of a path match, pattern by pattern; "**" stands for any number of names, at the end
 /// for one at least.

@@ -53,9 +53,15 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
     bool null() override { return add(nullptr, end_span()); }
     bool boolean(bool value) override { return add(value, end_span()); }
-    bool number_integer(std::int64_t value) override { return add(static_cast<double>(value), end_span()); }
-    bool number_unsigned(std::uint64_t value) override { return add(static_cast<double>(value), end_span()); }
-    bool number_float(double value, const std::string& /*text*/) override { return add(value, end_span()); }
+    bool number_integer(std::int64_t value) override {
+        return add(static_cast<double>(value), number_span());
+    }
+    bool number_unsigned(std::uint64_t value) override {
+        return add(static_cast<double>(value), number_span());
+    }
+    bool number_float(double value, const std::string& /*text*/) override {
+        return add(value, number_span());
+    }
     bool string(std::string& value) override { return add(std::move(value), string_span()); }
     bool binary(nlohmann::json::binary_t& /*value*/) override { return false; }
     bool start_object(std::size_t /*size*/) override { return open(JsonNode::Object{}); }
@@ -96,6 +102,19 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     }
 
     [[nodiscard]] Span end_span() const { return {count_ > 0 ? count_ - 1 : 0, count_}; }
+
+    /// The parser has looked at the character behind a number, if there is one.
+    [[nodiscard]] Span number_span() const {
+        const auto is_part = [this](Offset at) {
+            constexpr std::string_view parts = "0123456789+-.eE";
+            return parts.find(text_[at]) != std::string_view::npos;
+        };
+        Offset end = count_;
+        if (end > 0 && !is_part(end - 1)) --end;
+        Offset begin = end;
+        while (begin > 0 && is_part(begin - 1)) --begin;
+        return {begin, end};
+    }
 
     /// Back to the quote that opens: the one with an even number of backslashes before it.
     [[nodiscard]] Span string_span() const {

@@ -9,7 +9,7 @@
 namespace maclint::cli {
 namespace {
 
-/// "in this file", "in this file and 3 more".
+/// "in this file", "in this file and 3 other files".
 std::string in_files(const std::set<std::string_view>& files) {
     return files.size() == 1 ? "in this file" : "in this file and " + counted(files.size() - 1, "other file");
 }

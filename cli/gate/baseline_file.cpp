@@ -3,6 +3,7 @@
 
 #include "analyzer/source/encoding.hpp"
 #include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/output.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "analyzer/source/source.hpp"
 #include "cli/config/json_tree.hpp"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -70,10 +72,22 @@ class Reader {
         Baseline baseline;
         baseline.reserve(entries->size());
         for (const JsonNode& entry : *entries) baseline.push_back(entry_of(entry));
-        return baseline;
+        return merged(std::move(baseline));
     }
 
   private:
+    static Baseline merged(Baseline baseline) {
+        std::ranges::stable_sort(baseline, {}, &BaselineEntry::place);
+        Baseline merged;
+        for (BaselineEntry& entry : baseline) {
+            if (!merged.empty() && merged.back().place == entry.place)
+                merged.back().count += entry.count;
+            else
+                merged.push_back(std::move(entry));
+        }
+        return merged;
+    }
+
     void check_version(const JsonNode& node) const {
         const auto* number = std::get_if<double>(&node.value);
         if (number == nullptr || *number < 1 || *number != std::floor(*number))
@@ -133,6 +147,21 @@ nlohmann::ordered_json json_of(const BaselineEntry& entry) {
     return json;
 }
 
+/// The path of a file after all links of its folders. One that is a link itself keeps its name: so it is
+/// known to those who have the folder. Where case does not count, the name is the one that is there.
+fs::path located(const std::string& path) {
+    std::error_code none;
+    const fs::path absolute = fs::absolute(platform::path_of(path), none).lexically_normal();
+    const auto real_of = [](const fs::path& of) {
+        return platform::path_of(platform::written_path(platform::text_of(of)));
+    };
+    const auto last_name = [](const fs::path& of) { return in_lower_case(platform::text_of(of.filename())); };
+    const fs::path folder = real_of(absolute.parent_path());
+    fs::path real = real_of(absolute);
+    const bool is_link = real.parent_path() != folder || last_name(real) != last_name(absolute);
+    return is_link ? folder / absolute.filename() : std::move(real);
+}
+
 bool is_hexadecimal(char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'F'); }
 
 } // namespace
@@ -173,9 +202,7 @@ bool holds_baseline(const std::string& path) {
 }
 
 std::string name_in_baseline(const std::string& path, const std::string& folder) {
-    std::error_code none;
-    const fs::path absolute = fs::absolute(platform::path_of(path), none).lexically_normal();
-    const fs::path file = fs::weakly_canonical(absolute.parent_path(), none) / absolute.filename();
+    const fs::path file = located(path);
     const fs::path relative = file.lexically_relative(platform::path_of(folder));
     const std::string name = platform::text_of(relative.empty() ? file : relative);
     const bool valid = detect_encoding(name) == Encoding::utf8;
@@ -206,9 +233,7 @@ std::string path_of_name(std::string_view name, const std::string& folder) {
 }
 
 std::string folder_of_baseline(const std::string& path) {
-    std::error_code none;
-    const fs::path absolute = fs::absolute(platform::path_of(path), none).lexically_normal();
-    return platform::text_of(fs::weakly_canonical(absolute.parent_path(), none));
+    return platform::text_of(located(path).parent_path());
 }
 
 } // namespace maclint::cli

@@ -31,7 +31,8 @@ struct BaselineEntry {
 /// In the order of files, rules and fingerprints, each place once.
 using Baseline = std::vector<BaselineEntry>;
 
-/// What is wrong with the file ends the run.
+/// In that order, and entries of one place as one, whatever a merge made of the file. What is wrong with it
+/// ends the run.
 [[nodiscard]] std::variant<Baseline, Notice> read_baseline(const std::string& path);
 
 /// The text of the file: sorted, a line an entry.

@@ -2,6 +2,7 @@
 #include "cli/gate/changed_lines.hpp"
 
 #include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/output.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "analyzer/source/platform/process.hpp"
 #include "cli/input/repository.hpp"
@@ -10,17 +11,15 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <filesystem>
 #include <set>
 
 namespace maclint::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string real_path(const std::string& path) {
-    std::error_code none;
-    return platform::text_of(fs::weakly_canonical(fs::absolute(platform::path_of(path), none), none));
+/// The repository of a file, which is named after all links.
+std::optional<std::string> repository_of(const std::string& path) {
+    const auto root = repository_around(platform::path_of(path).parent_path());
+    return root ? std::optional(platform::text_of(*root)) : std::nullopt;
 }
 
 /// Names with quotes, line ends and the like stand in quotes, as C writes them.
@@ -131,6 +130,7 @@ std::map<std::string, std::vector<LineRange>> DiffReader::finish() {
 std::variant<ChangedLines, Notice> ChangedLines::since(const std::string& revision,
                                                        const std::vector<InputFile>& files) {
     ChangedLines changed;
+    changed.revision_ = revision;
     std::set<std::string> roots;
     for (const InputFile& file : files) {
         if (!file.asked) continue;
@@ -138,27 +138,35 @@ std::variant<ChangedLines, Notice> ChangedLines::since(const std::string& revisi
         if (file.standard_input ||
             platform::kind_of(platform::path_of(file.path)) == platform::FileKind::missing)
             continue;
-        const auto root = repository_around(platform::path_of(real_path(file.path)).parent_path());
+        auto root = repository_of(platform::written_path(file.path));
         if (!root)
             return refusal("--since wants files of a git repository, and '" + shown(file.path) +
                            "' lies in none. Leave --since out, or this file.");
-        roots.insert(platform::text_of(*root));
+        roots.insert(*std::move(root));
     }
-    for (const std::string& root : roots)
-        if (auto failure = changed.ask(revision, root)) return *std::move(failure);
+    for (const std::string& root : roots) {
+        if (auto failure = changed.ask(root)) return *std::move(failure);
+        changed.known_[root] = true;
+    }
     return changed;
 }
 
-std::optional<Notice> ChangedLines::ask(const std::string& revision, const std::string& root) {
+bool ChangedLines::knows(const std::string& root) {
+    const auto [known, is_new] = known_.try_emplace(root, false);
+    if (is_new) known->second = !ask(root);
+    return known->second;
+}
+
+std::optional<Notice> ChangedLines::ask(const std::string& root) {
     std::string commit;
     const auto named =
-        platform::run_process(git(root, {"rev-parse", "--verify", "--quiet", revision + "^{commit}"}),
+        platform::run_process(git(root, {"rev-parse", "--verify", "--quiet", revision_ + "^{commit}"}),
                               [&](std::string_view part) { commit += part; });
     commit.erase(std::min(commit.find('\n'), commit.size()));
     if (!named.started || (named.status != 0 && !named.errors.empty())) return git_failed(root, named);
     if (named.status != 0 || commit.empty())
         return refusal("--since names no revision that git knows in '" + shown(root) + "': '" +
-                       shown(revision) +
+                       shown(revision_) +
                        "'. Write a commit, a branch or a tag; where only a part of the history was fetched, "
                        "fetch the rest.");
     DiffReader reader;
@@ -184,9 +192,11 @@ std::optional<Notice> ChangedLines::ask(const std::string& revision, const std::
     return std::nullopt;
 }
 
-ChangedLines::File ChangedLines::look_up(const Source& source) const {
+ChangedLines::File ChangedLines::look_up(const Source& source) {
     if (standard_input_.contains(source.path())) return {.all = true};
-    const std::string path = real_path(source.path());
+    const std::string path = platform::written_path(source.path());
+    const auto root = repository_of(path);
+    if (!root || !knows(*root)) return {};
     const auto found = ranges_.find(path);
     if (found == ranges_.end()) return {.all = !tracked_.contains(path)};
     File file{.ranges = found->second};
@@ -207,8 +217,8 @@ bool ChangedLines::touch(const Source& source, Span span) {
     };
     const std::uint32_t first = line_of(span.begin);
     const std::uint32_t last = line_of(span.empty() ? span.end : span.end - 1);
-    return std::ranges::any_of(
-        file.ranges, [&](const LineRange& range) { return range.first <= last && first <= range.last; });
+    const auto range = std::ranges::lower_bound(file.ranges, first, {}, &LineRange::last);
+    return range != file.ranges.end() && range->first <= last;
 }
 
 } // namespace maclint::cli

@@ -45,12 +45,13 @@ class DiffReader {
 /// What changed in the repositories of some files.
 class ChangedLines {
   public:
-    /// Asks git about the repositories that hold the files. What is wrong ends the run.
+    /// Asks git about the repositories that hold the files that were asked for. What is wrong ends the run.
     [[nodiscard]] static std::variant<ChangedLines, Notice> since(const std::string& revision,
                                                                   const std::vector<InputFile>& files);
 
-    /// Whether a line of the place has changed. All of a file that git does not know has, and all of standard
-    /// input, for git only sees files.
+    /// Whether a line of the place has changed. All of a file that its repository does not hold yet has, and
+    /// all of standard input, for git only sees files. Nothing has in a program that others call from where
+    /// git knows no such revision: in a library, a submodule, no repository at all.
     [[nodiscard]] bool touch(const Source& source, Span span);
 
   private:
@@ -60,11 +61,15 @@ class ChangedLines {
         std::vector<LineRange> ranges = {};
         std::vector<Offset> line_feeds = {}; ///< of its text, where there are ranges
     };
-    [[nodiscard]] File look_up(const Source& source) const;
+    [[nodiscard]] File look_up(const Source& source);
+    /// Whether git knows the revision in the repository.
+    [[nodiscard]] bool knows(const std::string& root);
     /// What is wrong, or nothing.
-    [[nodiscard]] std::optional<Notice> ask(const std::string& revision, const std::string& root);
+    [[nodiscard]] std::optional<Notice> ask(const std::string& root);
 
-    std::map<std::string, std::vector<LineRange>> ranges_; ///< by canonical path
+    std::string revision_;
+    std::unordered_map<std::string, bool> known_; ///< repositories that were asked, and whether they knew it
+    std::map<std::string, std::vector<LineRange>> ranges_; ///< by canonical path, in the order of lines
     std::unordered_set<std::string> tracked_;              ///< canonical paths
     std::unordered_set<std::string> standard_input_;       ///< its name
     std::unordered_map<const Source*, File> files_;

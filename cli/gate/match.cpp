@@ -205,7 +205,7 @@ class Matching {
         const bool looked_for = seen != looked_at_.end() && was_looked_for(entry.place, *seen->second);
         const bool is_gone = gone_.contains(kept.place.file);
         if (looked_for || is_gone) {
-            std::size_t& left = left_.at(entry.place); // an entry that stands there twice shares it
+            std::size_t& left = left_.at(entry.place);
             const std::size_t missing = std::min(left, kept.count);
             left -= missing;
             kept.count -= missing;

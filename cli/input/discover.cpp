@@ -2,6 +2,7 @@
 #include "cli/input/discover.hpp"
 
 #include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/output.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/input/gitignore.hpp"
 #include "cli/input/program_name.hpp"
@@ -48,11 +49,7 @@ bool is_folder(const std::string& path) {
 }
 
 /// The file after all symbolic links: what makes two names one file.
-std::string identity(const fs::path& path) {
-    std::error_code error;
-    const fs::path real = platform::real_path(path, error);
-    return platform::text_of(error ? path.lexically_normal() : real);
-}
+std::string identity(const fs::path& path) { return platform::written_path(platform::text_of(path)); }
 
 Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
     return {NoticeKind::unreadable, as_shown(folder),

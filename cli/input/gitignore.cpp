@@ -6,6 +6,7 @@
 #include "analyzer/source/platform/paths.hpp"
 #include "analyzer/source/source.hpp"
 #include "cli/config/glob.hpp"
+#include "cli/input/repository.hpp"
 
 #include <algorithm>
 #include <array>
@@ -158,17 +159,6 @@ std::optional<IgnoreRule> read_rule(std::string_view line) {
     return rule;
 }
 
-std::vector<std::string_view> names_below(std::string_view folder, std::string_view path) {
-    std::vector<std::string_view> names;
-    path.remove_prefix(std::min(path.size(), folder.size()));
-    while (!path.empty()) {
-        const std::string_view name = path.substr(0, path.find('/'));
-        if (!name.empty()) names.push_back(name);
-        path.remove_prefix(std::min(path.size(), name.size() + 1));
-    }
-    return names;
-}
-
 bool matches(const IgnoreRule& rule, const std::vector<std::string_view>& names) {
     if (rule.anchored) return matches_names(rule.names, names);
     return matches_name(rule.names.front(), names.back());
@@ -215,7 +205,7 @@ const GitIgnore::Known& GitIgnore::known_of(const std::string& folder) {
     if (const auto known = by_folder_.find(folder); known != by_folder_.end()) return known->second;
     const fs::path path = platform::path_of(folder);
     Known known;
-    if (platform::kind_of(path / ".git") != platform::FileKind::missing)
+    if (is_repository(path))
         known = {with_file(nullptr, folder, git_folder(path) / "info" / "exclude"), true};
     else if (path.has_relative_path())
         known = known_of(platform::text_of(path.parent_path()));
@@ -227,7 +217,7 @@ bool GitIgnore::ignores(const std::string& folder, const std::string& name, bool
     const Chain& rules = known_of(folder).rules;
     const std::string path = folder + "/" + name;
     for (const Rules* file = rules.get(); file != nullptr; file = file->above.get()) {
-        const auto names = names_below(file->folder, path);
+        const auto names = names_of(std::string_view(path).substr(file->folder.size()));
         const auto rule = std::find_if(file->rules.rbegin(), file->rules.rend(), [&](const IgnoreRule& each) {
             return (is_folder || !each.folders_only) && matches(each, names);
         });
@@ -239,8 +229,8 @@ bool GitIgnore::ignores(const std::string& folder, const std::string& name, bool
 bool GitIgnore::ignores_path(const std::string& path, bool is_folder) {
     const fs::path at = platform::path_of(path);
     const std::string folder = platform::text_of(at.parent_path());
-    const bool is_root = is_folder && platform::kind_of(at / ".git") != platform::FileKind::missing;
-    if (is_root || !at.has_relative_path() || !known_of(folder).in_repository) return false;
+    if ((is_folder && is_repository(at)) || !at.has_relative_path() || !known_of(folder).in_repository)
+        return false;
     return ignores(folder, platform::text_of(at.filename()), is_folder) || ignores_path(folder, true);
 }
 

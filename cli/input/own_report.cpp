@@ -38,7 +38,14 @@ bool is_workflow_command(std::string_view line) {
     return std::ranges::any_of(heads, [&](std::string_view head) { return line.starts_with(head); });
 }
 
-/// "no findings (3 checked)", "1 error in 1 file (3 checked, 1 allowed by comments)"
+/// "maclint: note: O1.txt: this is not linted", where what goes to standard error went into the file, too.
+bool is_message(std::string_view line) {
+    constexpr std::array<std::string_view, 2> heads = {"maclint: error: ", "maclint: note: "};
+    return std::ranges::any_of(heads, [&](std::string_view head) { return line.starts_with(head); });
+}
+
+/// "no findings (3 checked)", "no new findings (3 checked)", "1 error in 1 file (3 checked, 1 allowed by
+/// comments)"
 bool is_summary(std::string_view line) {
     const std::size_t bracket = line.find(" (");
     if (bracket == std::string_view::npos) return false;
@@ -46,15 +53,15 @@ bool is_summary(std::string_view line) {
     if (rest.empty() || !is_digit(rest.front())) return false;
     rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of("0123456789")));
     const std::string_view counts = line.substr(0, bracket);
-    return rest.starts_with(" checked") &&
-           (counts == "no findings" || counts.ends_with(" file") || counts.ends_with(" files"));
+    return rest.starts_with(" checked") && (counts == "no findings" || counts == "no new findings" ||
+                                            counts.ends_with(" file") || counts.ends_with(" files"));
 }
 
 } // namespace
 
 bool is_own_report(std::string_view text) {
     const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
-    return holds_finding(line) || is_workflow_command(line) || is_summary(line) ||
+    return holds_finding(line) || is_workflow_command(line) || is_summary(line) || is_message(line) ||
            line == "findings by rule:";
 }
 

@@ -4,18 +4,15 @@
 #include "analyzer/source/platform/files.hpp"
 
 namespace maclint::cli {
-namespace {
 
-bool is_there(const std::filesystem::path& path) {
-    const platform::FileKind kind = platform::kind_of(path);
-    return kind != platform::FileKind::missing && kind != platform::FileKind::broken_link;
+bool is_repository(const std::filesystem::path& folder) {
+    const platform::FileKind kind = platform::kind_of(folder / ".git");
+    return kind == platform::FileKind::folder || kind == platform::FileKind::regular;
 }
-
-} // namespace
 
 std::optional<std::filesystem::path> repository_around(const std::filesystem::path& folder) {
     for (std::filesystem::path at = folder; at.has_relative_path(); at = at.parent_path())
-        if (is_there(at / ".git")) return at;
+        if (is_repository(at)) return at;
     return std::nullopt;
 }
 

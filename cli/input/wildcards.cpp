@@ -34,7 +34,8 @@ std::vector<fs::path> entries_that_fit(const fs::path& folder, const std::string
     for (const auto& entry : platform::entries_of(folder.empty() ? "." : folder, unreadable)) {
         const std::string there = platform::text_of(entry.path.filename());
         const bool hidden = there.starts_with('.') && !name.starts_with('.');
-        if (!hidden && matches(glob, in_lower_case(there))) found.push_back(folder / entry.path.filename());
+        if (!hidden && matches_name(glob, in_lower_case(there)))
+            found.push_back(folder / entry.path.filename());
     }
     std::ranges::sort(found);
     return found;

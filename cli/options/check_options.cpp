@@ -3,6 +3,7 @@
 #include "cli/options/check_options.hpp"
 
 #include "analyzer/source/platform/console.hpp"
+#include "analyzer/source/platform/output.hpp"
 #include "cli/input/wildcards.hpp"
 #include "cli/options/choices.hpp"
 #include "cli/suggest.hpp"
@@ -20,25 +21,19 @@ namespace {
 constexpr std::string_view default_stdin_name = "stdin.nc";
 constexpr unsigned most_jobs = 1024;
 
-/// An empty name comes from a variable that nobody has set.
-auto not_empty(std::string_view option) {
-    return [option](const std::string& word) {
-        if (word.empty())
-            refuse(std::string(option) + " wants the name of a file. Write one, or leave it out.");
-    };
+/// An option that takes the name of a file. An empty one comes from a variable that nobody has set.
+void add_file(CLI::App& app, const std::string& option, std::string& word, const std::string& text) {
+    app.add_option(option, word, text)->type_name("FILE")->each([option](const std::string& name) {
+        if (name.empty()) refuse(option + " wants the name of a file. Write one, or leave it out.");
+    });
 }
 
 /// Which findings count, of those that there are.
 void declare_gate(CLI::App& check, CheckWords& words) {
-    check.add_option("--baseline", words.baseline, "Findings that this file knows do not count")
-        ->type_name("FILE")
-        ->each(not_empty("--baseline"));
+    add_file(check, "--baseline", words.baseline, "Findings that this file knows do not count");
     check.add_flag("--no-baseline", words.no_baseline, "All findings count, whatever the configuration says");
-    check
-        .add_option("--write-baseline", words.write_baseline,
-                    "Write this file: what is found now is known from then on")
-        ->type_name("FILE")
-        ->each(not_empty("--write-baseline"));
+    add_file(check, "--write-baseline", words.write_baseline,
+             "Write this file: what is found now is known from then on");
     check.add_flag("--prune-baseline", words.prune_baseline, "Take what is gone out of the baseline");
     check
         .add_option("--since", words.since,
@@ -58,7 +53,7 @@ void declare_discovery(CLI::App& check, CheckWords& words) {
 }
 
 bool is_standard_output(const std::string& path) {
-    return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+    return path == "-" || platform::names_standard_output(path);
 }
 
 Sink sink_of(const std::string& output) {
@@ -96,18 +91,15 @@ std::pair<std::string, Severity> severity_of(const std::string& setting) {
     const std::string level = setting.substr(equals + 1);
     require_rules("--severity", {rules});
     const auto severity = severity_named(level);
-    if (!severity) refuse_word("--severity", level, {"error", "warning", "note"});
+    if (!severity) refuse_word("--severity", level, severity_words());
     return {rules, *severity};
 }
 
 Overrides overrides_of(const CheckWords& words) {
     Overrides overrides;
     overrides.dialect = find_dialect(words.dialect);
-    if (overrides.dialect == nullptr && words.dialect != "auto") {
-        auto known = dialect_names();
-        known.insert(known.begin(), "auto");
-        refuse_word("--dialect", words.dialect, known);
-    }
+    if (overrides.dialect == nullptr && words.dialect != "auto")
+        refuse_word("--dialect", words.dialect, dialect_words());
     overrides.control = words.control;
     overrides.select = split_at_commas(words.select);
     overrides.ignore = split_at_commas(words.ignore);
@@ -176,16 +168,11 @@ void declare_check(CLI::App& check, CheckWords& words) {
     repeatable(check.add_option("--ignore", words.ignore, "Not these rules"))->type_name("RULES");
     repeatable(check.add_option("--severity", words.severity, "Change a severity to error, warning or note"))
         ->type_name("RULE=LEVEL");
-    check
-        .add_option("--config", words.config,
-                    "This configuration instead of the nearest " + std::string(configuration_name))
-        ->type_name("FILE")
-        ->each(not_empty("--config"));
+    add_file(check, "--config", words.config,
+             "This configuration instead of the nearest " + std::string(configuration_name));
     check.add_flag("--isolated", words.isolated, "No configuration at all");
     check.add_flag("--show-config", words.show_config, "Print what holds for each file, and why");
-    check.add_option("--stdin-filename", words.stdin_name, "Name under which standard input is linted")
-        ->type_name("FILE")
-        ->each(not_empty("--stdin-filename"));
+    add_file(check, "--stdin-filename", words.stdin_name, "Name under which standard input is linted");
     check.add_option("--jobs", words.jobs, "Threads (default: one a core)")->type_name("N");
     check
         .add_option(
@@ -222,7 +209,7 @@ CheckRequest check_request(const CheckWords& words) {
                                       : number("--jobs", words.jobs, 1U, most_jobs);
     if (words.fail_on != "never") {
         request.fail_on = severity_named(words.fail_on);
-        if (!request.fail_on) refuse_word("--fail-on", words.fail_on, {"error", "warning", "note", "never"});
+        if (!request.fail_on) refuse_word("--fail-on", words.fail_on, fail_on_words());
     }
     if (words.max_findings == "all")
         request.max_findings = std::numeric_limits<std::size_t>::max();

@@ -4,6 +4,8 @@
 #include "cli/command_line.hpp"
 #include "cli/options/words.hpp"
 
+#include <array>
+
 namespace maclint::cli {
 
 inline constexpr std::array<Choice<Format>, 8> formats{{{"text", Format::text},

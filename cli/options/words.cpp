@@ -1,6 +1,7 @@
 //! Refusals with the words that are known.
 #include "cli/options/words.hpp"
 
+#include "cli/config/configuration.hpp"
 #include "cli/config/selection.hpp"
 #include "cli/suggest.hpp"
 
@@ -24,6 +25,20 @@ std::vector<std::string> split_at_commas(const std::vector<std::string>& lists) 
             list.remove_prefix(word.size() == list.size() ? word.size() : word.size() + 1);
         }
     }
+    return words;
+}
+
+std::vector<std::string> dialect_words() {
+    auto words = dialect_names();
+    words.insert(words.begin(), "auto");
+    return words;
+}
+
+std::vector<std::string> severity_words() { return {"error", "warning", "note"}; }
+
+std::vector<std::string> fail_on_words() {
+    auto words = severity_words();
+    words.emplace_back("never");
     return words;
 }
 

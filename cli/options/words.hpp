@@ -1,16 +1,15 @@
 //! What options say in words: choices, numbers, lists, and the answer to a word that is none of them.
 #pragma once
 
-#include <array>
 #include <charconv>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace maclint::cli {
 
-/// Thrown while texts are made into values, caught in read_command_line: "what. Cure."; empty when help was
-/// asked for.
+/// Thrown while texts are made into values, caught in read_command_line: "what. Cure."
 struct Refused {
     std::string message;
 };
@@ -51,6 +50,11 @@ Number number(std::string_view option, const std::string& word, Number least, Nu
 }
 
 [[nodiscard]] std::vector<std::string> split_at_commas(const std::vector<std::string>& lists);
+
+/// What --dialect and --fail-on take, and what severities are called.
+[[nodiscard]] std::vector<std::string> dialect_words();
+[[nodiscard]] std::vector<std::string> fail_on_words();
+[[nodiscard]] std::vector<std::string> severity_words();
 
 /// Refuses words that name no rule.
 void require_rules(std::string_view option, const std::vector<std::string>& words);

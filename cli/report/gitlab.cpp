@@ -29,10 +29,10 @@ class GitlabWriter {
     void add(const Finding& finding) {
         const Position begin = finding.source->position(finding.span.begin);
         const Position end = finding.source->position(finding.span.end);
-        Json issue = issue_of(service_path(finding.source->path(), root_), severity_of(finding.severity),
-                              printable(finding.message()));
+        const std::string path = service_path(finding.source->path(), root_);
+        Json issue = issue_of(path, severity_of(finding.severity), printable(finding.message()));
         issue["check_name"] = finding.rule->code;
-        issue["fingerprint"] = hash_of(finding.source->path()) + "-" + fingerprints_.of(finding);
+        issue["fingerprint"] = hash_of(path) + "-" + fingerprints_.of(finding);
         issue["location"]["lines"] = {{"begin", begin.line}, {"end", end.line}};
         std::string body;
         for (const std::string& step : steps_of(finding, detail_, root_)) body += "- " + step + "\n";
@@ -41,10 +41,10 @@ class GitlabWriter {
     }
 
     void add(const Notice& notice) {
-        Json issue = issue_of(notice.path.empty() ? "." : service_path(notice.path, root_), "blocker",
-                              printable(notice.message));
+        const std::string path = notice.path.empty() ? "." : service_path(notice.path, root_);
+        Json issue = issue_of(path, "blocker", printable(notice.message));
         issue["check_name"] = "maclint";
-        issue["fingerprint"] = hash_of(notice.path + "\n" + notice.message);
+        issue["fingerprint"] = hash_of(path + "\n" + notice.message);
         issue["location"]["lines"] = {{"begin", 1}};
         add(issue);
     }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <span>
+#include <vector>
 
 namespace maclint::cli {
 namespace {
@@ -57,51 +58,71 @@ bool has_word(std::string_view line, std::string_view word) {
     return false;
 }
 
-/// Words that a number of a block follows. P and Q mean much else, too.
-constexpr std::array<std::string_view, 5> jump_words = {"GOTO", "NS", "NE", "P", "Q"};
-constexpr std::size_t always_jumps = 3;
+using Words = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 1> always_jumps = {"GOTO"};
+/// Words that mean blocks beside some codes, and much else elsewhere.
+constexpr std::array<std::string_view, 2> cycle_blocks = {"P", "Q"};
 constexpr std::array<std::string_view, 6> takes_blocks = {"M97", "M99", "G70", "G71", "G72", "G73"};
+/// The first and the last block of a contour, which stand together. NE alone is a comparison, too.
+constexpr std::array<std::string_view, 2> contour_blocks = {"NS", "NE"};
 
-std::span<const std::string_view> jump_words_of(std::string_view line) {
-    const bool all =
-        std::ranges::any_of(takes_blocks, [&](std::string_view word) { return has_word(line, word); });
-    return std::span(jump_words).first(all ? jump_words.size() : always_jumps);
-}
+/// Where in a compact line a number stands, and what is left of it.
+struct Renumbered {
+    std::size_t begin, end;
+    std::string_view mark;
+};
 
-/// The number that follows one of the words at `at`, or stands there alone; empty: none.
-std::string_view jump_number(std::string_view text, std::size_t at, std::span<const std::string_view> words) {
-    if (at == 0 && digits_at(text, 0).size() == text.size()) return text;
-    for (const std::string_view word : words) {
-        if (!text.substr(at).starts_with(word)) continue;
-        const std::string_view digits = digits_at(text, at + word.size());
-        const std::size_t end = at + word.size() + digits.size();
-        if (!digits.empty() && (end == text.size() || text[end] != '.')) return digits;
-    }
-    return {};
-}
-
-template<class IsBorne>
-std::string without_jumps(std::string_view text, const IsBorne& is_borne,
-                          std::span<const std::string_view> words) {
-    std::string out;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::string_view number = jump_number(text, at, words);
-        if (number.empty() || !is_borne(plain_number(number))) {
-            out += text[at++];
-            continue;
+/// Numbers that follow the words outside of brackets, where conditions and amounts stand.
+void add_numbers_behind(Words words, std::string_view line, std::vector<Renumbered>& found) {
+    std::size_t depth = 0;
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        if (line[at] == '[') ++depth;
+        if (line[at] == ']' && depth > 0) --depth;
+        if (depth > 0) continue;
+        for (const std::string_view word : words) {
+            if (!line.substr(at).starts_with(word)) continue;
+            const std::size_t begin = at + word.size();
+            const std::size_t end = begin + digits_at(line, begin).size();
+            if (end > begin && (end == line.size() || line[end] != '.')) found.push_back({begin, end, "@"});
         }
-        const auto begin = static_cast<std::size_t>(number.data() - text.data());
-        out.append(text, at, begin - at).append("@");
-        at = begin + number.size();
     }
-    return out;
 }
 
-std::string without_sequence_number(std::string text) {
-    const std::string_view number = sequence_number(text);
-    if (number.empty()) return text;
-    const auto begin = static_cast<std::size_t>(number.data() - text.data()) - 1; // its N
-    return text.erase(begin, number.size() + 1);
+/// Each of the words has a number.
+bool has_all(Words words, std::string_view line) {
+    return std::ranges::all_of(words, [&](const std::string_view& word) {
+        std::vector<Renumbered> found;
+        add_numbers_behind({&word, 1}, line, found);
+        return !found.empty();
+    });
+}
+
+/// The sequence number of the line, and those of blocks that it jumps to.
+std::vector<Renumbered> renumbered_in(std::string_view line) {
+    std::vector<Renumbered> found;
+    if (const std::string_view number = sequence_number(line); !number.empty()) {
+        const auto begin = static_cast<std::size_t>(number.data() - line.data());
+        found.push_back({begin - 1, begin + number.size(), ""}); // with its N
+    }
+    add_numbers_behind(always_jumps, line, found);
+    if (std::ranges::any_of(takes_blocks, [&](std::string_view word) { return has_word(line, word); }))
+        add_numbers_behind(cycle_blocks, line, found);
+    if (has_all(contour_blocks, line)) add_numbers_behind(contour_blocks, line, found);
+    std::ranges::sort(found, {}, &Renumbered::begin);
+    return found;
+}
+
+/// The line from `begin` to `end` without those numbers.
+std::string without(const std::vector<Renumbered>& numbers, std::string_view line, std::size_t begin,
+                    std::size_t end) {
+    std::string out;
+    for (const Renumbered& number : numbers) {
+        if (number.end <= begin || number.begin >= end) continue;
+        out.append(line.substr(begin, std::max(number.begin, begin) - begin)).append(number.mark);
+        begin = std::min(number.end, end);
+    }
+    return out.append(line.substr(begin, end - begin));
 }
 
 } // namespace
@@ -136,15 +157,21 @@ NumberlessPlace Numberless::of(const Source& source, Span span) {
         line = {std::max(line.begin, span.begin - std::min(span.begin, long_line / 2)),
                 std::min(line.end, span.begin + std::min(source.size() - span.begin, long_line / 2))};
     const Span part{std::clamp(span.begin, line.begin, line.end), std::clamp(span.end, line.begin, line.end)};
-    const std::string whole = compact(source.to_utf8(source.bytes(line)));
-    const auto words = jump_words_of(whole);
-    const auto is_borne = [&](const std::string& number) {
-        return numbers_at(source, line_number).contains(number);
+    const auto compacted = [&](Offset begin, Offset end) {
+        return compact(source.to_utf8(source.bytes({begin, end})));
     };
-    const auto text = [&](std::string compacted) {
-        return without_jumps(without_sequence_number(std::move(compacted)), is_borne, words);
-    };
-    return {text(whole), text(compact(source.to_utf8(source.bytes(part))))};
+    const std::string before = compacted(line.begin, part.begin);
+    const std::string before_end = before + compacted(part.begin, part.end);
+    const std::string whole = before_end + compacted(part.end, line.end);
+    auto numbers = renumbered_in(whole);
+    std::erase_if(numbers, [&](const Renumbered& number) {
+        if (number.mark.empty()) return false;
+        const std::string_view digits =
+            std::string_view(whole).substr(number.begin, number.end - number.begin);
+        return !numbers_at(source, line_number).contains(plain_number(digits));
+    });
+    return {without(numbers, whole, 0, whole.size()),
+            without(numbers, whole, before.size(), before_end.size())};
 }
 
 } // namespace maclint::cli

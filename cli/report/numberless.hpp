@@ -19,8 +19,9 @@ struct NumberlessPlace {
 };
 
 /// Leaves out blanks, the sequence number of a block, and the number of a jump (GOTO, P and Q of M97, M99 and
-/// G70 to G73, NS, NE) where a block of the file bears it; what is left is in capitals. A number that no
-/// block bears stays: renumbering leaves it alone. Of lines over 4 KiB only what is near the place is taken.
+/// G70 to G73, NS with NE) where a block of the file bears it; what is left is in capitals. A number that no
+/// block bears stays, and so does one in brackets: renumbering leaves it alone. Of lines over 4 KiB only what
+/// is near the place is taken.
 /// Remembers the numbers of files, which must live as long.
 class Numberless {
   public:

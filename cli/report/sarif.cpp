@@ -237,7 +237,8 @@ class SarifWriter {
     Json result_of(const FilteredFinding& filtered) {
         const Finding& finding = filtered.finding;
         Json message = {{"text", without_placeholders(heading_of(*finding.rule) + finding.message())}};
-        if (finding.repeats.empty()) { // else the rule's message is not the whole of it (3.11.6)
+        // With repeats or an alarm the rule's message is not the whole of it (3.11.6).
+        if (finding.repeats.empty() && finding.alarm.empty()) {
             message["id"] = finding.message_id;
             if (!finding.arguments.empty()) message["arguments"] = finding.arguments;
         }

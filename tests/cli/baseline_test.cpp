@@ -1,6 +1,5 @@
 //! --baseline, --write-baseline and --prune-baseline of the built executable.
-#include "tests/support/folder.hpp"
-#include "tests/support/process.hpp"
+#include "tests/support/in_repository.hpp"
 
 #include <filesystem>
 
@@ -26,10 +25,10 @@ constexpr std::string_view bad_moved =
 constexpr std::string_view worse = "%\nO1001\nN1 G0 X1.\nGOTO 99\nG1 X1. F9. F8.\nM30\n%\n";
 constexpr std::string_view good = "%\nO1001\nG0 X1.\nM30\n%\n";
 
-class BaselineOption : public testing::Test {
+class BaselineOption : public InRepository {
   protected:
     void SetUp() override {
-        folder.write(".git/HEAD", "");
+        InRepository::SetUp();
         folder.write("O1001.nc", bad);
     }
 
@@ -47,8 +46,6 @@ class BaselineOption : public testing::Test {
         ASSERT_EQ(run({"--baseline", "base.json"}).status, 0);
     }
     [[nodiscard]] std::string baseline() const { return read_file(folder.path() / "base.json"); }
-
-    TemporaryFolder folder;
 };
 
 TEST_F(BaselineOption, WhatIsWrittenIsKnownFromThenOn) {
@@ -123,6 +120,15 @@ TEST_F(BaselineOption, IsTheSameFromEveryFolder) {
     EXPECT_EQ(found({"--baseline", "../../base.json", "O2.nc", "../../O1001.nc"}, "mill/bores"), "0");
     EXPECT_EQ(found({"--baseline", (folder.path() / "base.json").string(), "../link/bores/O2.nc"}, "other"),
               "0");
+}
+
+TEST_F(BaselineOption, KnowsAFileByTheNameThatItHasNotByTheCaseThatWasTyped) {
+    write_baseline();
+    folder.write("links/x", "");
+    fs::create_symlink("O1001.nc", folder.path() / "o1001.NC"); // as if this system did not mind case
+    fs::create_symlink("../O1001.nc", folder.path() / "links/O1001.nc");
+    EXPECT_EQ(found({"--baseline", "base.json", "o1001.NC"}), "0");
+    EXPECT_THAT(found({"--baseline", "base.json", "links/O1001.nc"}), StartsWith("links/O1001.nc:4:5: "));
 }
 
 TEST_F(BaselineOption, TheConfigurationNamesItFromItsOwnFolder) {
@@ -283,6 +289,16 @@ TEST_F(BaselineOption, ReadsEntriesInAnyOrderAndMoreThanOnce) {
     text["further"] = 1;
     folder.write("base.json", text.dump());
     EXPECT_EQ(found({"--baseline", "base.json"}), "0");
+    EXPECT_THAT(run({"--baseline", "base.json", "--prune-baseline"}).err,
+                HasSubstr("nothing is to be pruned"));
+    json gone = entry;
+    gone["fingerprint"] = "0";
+    text["findings"] = {entry, gone, entry};
+    folder.write("base.json", text.dump());
+    EXPECT_THAT(run({"--baseline", "base.json", "--prune-baseline"}).err,
+                HasSubstr("1 entry removed, 2 left."));
+    entry["count"] = 2;
+    EXPECT_EQ(json::parse(baseline())["findings"], json::array({entry}));
 }
 
 TEST_F(BaselineOption, WritesOverNothingElse) {

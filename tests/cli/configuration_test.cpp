@@ -41,6 +41,17 @@ TEST(JsonTree, KnowsWhereKeysAndValuesStand) {
     EXPECT_EQ(text.substr(object[0].key_span.begin, object[0].key_span.length()), "\"a\\\"b\"");
     const auto& list = std::get<JsonNode::Array>(object[0].node.value);
     EXPECT_EQ(text.substr(list[0].span.begin, list[0].span.length()), "\"x\"");
+    EXPECT_EQ(text.substr(list[1].span.begin, list[1].span.length()), "12");
+}
+
+TEST(JsonTree, KnowsWhereNumbersStandWhateverFollows) {
+    for (const std::string_view text :
+         {"-1.5e+2", "[-1.5e+2]", "[-1.5e+2,3]", "[-1.5e+2\n]", "[-1.5e+2/**/]"}) {
+        const auto parsed = parse_json(text);
+        const auto* node = &std::get<JsonNode>(parsed);
+        if (const auto* list = std::get_if<JsonNode::Array>(&node->value)) node = &list->front();
+        EXPECT_EQ(text.substr(node->span.begin, node->span.length()), "-1.5e+2") << text;
+    }
 }
 
 TEST(JsonTree, RefusesWhatIsNoJson) {

@@ -1,6 +1,5 @@
 //! Equal programs give equal reports, byte for byte: for any number of threads, any order of folders, twice.
-#include "tests/support/folder.hpp"
-#include "tests/support/process.hpp"
+#include "tests/support/in_repository.hpp"
 
 #include <array>
 #include <string>
@@ -61,10 +60,10 @@ std::string odd_dinplus_program(int number) {
     return with_odd_blocks(text, static_cast<std::size_t>(number), 6) + "N90 M30\nEND\n";
 }
 
-class Determinism : public testing::Test {
+class Determinism : public InRepository {
   protected:
     void SetUp() override {
-        folder.write(".git/HEAD", "");
+        InRepository::SetUp();
         for (int i = 0; i < 24; ++i) {
             const std::string name =
                 std::string(1, static_cast<char>('a' + i % 3)) + "/O" + std::to_string(2000 + i);
@@ -76,14 +75,13 @@ class Determinism : public testing::Test {
     [[nodiscard]] Finished run(const std::string& format, std::vector<std::string> paths,
                                const char* jobs) const {
         paths.insert(paths.begin(), {"--no-timestamps", "--format", format, "--jobs", jobs});
-        return run_maclint(folder.path().string(), paths, "");
+        return InRepository::run(paths);
     }
-
-    TemporaryFolder folder;
 };
 
 TEST_F(Determinism, NeitherThreadsNorTheOrderOfFoldersNorChanceChangeAByte) {
-    for (const std::string format : {"text", "concise", "json", "sarif"}) {
+    for (const std::string format :
+         {"text", "concise", "json", "sarif", "github", "gitlab", "junit", "checkstyle"}) {
         const Finished first = run(format, {"a", "b", "c"}, "1");
         EXPECT_EQ(first.status, 1);
         EXPECT_GT(first.out.size(), 5000U);

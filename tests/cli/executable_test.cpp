@@ -1,6 +1,5 @@
 //! The built executable on small folders: exit status, streams, discovery, configuration.
-#include "tests/support/folder.hpp"
-#include "tests/support/process.hpp"
+#include "tests/support/in_repository.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,27 +19,17 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr std::string_view good = "%\nO1000 (GOOD)\nG0 X1.\nM30\n%\n";
-constexpr std::string_view bad = "%\nO1001 (BAD)\nG0 X1.\nGOTO 99\nM30\n%\n"; // MAC301 in line 4
-
-class Executable : public testing::Test {
+class Executable : public InRepository {
   protected:
-    void SetUp() override { folder.write(".git/HEAD", ""); }
-
-    [[nodiscard]] Finished run(const std::vector<std::string>& arguments) const {
-        return run_maclint(folder.path().string(), arguments, "");
-    }
     /// Findings as "file:line", one a line.
     [[nodiscard]] std::string concise(std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), {"check", "--format", "concise", "--quiet"});
         return run(arguments).out;
     }
-
-    TemporaryFolder folder;
 };
 
 TEST_F(Executable, EndsWith0WithoutFindings) {
-    folder.write("O1000.nc", good);
+    folder.write("O1000.nc", without_defect);
     const Finished finished = run({});
     EXPECT_EQ(finished.status, 0);
     EXPECT_EQ(finished.out, "no findings (1 checked)\n");
@@ -57,15 +46,15 @@ TEST_F(Executable, ReportsForProgramsHoldNothingThatSteersATerminal) {
     EXPECT_THAT(sarif, HasSubstr("\\u009B31m \\u202E \\u007F \\uDB40\\uDC41 gr\xC3\xBC\xC3\x9F"));
     const std::string name = "O\xC2\x9B"
                              "2.nc";
-    folder.write(name, bad);
+    folder.write(name, with_defect);
     const std::string json = run({"--format", "json", name}).out;
     EXPECT_THAT(json, testing::Not(HasSubstr("\xC2\x9B")));
     EXPECT_THAT(json, HasSubstr("O\\u009B2.nc"));
 }
 
 TEST_F(Executable, AConfigurationThatIsNoFileIsAnError) {
-    folder.write("a/O1.nc", good);
-    folder.write("b/O1.nc", good);
+    folder.write("a/O1.nc", without_defect);
+    folder.write("b/O1.nc", without_defect);
     fs::create_directories(folder.path() / "a/.maclint.json");
     fs::create_symlink("nowhere", folder.path() / "b/.maclint.json");
     for (const char* part : {"a", "b"}) {
@@ -78,7 +67,7 @@ TEST_F(Executable, AConfigurationThatIsNoFileIsAnError) {
 }
 
 TEST_F(Executable, EndsWith1WithFindingsOnStandardOutput) {
-    folder.write("O1001.nc", bad);
+    folder.write("O1001.nc", with_defect);
     const Finished finished = run({"O1001.nc"});
     EXPECT_EQ(finished.status, 1);
     EXPECT_THAT(finished.out, AllOf(HasSubstr("error[MAC301]"), HasSubstr("--> O1001.nc:4:")));
@@ -96,7 +85,7 @@ TEST_F(Executable, APartOfACompleteFolderKnowsTheRestOfIt) {
 }
 
 TEST_F(Executable, EndsWith2WhenAFileIsMissingButReportsTheOthers) {
-    folder.write("O1001.nc", bad);
+    folder.write("O1001.nc", with_defect);
     const Finished finished = run({"O1001.nc", "gone.nc"});
     EXPECT_EQ(finished.status, 2);
     EXPECT_THAT(finished.out, HasSubstr("MAC301"));
@@ -111,14 +100,14 @@ TEST_F(Executable, EndsWith2AfterAMistypedOption) {
 }
 
 TEST_F(Executable, FailsOnlyFromTheSeverityAskedFor) {
-    folder.write("O1001.nc", bad);
+    folder.write("O1001.nc", with_defect);
     EXPECT_EQ(run({"--fail-on", "never"}).status, 0);
     EXPECT_EQ(run({"--severity", "MAC301=note"}).status, 0);
     EXPECT_EQ(run({"--severity", "MAC301=note", "--fail-on", "note"}).status, 1);
 }
 
 TEST_F(Executable, SelectsAndIgnores) {
-    folder.write("O1001.nc", bad);
+    folder.write("O1001.nc", with_defect);
     EXPECT_THAT(concise({"--ignore", "jump-target-missing"}), IsEmpty());
     EXPECT_THAT(concise({"--select", "MAC5"}), IsEmpty());
     EXPECT_THAT(concise({"--select", "MAC3"}), HasSubstr("O1001.nc:4:"));
@@ -126,18 +115,18 @@ TEST_F(Executable, SelectsAndIgnores) {
 
 TEST_F(Executable, ReadsStandardInputUnderAName) {
     const Finished finished =
-        run_maclint(folder.path().string(), {"-", "--stdin-filename", "sub/O1.nc"}, std::string(bad));
+        run_maclint(folder.path().string(), {"-", "--stdin-filename", "sub/O1.nc"}, std::string(with_defect));
     EXPECT_EQ(finished.status, 1);
     EXPECT_THAT(finished.out, HasSubstr("--> sub/O1.nc:4:"));
 }
 
 TEST_F(Executable, SearchesFoldersInOrderWithoutHiddenAndBuildFolders) {
-    folder.write("b/O1001.nc", bad);
-    folder.write("a/O1002.NC", bad);
-    folder.write("a/O1003", bad);
-    folder.write("a/notes.md", bad);
-    folder.write(".old/O1.nc", bad);
-    folder.write("build/O1.nc", bad);
+    folder.write("b/O1001.nc", with_defect);
+    folder.write("a/O1002.NC", with_defect);
+    folder.write("a/O1003", with_defect);
+    folder.write("a/notes.md", with_defect);
+    folder.write(".old/O1.nc", with_defect);
+    folder.write("build/O1.nc", with_defect);
     const std::string out = concise({"."});
     EXPECT_LT(out.find("a/O1002.NC:4"), out.find("a/O1003:4"));
     EXPECT_LT(out.find("a/O1003:4"), out.find("b/O1001.nc:4"));
@@ -145,7 +134,7 @@ TEST_F(Executable, SearchesFoldersInOrderWithoutHiddenAndBuildFolders) {
 }
 
 TEST_F(Executable, ReadsNamedFilesWhateverTheirName) {
-    folder.write("program.txt", bad);
+    folder.write("program.txt", with_defect);
     EXPECT_THAT(concise({"program.txt"}), HasSubstr("program.txt:4:"));
 }
 
@@ -176,7 +165,7 @@ std::string with_more_ways_than_are_tried() {
 
 TEST_F(Executable, SaysWhereTheTimeWent) {
     folder.write("O1.nc", with_more_ways_than_are_tried());
-    folder.write("O2.nc", good);
+    folder.write("O2.nc", without_defect);
     const Finished silent = run({"--select", "MAC209"});
     const Finished timed = run({"--select", "MAC209", "--timing"});
     EXPECT_THAT(timed.err,
@@ -204,7 +193,7 @@ TEST_F(Executable, GivesOneNoteForATextThatItsDialectCannotRead) {
 }
 
 TEST_F(Executable, KeepsSilentAboutTextsThatNobodyTakesForPrograms) {
-    folder.write("O1.nc", good);
+    folder.write("O1.nc", without_defect);
     folder.write("README.txt", "These are the programs of the hinge,\nas the customer sent them.\n");
     folder.write("driver.h", "#include <stdio.h>\n#define A 1\n");
     EXPECT_THAT(run({"."}).err, IsEmpty());
@@ -236,7 +225,7 @@ TEST_F(Executable, EscapesWhatFilesHoldAndAreCalled) {
 }
 
 TEST_F(Executable, ColoursOnlyWhenAsked) {
-    folder.write("O1001.nc", bad);
+    folder.write("O1001.nc", with_defect);
     EXPECT_THAT(run({}).out, Not(HasSubstr("\x1B")));
     EXPECT_THAT(run({"--color", "always"}).out, HasSubstr("\x1B[1;31merror"));
 }
@@ -254,7 +243,7 @@ TEST_F(Executable, WritesTheSameWhateverTheNumberOfThreads) {
 }
 
 TEST_F(Executable, WritesSeveralReportsAtOnce) {
-    folder.write("O1001.nc", bad);
+    folder.write("O1001.nc", with_defect);
     const Finished finished = run({"--output", "sarif:out.sarif", "--output", "json:out.json"});
     EXPECT_THAT(finished.out, HasSubstr("MAC301"));
     const auto sarif = nlohmann::json::parse(read_file(folder.path() / "out.sarif"));
@@ -264,7 +253,7 @@ TEST_F(Executable, WritesSeveralReportsAtOnce) {
 }
 
 TEST_F(Executable, CountsFindingsWhereNoReportIsDisturbed) {
-    folder.write("O1001.nc", bad);
+    folder.write("O1001.nc", with_defect);
     EXPECT_THAT(run({"--statistics"}).out, HasSubstr("findings by rule:\n  1  MAC301"));
     const Finished sarif = run({"--statistics", "--format", "sarif"});
     EXPECT_TRUE(nlohmann::json::accept(sarif.out));
@@ -275,15 +264,15 @@ TEST_F(Executable, CountsFindingsWhereNoReportIsDisturbed) {
 }
 
 TEST_F(Executable, EndsWith2WhenAReportCannotBeWritten) {
-    folder.write("O1000.nc", good);
+    folder.write("O1000.nc", without_defect);
     const Finished finished = run({"--output", "sarif:no/such/folder.sarif"});
     EXPECT_EQ(finished.status, 2);
     EXPECT_THAT(finished.err, HasSubstr("no/such/folder.sarif: cannot be written"));
 }
 
 TEST_F(Executable, WritesNoReportOverAProgram) {
-    folder.write("O1001.nc", bad);
-    folder.write("PART7", good);                        // found by no name
+    folder.write("O1001.nc", with_defect);
+    folder.write("PART7", without_defect);              // found by no name
     folder.write("PART8.txt", "G0 X1.\nG1 Y2. F100\n"); // without marks of a language
     folder.write("klartext", "0 BEGIN PGM A MM\n1 L X+1 R0 FMAX M3\n2 END PGM A MM\n");
     folder.write(".maclint.json", "{}");
@@ -301,15 +290,15 @@ TEST_F(Executable, WritesNoReportOverAProgram) {
         EXPECT_THAT(finished.out, IsEmpty()) << target;
         EXPECT_THAT(finished.err, AllOf(HasSubstr("'" + target + "'"), HasSubstr(reason))) << target;
     }
-    EXPECT_EQ(read_file(folder.path() / "O1001.nc"), bad);
-    EXPECT_EQ(read_file(folder.path() / "PART7"), good);
+    EXPECT_EQ(read_file(folder.path() / "O1001.nc"), with_defect);
+    EXPECT_EQ(read_file(folder.path() / "PART7"), without_defect);
     EXPECT_EQ(read_file(folder.path() / ".maclint.json"), "{}");
     EXPECT_FALSE(fs::exists(folder.path() / "O77"));
 }
 
 TEST_F(Executable, WritesReportsOverEarlierReports) {
-    folder.write("O1001.nc", bad);
-    folder.write("O1000.nc", good);
+    folder.write("O1001.nc", with_defect);
+    folder.write("O1000.nc", without_defect);
     for (const std::string format :
          {"text:", "concise:", "json:", "sarif:", "github:", "gitlab:", "junit:", "checkstyle:"})
         for (const std::string program : {"O1001.nc", "O1000.nc", "."})
@@ -339,9 +328,9 @@ TEST_F(Executable, ShowsNoMoreFindingsThanAskedButFailsForAll) {
 TEST_F(Executable, FollowsTheConfiguration) {
     folder.write(".maclint.json",
                  R"({"exclude": ["old"], "include": ["*.part"], "per-file-ignores": {"O9*": ["MAC301"]}})");
-    folder.write("old/O1.nc", bad);
-    folder.write("tray.part", bad);
-    folder.write("O9001.nc", bad);
+    folder.write("old/O1.nc", with_defect);
+    folder.write("tray.part", with_defect);
+    folder.write("O9001.nc", with_defect);
     const std::string out = concise({"."});
     EXPECT_THAT(out, AllOf(HasSubstr("tray.part:4"), Not(HasSubstr("old/")), Not(HasSubstr("O9001"))));
     EXPECT_THAT(concise({"--isolated", "."}),
@@ -350,8 +339,8 @@ TEST_F(Executable, FollowsTheConfiguration) {
 
 TEST_F(Executable, TellsOfAWrongConfigurationOnceAndEndsWith2) {
     folder.write(".maclint.json", "{\n  \"ignor\": []\n}\n");
-    folder.write("O1001.nc", bad);
-    folder.write("O1002.nc", bad);
+    folder.write("O1001.nc", with_defect);
+    folder.write("O1002.nc", with_defect);
     const Finished finished = run({});
     EXPECT_EQ(finished.status, 2);
     EXPECT_EQ(finished.err, "maclint: error: .maclint.json: line 2, column 3: there is no key 'ignor' here. "
@@ -360,7 +349,7 @@ TEST_F(Executable, TellsOfAWrongConfigurationOnceAndEndsWith2) {
 
 TEST_F(Executable, PointsIntoTheConfigurationWhenItNamesAnUnknownRule) {
     folder.write(".maclint.json", "{\n  \"select\": [\"MAC3O1\"]\n}\n");
-    folder.write("O1001.nc", bad);
+    folder.write("O1001.nc", with_defect);
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{}, {"--select", "MAC301"}, {"--ignore", "MAC002"}}) {
         const Finished finished = run(arguments);
@@ -373,7 +362,7 @@ TEST_F(Executable, PointsIntoTheConfigurationWhenItNamesAnUnknownRule) {
 TEST_F(Executable, ShowsWhatHoldsForAFile) {
     folder.write(".maclint.json",
                  R"({"files": [{"glob": "*.nc", "control": "fanuc-30i"}], "ignore": ["MAC301"]})");
-    folder.write("O1000.nc", good);
+    folder.write("O1000.nc", without_defect);
     const Finished finished = run({"--show-config"});
     EXPECT_EQ(finished.status, 0);
     EXPECT_THAT(finished.out,
@@ -471,7 +460,7 @@ TEST_F(Executable, WritesNoPagesIntoAFolderOfSomebodyElse) {
 }
 
 TEST_F(Executable, TakesAControlForTheFilesOfItsLanguageOnly) {
-    folder.write("O1000.nc", good);
+    folder.write("O1000.nc", without_defect);
     folder.write("PART.ncs", "MACHINING\nN10 G14 Q0\nN20 M30\nEND\n");
     const Finished both = run({"--control", "fanuc-30i", "--show-config"});
     EXPECT_EQ(both.status, 0) << both.err;
@@ -483,7 +472,7 @@ TEST_F(Executable, TakesAControlForTheFilesOfItsLanguageOnly) {
 }
 
 TEST_F(Executable, TakesAConfiguredControlForTheFilesOfItsLanguageOnly) {
-    folder.write("O1000.nc", good);
+    folder.write("O1000.nc", without_defect);
     folder.write("PART.ncs", "MACHINING\nN10 G14 Q0\nN20 M30\nEND\n");
     folder.write(".maclint.json", R"({"controls": {"L": {"model": "dinplus"}, "M": {"model": "fanuc-30i"}},
         "files": [{"glob": "*", "control": "L"}, {"glob": "*", "control": "M"}]})");
@@ -494,7 +483,7 @@ TEST_F(Executable, TakesAConfiguredControlForTheFilesOfItsLanguageOnly) {
 }
 
 TEST_F(Executable, RefusesAControlOfAnotherLanguageThanTheDialectAskedFor) {
-    folder.write("O1000.nc", good);
+    folder.write("O1000.nc", without_defect);
     const Finished finished = run({"--dialect", "fanuc", "--control", "dinplus"});
     EXPECT_EQ(finished.status, 2);
     EXPECT_THAT(finished.err, AllOf(HasSubstr("--control dinplus"), HasSubstr("--dialect fanuc")));
@@ -556,8 +545,8 @@ TEST_F(Executable, SetsTheSeverityThatTheRuleItselfHas) {
 TEST_F(Executable, PassesOverWhatAnExtendedConfigurationExcludesInItsOwnFolder) {
     folder.write("shop.json", R"({"exclude": ["lathe/old"]})");
     folder.write("lathe/.maclint.json", R"({"extends": "../shop.json"})");
-    folder.write("lathe/O1001.nc", bad);
-    folder.write("lathe/old/O1002.nc", bad);
+    folder.write("lathe/O1001.nc", with_defect);
+    folder.write("lathe/old/O1002.nc", with_defect);
     EXPECT_THAT(concise({}), AllOf(HasSubstr("lathe/O1001.nc:4"), Not(HasSubstr("old"))));
 }
 

@@ -28,6 +28,22 @@ TEST(Numberless, LeavesOutTheNumberOfAJumpToABlockThatIsThere) {
     EXPECT_EQ(of("N1 G810 NS2 NE3 Q3\nN2\nN3\n", "G810").line, "G810NS@NE@Q3");
 }
 
+TEST(Numberless, LeavesNumbersThatAreCompared) {
+    EXPECT_EQ(of("N10 IF[#1NE10]GOTO10\n", "IF").line, "IF[#1NE10]GOTO@");
+    EXPECT_EQ(of("N10 IF[#1NE10]GOTO10\n", "#1NE10").part, "#1NE10");
+    EXPECT_EQ(of("N10 IF[#1NE10]GOTO10\n", "10]").part, "10]");
+    EXPECT_EQ(of("N10 WHILE[#1NE10]DO1\n", "WHILE").line, "WHILE[#1NE10]DO1");
+    EXPECT_EQ(of("N10 #1NE10\n", "#1").line, "#1NE10");
+    EXPECT_EQ(of("N10 G810 NS10 X[#1NE10] NE10\n", "G810").line, "G810NS@X[#1NE10]NE@");
+}
+
+TEST(Numberless, TakesForAPlaceWhatItCoversOfTheLine) {
+    EXPECT_EQ(of("N10 #1=10\n", "10\n").part, "10");
+    EXPECT_EQ(of("N10 G1 X1. GOTO10\n", "GOTO10").part, "GOTO@");
+    EXPECT_EQ(of("N5 N10\nN10\n", "N10").part, "N10");
+    EXPECT_EQ(of("/N5 GOTO5\n", "/N5 GOTO").part, "/GOTO");
+}
+
 TEST(Numberless, LooksForANumberInTheProgramOfTheJump) {
     const std::string text = "%\nO1\nGOTO20\nO2\nN20\nGOTO 20\n%\nN3 GOTO 20";
     EXPECT_EQ(of(text, "GOTO20").line, "GOTO20");

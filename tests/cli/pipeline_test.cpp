@@ -1,6 +1,5 @@
 //! The executable in a pipeline: what is passed over, what is no program, and words of the command line.
-#include "tests/support/folder.hpp"
-#include "tests/support/process.hpp"
+#include "tests/support/in_repository.hpp"
 
 #include <filesystem>
 
@@ -16,22 +15,15 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-constexpr std::string_view good = "%\nO1000 (GOOD)\nG0 X1.\nM30\n%\n";
-constexpr std::string_view bad = "%\nO1001 (BAD)\nG0 X1.\nGOTO 99\nM30\n%\n";
-
-class Pipeline : public testing::Test {
+class Pipeline : public InRepository {
   protected:
-    void SetUp() override { folder.write(".git/HEAD", ""); }
-
     [[nodiscard]] Finished run(const std::vector<std::string>& arguments) const {
-        return run_maclint(folder.path().string(), arguments, std::string(bad));
+        return InRepository::run(arguments, std::string(with_defect));
     }
-
-    TemporaryFolder folder;
 };
 
 TEST_F(Pipeline, OptionsEndBehindTwoDashes) {
-    folder.write("-q", bad);
+    folder.write("-q", with_defect);
     const Finished finished = run({"--format", "concise", "--", "-q"});
     EXPECT_THAT(finished.out, AllOf(StartsWith("-q:4:1: error[MAC301]"), HasSubstr("(1 checked)")));
     EXPECT_EQ(run({"--", "--", "-q"}).status, 2); // there is no file named --
@@ -39,7 +31,7 @@ TEST_F(Pipeline, OptionsEndBehindTwoDashes) {
 }
 
 TEST_F(Pipeline, AUsageErrorPrintsNothingElse) {
-    folder.write("O1.nc", bad);
+    folder.write("O1.nc", with_defect);
     folder.write("part.mpf", "G0 X5\nM30\n");
     const std::vector<std::vector<std::string>> wrong = {{"--formt", "json"},
                                                          {"--format", "jsn"},
@@ -60,9 +52,9 @@ TEST_F(Pipeline, AUsageErrorPrintsNothingElse) {
 
 TEST_F(Pipeline, PassesOverWhatGitIgnoresInFolders) {
     folder.write(".gitignore", "out/\n*.tap\n");
-    folder.write("O1.nc", good);
-    folder.write("O2.tap", bad);
-    folder.write("out/O3.nc", bad);
+    folder.write("O1.nc", without_defect);
+    folder.write("O2.tap", with_defect);
+    folder.write("out/O3.nc", with_defect);
     folder.write("README.md", "");
     folder.write("O1.old", "");
     const Finished finished = run({"."});
@@ -78,9 +70,9 @@ TEST_F(Pipeline, PassesOverWhatGitIgnoresInFolders) {
 TEST_F(Pipeline, ExcludesHoldForNamedFilesWhenForced) {
     folder.write(".maclint.json", R"({"exclude": ["old"]})");
     folder.write(".gitignore", "*.tap\n");
-    for (const char* name : {"old/O1.nc", "O2.tap", "O3.nc"}) folder.write(name, bad);
+    for (const char* name : {"old/O1.nc", "O2.tap", "O3.nc"}) folder.write(name, with_defect);
     folder.write("old/deep/.maclint.json", "{}"); // the nearest, which excludes nothing
-    folder.write("old/deep/O4.nc", bad);
+    folder.write("old/deep/O4.nc", with_defect);
     const std::vector<std::string> named = {"old/O1.nc", "O2.tap", "O3.nc", "old/deep/O4.nc"};
     EXPECT_THAT(run(named).out, HasSubstr("(4 checked)"));
     auto forced = named;
@@ -107,7 +99,7 @@ TEST_F(Pipeline, ARunWithoutProgramsIsAnErrorWhenAsked) {
               "out.\n");
     folder.write("notes.md", "");
     EXPECT_EQ(run({"--error-on-empty", "notes.md"}).status, 2);
-    folder.write("O1.nc", good);
+    folder.write("O1.nc", without_defect);
     EXPECT_EQ(run({"--error-on-empty", "."}).status, 0);
 }
 
@@ -127,7 +119,7 @@ TEST_F(Pipeline, NamedFilesThatArePlainlyNoProgramsAreANote) {
         {"report", std::string()}};
     std::vector<std::string> names;
     for (const auto& [name, text] : files) folder.write(name, text), names.push_back(name);
-    folder.write("O1.nc", bad);
+    folder.write("O1.nc", with_defect);
     ASSERT_EQ(run({"O1.nc", "--output", "text:report"}).status, 1);
     const Finished finished = run(names);
     EXPECT_EQ(finished.status, 0);
@@ -149,6 +141,18 @@ TEST_F(Pipeline, LintsNoneOfItsOwnReports) {
         EXPECT_THAT(run({report}).err, HasSubstr(report + ": this is not linted")) << format;
         std::filesystem::remove(folder.path() / report);
     }
+    ASSERT_EQ(run({"O1.nc", "--write-baseline", "base.json"}).status, 0);
+    for (const char* format : {"text", "concise", "github"}) {
+        const std::string output = std::string(format) + ":report.txt";
+        ASSERT_EQ(run({"O1.nc", "--baseline", "base.json", "--output", output}).status, 0) << format;
+        EXPECT_THAT(read_file(folder.path() / "report.txt"), StartsWith("no new findings (1 checked)\n"));
+        EXPECT_THAT(run({"report.txt"}).err, HasSubstr("report.txt: this is not linted: ")) << format;
+        EXPECT_EQ(run({"O1.nc", "--output", output}).status, 1) << format; // it may be written over
+    }
+    folder.write("report.txt",
+                 "maclint: note: part.mpf: this is not linted\nO1.nc:2:1: error[MAC301] Jump\n");
+    EXPECT_THAT(run({"report.txt"}).err, HasSubstr("report.txt: this is not linted: "));
+    std::filesystem::remove(folder.path() / "report.txt");
     folder.write("O2.txt", "(ALL BORES checked)\nO2\nGOTO 9\nM30\n"); // begins like none
     folder.write("O3.txt", "(BORES) (4 checked)\nO3\nGOTO 9\nM30\n");
     EXPECT_THAT(run({"."}).out, HasSubstr("(3 checked)"));
@@ -156,8 +160,9 @@ TEST_F(Pipeline, LintsNoneOfItsOwnReports) {
 
 TEST_F(Pipeline, KnowsProgramsByUnusualNames) {
     for (const char* name : {"O9010_TORUS", "o12-A", "nc40", "1234", "shaft.DIN", "a.min", "b.eia"})
-        folder.write(name, good);
-    for (const char* name : {"O9010TORUS", "nc", "nc40a", "123456789", "Oil"}) folder.write(name, good);
+        folder.write(name, without_defect);
+    for (const char* name : {"O9010TORUS", "nc", "nc40a", "123456789", "Oil"})
+        folder.write(name, without_defect);
     EXPECT_EQ(run({"."}).out, "no findings (7 checked, 5 files with other names passed over)\n");
     folder.write("2024", "Minutes of the meeting,\nas everybody knows.\n"); // no program: nobody hears of it
     EXPECT_THAT(run({"."}).err, IsEmpty());

@@ -57,6 +57,15 @@ TEST(Sarif, GivesMessagesAsTextAndByIdWithArguments) {
     EXPECT_THAT(message["text"].get<std::string>(), HasSubstr("'M{{0}}'"));
 }
 
+TEST(Sarif, GivesNoIdWhereTheTextSaysMoreThanTheRule) {
+    HandMade made("O1.nc", "O1\nM30\n");
+    made.add("M30", Severity::error).alarm = "128";
+    const json message = first_result(made)["message"];
+    EXPECT_THAT(message["text"].get<std::string>(), HasSubstr("(alarm 128)"));
+    EXPECT_FALSE(message.contains("id"));
+    EXPECT_FALSE(message.contains("arguments"));
+}
+
 TEST(Sarif, DescribesRules) {
     HandMade made("O1.nc", "O1\n");
     const json sarif = sarif_of(made);

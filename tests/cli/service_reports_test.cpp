@@ -5,10 +5,11 @@
 #include "cli/report/xml.hpp"
 #include "rules/rule.hpp"
 #include "tests/cli/reports.hpp"
+#include "tests/support/lines.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
-#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,6 +20,7 @@ namespace {
 
 using nlohmann::json;
 using test::HandMade;
+using test::lines_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -29,13 +31,6 @@ HandMade nasty() {
     HandMade made("O1,a:b%<&\">\x01\r\n\xFF.nc", "O1\nGOTO9(\x02<&\">%\xFF)\nM30\n");
     made.add("GOTO9(\x02<&\">%\xFF)", Severity::error).arguments = {"\x02<&\">%\r\n\xEF\xBF\xBE"};
     return made;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
 }
 
 /// The elements of XML as "<name", "/name", or what is wrong with it.
@@ -121,6 +116,20 @@ TEST(Gitlab, WritesIssuesThatAreToldApart) {
     EXPECT_NE(json::parse(write_gitlab(other.report(), {}))[0]["fingerprint"], issues[0]["fingerprint"]);
     HandMade none("O1.nc", "O1\n");
     EXPECT_EQ(write_gitlab(none.report(), {}), "[]\n");
+}
+
+TEST(Gitlab, KnowsAnIssueAgainHoweverItsFileIsNamed) {
+    const auto prints = [](const std::string& path) {
+        HandMade made(path, "O1\nM30\n");
+        made.add("M30", Severity::error);
+        made.report().notices = {{NoticeKind::unreadable, path, "there is no such file"}};
+        const json issues = json::parse(write_gitlab(made.report(), {}));
+        EXPECT_EQ(issues.size(), 2U);
+        return std::vector<json>{issues[0]["location"]["path"], issues[0]["fingerprint"],
+                                 issues[1]["location"]["path"], issues[1]["fingerprint"]};
+    };
+    EXPECT_EQ(prints("mill/O1.nc"), prints((std::filesystem::current_path() / "mill/O1.nc").string()));
+    EXPECT_NE(prints("mill/O1.nc")[1], prints("O1.nc")[1]);
 }
 
 TEST(Gitlab, IsJsonWhateverTheTextsAre) {

@@ -1,6 +1,5 @@
 //! --since of the built executable, in repositories that git makes.
-#include "tests/support/folder.hpp"
-#include "tests/support/process.hpp"
+#include "tests/support/in_repository.hpp"
 
 #include <filesystem>
 
@@ -22,7 +21,7 @@ constexpr std::string_view worse = "%\nO1001\nGOTO 99\nN1 G0 X1.\nG1 X1. F9. F8.
 constexpr std::string_view elsewhere =
     "%\nO1001\nGOTO 99\nN1 G0 X1.\nG0 X2.\nM30\n%\n"; // nothing found there
 
-class Since : public testing::Test {
+class Since : public InRepository {
   protected:
     void SetUp() override {
         if (shell("git init -q . && git config user.name a && git config user.email a && "
@@ -33,19 +32,16 @@ class Since : public testing::Test {
         commit();
     }
 
-    [[nodiscard]] Finished shell(const std::string& script) const {
-        return run_shell(folder.path().string(), script);
-    }
     void commit() const { ASSERT_EQ(shell("git add -A && git commit -q -m x").status, 0); }
     /// What is found since a revision, a line each, and the status.
     [[nodiscard]] std::string found(const std::string& arguments, const std::string& input = "") const {
         folder.write(".git/input", input);
-        const Finished finished = shell("$maclint --format concise --quiet --select MAC301,MAC303,MAC559 " +
-                                        arguments + " < .git/input | sed 's/ .*//'; exit $?");
-        return finished.err + finished.out;
+        const Finished finished =
+            shell("$maclint --format concise --quiet --select MAC301,MAC303,MAC559 " + arguments +
+                  " < .git/input > .git/found; status=$?; sed 's/ .*//' .git/found; "
+                  "exit $status");
+        return finished.err + finished.out + std::to_string(finished.status);
     }
-
-    TemporaryFolder folder;
 };
 
 TEST_F(Since, ShowsWhatStandsInChangedLinesAndCountsTheRest) {
@@ -61,39 +57,41 @@ TEST_F(Since, ShowsWhatStandsInChangedLinesAndCountsTheRest) {
 TEST_F(Since, LooksAtTheIndexAndAtOlderRevisions) {
     folder.write("O1001.nc", worse);
     ASSERT_EQ(shell("git add -A").status, 0);
-    EXPECT_EQ(found("--since HEAD"), "O1001.nc:5:12:\n");
+    EXPECT_EQ(found("--since HEAD"), "O1001.nc:5:12:\n1");
     commit();
-    EXPECT_EQ(found("--since HEAD"), "");
-    EXPECT_EQ(found("--since HEAD~1"), "O1001.nc:5:12:\n");
-    EXPECT_EQ(found("--since $(git rev-parse --short HEAD~1)"), "O1001.nc:5:12:\n");
+    EXPECT_EQ(found("--since HEAD"), "0");
+    EXPECT_EQ(found("--since HEAD~1"), "O1001.nc:5:12:\n1");
+    EXPECT_EQ(found("--since $(git rev-parse --short HEAD~1)"), "O1001.nc:5:12:\n1");
 }
 
 TEST_F(Since, AllOfANewFileHasChanged) {
     folder.write("O2.nc", bad);
-    EXPECT_EQ(found("--since HEAD"), "O2.nc:3:1:\n");
+    EXPECT_EQ(found("--since HEAD"), "O2.nc:3:1:\n1");
     folder.write(".gitignore", "O2.nc");
-    EXPECT_EQ(found("--since HEAD --no-gitignore"), "O2.nc:3:1:\n");
+    EXPECT_EQ(found("--since HEAD --no-gitignore"), "O2.nc:3:1:\n1");
     ASSERT_EQ(shell("git add -f O2.nc").status, 0);
-    EXPECT_EQ(found("--since HEAD --no-gitignore"), "O2.nc:3:1:\n");
+    EXPECT_EQ(found("--since HEAD --no-gitignore"), "O2.nc:3:1:\n1");
 }
 
 TEST_F(Since, NothingHasChangedInAFileThatWasOnlyRenamed) {
     ASSERT_EQ(shell("git config diff.renames false; mkdir new && git mv O1001.nc new/O7.nc").status, 0);
-    EXPECT_EQ(found("--since HEAD"), "");
+    EXPECT_EQ(found("--since HEAD"), "0");
     folder.write("new/O7.nc", worse);
-    EXPECT_EQ(found("--since HEAD"), "new/O7.nc:5:12:\n");
+    EXPECT_EQ(found("--since HEAD"), "new/O7.nc:5:12:\n1");
 }
 
 TEST_F(Since, LineEndsAreNoChange) {
     ASSERT_EQ(shell("sed -i 's/$/\\r/' O1001.nc && grep -q \"$(printf '99\\r')\" O1001.nc").status, 0);
-    EXPECT_EQ(found("--since HEAD"), "");
+    EXPECT_EQ(found("--since HEAD"), "0");
 }
 
 TEST_F(Since, CountsLinesAsGitDoes) {
     folder.write("O1001.nc", "%\rO1001\rGOTO 99\rM30\r%\r\nGOTO 97\r\n"); // two lines for git
     commit();
     folder.write("O1001.nc", "%\rO1001\rGOTO 99\rM30\r%\r\nGOTO 96\r\n");
-    EXPECT_THAT(found("--since HEAD"), Not(HasSubstr("O1001.nc:3:")));
+    EXPECT_EQ(found("--since HEAD"), "0");
+    folder.write("O1001.nc", "%\rO1001\rGOTO 98\rM30\r%\r\nGOTO 97\r\n");
+    EXPECT_EQ(found("--since HEAD"), "O1001.nc:3:1:\n1");
 }
 
 TEST_F(Since, TakesNamesOfAllKinds) {
@@ -101,7 +99,7 @@ TEST_F(Since, TakesNamesOfAllKinds) {
                              "w\xFCrfel.nc", "tab\tback\\slash.nc", "a b.nc"})
         folder.write(name, bad);
     commit();
-    EXPECT_EQ(found("--since HEAD"), "");
+    EXPECT_EQ(found("--since HEAD"), "0");
     for (const auto& entry : fs::directory_iterator(folder.path()))
         if (entry.path().extension() == ".nc") folder.write(entry.path().filename().string(), worse);
     const std::string all = found("--since HEAD");
@@ -113,10 +111,10 @@ TEST_F(Since, APathThroughAChangedLineCounts) {
     folder.write("O1001.nc",
                  "%\nO1001\nIF[#100EQ1]GOTO20\nWHILE[#1LT5]DO1\nN20 G0 X#1\n#1=#1+1\nEND1\nM30\n%\n");
     commit();
-    EXPECT_EQ(found("--since HEAD"), "");
+    EXPECT_EQ(found("--since HEAD"), "0");
     folder.write("O1001.nc",
                  "%\nO1001\nIF[#100EQ1]GOTO20\nWHILE[#1LT7]DO1\nN20 G0 X#1\n#1=#1+1\nEND1\nM30\n%\n");
-    EXPECT_EQ(found("--since HEAD"), "O1001.nc:3:12:\n");
+    EXPECT_EQ(found("--since HEAD"), "O1001.nc:3:12:\n1");
 }
 
 TEST_F(Since, WorksFromBelowAndWithSettingsOfTheUser) {
@@ -134,7 +132,7 @@ TEST_F(Since, WorksFromBelowAndWithSettingsOfTheUser) {
 }
 
 TEST_F(Since, AllOfStandardInputHasChanged) {
-    EXPECT_EQ(found("--since HEAD - --stdin-filename O1001.nc", std::string(bad)), "O1001.nc:3:1:\n");
+    EXPECT_EQ(found("--since HEAD - --stdin-filename O1001.nc", std::string(bad)), "O1001.nc:3:1:\n1");
 }
 
 TEST_F(Since, ConflictsHaveChanged) {
@@ -142,7 +140,28 @@ TEST_F(Since, ConflictsHaveChanged) {
                     "sed -i s/99/92/ O1001.nc; git commit -qam 2; git merge one > /dev/null; test $? = 1")
                   .status,
               0);
-    EXPECT_THAT(found("--since HEAD"), HasSubstr("O1001.nc:"));
+    EXPECT_EQ(found("--since HEAD"), "O1001.nc:4:1:\n1"); // the mark before it is line 3
+}
+
+TEST_F(Since, ACallerInAnotherRepositoryCountsWhereGitKnowsTheRevisionThere) {
+    folder.write("O9001.nc", "%\nO9001\n#2=10/#7\nG0 X#2\nM99\n%\n");
+    folder.write("other/O1.nc", "%\nO1\nG65 P9001 A1.\nM30\n%\n");
+    ASSERT_EQ(shell("cd other && git init -q . && git config user.name a && git config user.email b && "
+                    "git add -A && git commit -q -m other")
+                  .status,
+              0);
+    commit();
+    const std::string callee = " --select MAC210 O9001.nc";
+    EXPECT_EQ(found(callee), "O9001.nc:3:7:\n1");
+    EXPECT_EQ(found("--since HEAD" + callee), "0");
+    EXPECT_EQ(found("--since $(git rev-parse HEAD)" + callee), "0");
+    folder.write("other/O1.nc", "%\nO1\nG65 P9001 A2.\nM30\n%\n");
+    EXPECT_EQ(found("--since HEAD" + callee), "O9001.nc:3:7:\n1");
+    EXPECT_EQ(found("--since $(git rev-parse HEAD)" + callee), "0");
+    ASSERT_EQ(shell("git -C other mv -f O1.nc O3.nc && git -C other commit -qam moved").status, 0);
+    EXPECT_EQ(found("--since HEAD" + callee), "0");
+    ASSERT_EQ(shell("git -C other rm -q --cached O3.nc && git -C other commit -qm left").status, 0);
+    EXPECT_EQ(found("--since HEAD" + callee), "O9001.nc:3:7:\n1"); // git does not know it
 }
 
 TEST_F(Since, KnowsABaselineToo) {

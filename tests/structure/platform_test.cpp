@@ -25,7 +25,7 @@ std::vector<std::string> bound_to_a_system(const std::vector<ProjectFile>& files
     static const std::regex bound(
         R"(#include <(unistd\.h|fcntl\.h|poll\.h|csignal|io\.h|windows\.h|sys/)|)"
         R"(\.string\(\)|\bfs::path\(|\bfilesystem::path\(|)"
-        R"(\b(fs|filesystem)::(exists|is_\w+|canonical|equivalent|directory_iterator|)"
+        R"(\b(fs|filesystem)::(exists|is_\w+|canonical|weakly_canonical|equivalent|directory_iterator|)"
         R"(recursive_directory_iterator|read_symlink|status|file_size|rename)\(|)"
         R"(\bthread_local\b|\bgmtime|\blocaltime|\bisatty|\bfopen\b|fstream\b)");
     std::vector<std::string> found;
@@ -51,10 +51,12 @@ TEST(SystemsCheck, FindsWhatIsBoundToOne) {
         {"cli/c.cpp", "thread_local std::string kept; // .string()\n"},
         {"cli/d.cpp", "inline static constinit thread_local Asked* innermost = nullptr;\n"},
         {"analyzer/source/platform/posix/e.cpp", "#include <unistd.h>\n"},
-        {"cli/f.cpp", "if (fs::exists(path)) return;\n"}};
+        {"cli/f.cpp", "if (fs::exists(path)) return;\n"},
+        {"cli/g.cpp", "return fs::weakly_canonical(path);\n"}};
     EXPECT_THAT(bound_to_a_system(files),
                 ElementsAre("cli/a.cpp has #include <unistd.h", "cli/b.cpp has .string()",
-                            "cli/c.cpp has thread_local", "cli/f.cpp has fs::exists("));
+                            "cli/c.cpp has thread_local", "cli/f.cpp has fs::exists(",
+                            "cli/g.cpp has fs::weakly_canonical("));
 }
 
 } // namespace

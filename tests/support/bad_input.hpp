@@ -1,11 +1,10 @@
 //! Lints bad input by the executable, beside a file whose defect must be found whatever lies there.
 #pragma once
 
-#include "tests/support/folder.hpp"
-#include "tests/support/process.hpp"
+#include "tests/support/in_repository.hpp"
+#include "tests/support/lines.hpp"
 
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,9 +14,6 @@
 
 namespace maclint::test {
 
-/// A Fanuc program with MAC301 in line 4.
-constexpr std::string_view with_defect = "%\nO1001 (BAD)\nG0 X1.\nGOTO 99\nM30\n%\n";
-
 /// `text` again and again, at least `bytes` long.
 inline std::string repeated(std::string_view text, std::size_t bytes) {
     std::string out;
@@ -25,18 +21,11 @@ inline std::string repeated(std::string_view text, std::size_t bytes) {
     return out;
 }
 
-inline std::vector<std::string> lines_of(const std::string& text) {
-    std::istringstream in(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
-
 /// A folder with the bad input of the test and a file whose defect must be found whatever lies beside it.
-class BadInput : public testing::Test {
+class BadInput : public InRepository {
   protected:
     void SetUp() override {
-        folder.write(".git/HEAD", "");
+        InRepository::SetUp();
         folder.write("neighbour.nc", with_defect);
     }
 
@@ -49,7 +38,7 @@ class BadInput : public testing::Test {
     /// Lints the paths; the neighbour, which has to be among them, keeps its finding.
     [[nodiscard]] Finished lint(std::vector<std::string> paths) const {
         paths.insert(paths.begin(), {"check", "--format", "concise"});
-        Finished finished = run_maclint(folder.path().string(), paths, "");
+        Finished finished = run(paths);
         EXPECT_THAT(codes(finished, "neighbour.nc"), testing::ElementsAre("4:1 MAC301"));
         return finished;
     }
@@ -66,8 +55,6 @@ class BadInput : public testing::Test {
         }
         return found;
     }
-
-    TemporaryFolder folder;
 };
 
 } // namespace maclint::test

@@ -10,7 +10,7 @@ namespace maclint::platform {
 /// How long a pipe that is written may be without a reader.
 inline constexpr std::chrono::seconds patience_with_readers{10};
 
-/// Where a file of that name goes in the end, all links followed: absolute. It need not be there yet.
+/// Where a file of that name is, or goes in the end, all links followed: absolute. It need not be there yet.
 [[nodiscard]] std::string written_path(const std::string& path);
 
 /// Puts a file with that text in the place of the old one. Whoever stops the run, or a full disk, leaves the
@@ -19,6 +19,9 @@ inline constexpr std::chrono::seconds patience_with_readers{10};
 
 /// Writes to a pipe or a device. ENXIO: nobody came to read the pipe.
 [[nodiscard]] int write_in_place(const std::string& path, std::string_view text);
+
+/// Whether the path means standard output wherever that goes: /dev/stdout. Windows has no such name.
+[[nodiscard]] bool names_standard_output(const std::string& path);
 
 /// Whether the path names the file or the pipe that standard output goes to. A terminal and other devices may
 /// well be written twice.

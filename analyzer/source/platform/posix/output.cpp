@@ -1,6 +1,8 @@
 //! A new file is written beside the old one and takes its name; a signal in between takes it away.
 #include "analyzer/source/platform/output.hpp"
 
+#include "analyzer/source/platform/files.hpp"
+
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -99,6 +101,7 @@ mode_t mode_for(const std::string& path) {
 
 std::string written_path(const std::string& path) {
     std::error_code none;
+    if (const fs::path real = real_path(path, none); !none) return real.string();
     fs::path target = fs::absolute(path, none);
     if (none) return path;
     constexpr int most_links = 40; // as systems have it
@@ -131,6 +134,10 @@ int write_in_place(const std::string& path, std::string_view text) {
     const File file(fdopen(descriptor, "wb"));
     if (file && fcntl(descriptor, F_SETFL, O_WRONLY) == 0 && write_all(file.get(), text)) return 0;
     return errno;
+}
+
+bool names_standard_output(const std::string& path) {
+    return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 
 bool is_standard_output(const std::string& path) {

@@ -88,6 +88,8 @@ int write_in_place(const std::string& path, std::string_view text) {
     return file.is_open() ? write_all(file.get(), text) : last_error();
 }
 
+bool names_standard_output(const std::string&) { return false; }
+
 bool is_standard_output(const std::string& path) {
     BY_HANDLE_FILE_INFORMATION output{};
     BY_HANDLE_FILE_INFORMATION other{};
