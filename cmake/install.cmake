@@ -1,6 +1,7 @@
 # What `cmake --install` puts where, and what CPack makes of it.
 include(GNUInstallDirs)
 set(doc "${CMAKE_INSTALL_DATAROOTDIR}/doc/maclint")
+set(CMAKE_INSTALL_MESSAGE NEVER) # a line a page would hide what matters
 
 if(SKBUILD) # a build for pip: where Python's scripts go
   set(CMAKE_INSTALL_BINDIR "${SKBUILD_SCRIPTS_DIR}")

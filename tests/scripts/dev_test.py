@@ -37,6 +37,16 @@ class WordsTest(unittest.TestCase):
         self.assertEqual(steps[-1], "package", "packages hold what the steps before have built")
 
 
+class PackagesTest(unittest.TestCase):
+    def test_that_it_installs_stand_in_the_table_of_the_readme(self):
+        rows = DEV[DEV.index("packages='"):DEV.index("\n'\n")].splitlines()[1:]
+        names = {row.split()[1] for row in rows if row}
+        self.assertGreaterEqual(names, {"g++", "python3-venv", "wine64"})
+        table = "\n".join(line.split("|")[1] for line in (ROOT / "README.md").read_text().splitlines() if line.startswith("| "))
+        for name in names:
+            self.assertRegex(table, rf"(?m)(^|[ ,]){re.escape(name)}($|[ ,])")
+
+
 class InCopyTest(unittest.TestCase):
     """In a folder with nothing but the script."""
 
