@@ -1,6 +1,7 @@
 # What `cmake --install` puts where, and what CPack makes of it.
 include(GNUInstallDirs)
 set(doc "${CMAKE_INSTALL_DATAROOTDIR}/doc/maclint")
+set(CMAKE_INSTALL_MESSAGE NEVER) # a line a page would hide what matters
 
 if(SKBUILD) # a build for pip: where Python's scripts go
   set(CMAKE_INSTALL_BINDIR "${SKBUILD_SCRIPTS_DIR}")
@@ -24,7 +25,16 @@ if(NOT WIN32 AND (NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR))
   install(FILES "${written}/maclint.fish" DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/fish/vendor_completions.d")
 endif()
 
-install(FILES LICENSE README.md CHANGELOG.md docs/use.md docs/json.md DESTINATION "${doc}")
+# The pages stand as here, so that their links hold. Links to what only a copy of the repository has become plain text.
+install(FILES LICENSE action.yml DESTINATION "${doc}")
+install(DIRECTORY docs DESTINATION "${doc}")
+foreach(page IN ITEMS README.md CHANGELOG.md)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}")
+  file(READ "${page}" text)
+  string(REGEX REPLACE "\\[([^]]+)\\]\\((CONTRIBUTING\\.md|tests/[^)]*)\\)" "\\1" text "${text}")
+  file(WRITE "${CMAKE_BINARY_DIR}/pages/${page}" "${text}")
+  install(FILES "${CMAKE_BINARY_DIR}/pages/${page}" DESTINATION "${doc}")
+endforeach()
 install(FILES docs/maclint.schema.json DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/maclint")
 foreach(grammar IN ITEMS fanuc dinplus)
   install(DIRECTORY "grammar/${grammar}" DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/maclint/grammars"

@@ -2,12 +2,13 @@
 """Runs fuzz targets side by side, so many seconds each, and says what came of it; status 1 when one found a
 defect, 2 when there is no such target.
 
-usage: run.py --build BUILD [--jobs N] [--seconds N] [TARGET...]
+usage: run.py --build BUILD [--jobs N] [--seconds N] [--seed N] [TARGET...]
 
-What libFuzzer learns stays in BUILD/fuzz/corpus/TARGET for the next run; inputs that show a defect go to
-BUILD/fuzz/finds, the logs to BUILD/fuzz/log.
+What libFuzzer learns stays in BUILD/fuzz/corpus/TARGET for the next run, unless that has a seed, which is to find the
+same each time; inputs that show a defect go to BUILD/fuzz/finds, the logs to BUILD/fuzz/log.
 """
 import argparse
+import base64
 import concurrent.futures
 import pathlib
 import re
@@ -28,16 +29,25 @@ def targets(wanted):
     return wanted or known
 
 
+def as_text(find):
+    """What makes the file again from the log: the files of a CI service's machine are gone with it."""
+    return f"printf %s {base64.b64encode(find.read_bytes()).decode()} | base64 -d >{find.name}"
+
+
 def run(name, arguments):
     """The verdict on one target and whether it found nothing."""
     work = arguments.build / "fuzz"
     corpus, finds, log = work / "corpus" / name, work / "finds", work / "log" / name
+    if arguments.seed is not None:
+        corpus = work / "seeded" / name
+        shutil.rmtree(corpus, ignore_errors=True)
     for folder in (corpus, finds, log.parent):
         folder.mkdir(parents=True, exist_ok=True)
     command = [
         arguments.build / "sanitize" / f"fuzz_{name}",
         *LIMITS,
         f"-max_total_time={arguments.seconds}",
+        *([f"-seed={arguments.seed}"] if arguments.seed is not None else []),
         f"-dict={work / 'words.dict'}",
         f"-artifact_prefix={finds / name}-",
         corpus,
@@ -51,7 +61,11 @@ def run(name, arguments):
     if status == 0:
         return f"{name:16} {count} executions, no defect", True
     said = [line for line in text.splitlines() if re.search(r"DEFECT|ERROR|SUMMARY|runtime error|Test unit", line)]
-    return "\n    ".join([f"{name:16} DEFECT after {count} executions (log: {log})", *said]), False
+    written = [pathlib.Path(path) for path in re.findall(r"Test unit written to (.+)$", text, re.M)]
+    found = [as_text(path) for path in written if path.is_file()]
+    if found:
+        found.insert(0, f"This makes the file, which build/sanitize/fuzz_{name} FILE runs again:")
+    return "\n    ".join([f"{name:16} DEFECT after {count} executions (log: {log})", *said, *found]), False
 
 
 def main():
@@ -59,6 +73,7 @@ def main():
     parser.add_argument("--build", type=lambda text: pathlib.Path(text).resolve(), required=True)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seconds", type=int, default=60)
+    parser.add_argument("--seed", type=int, help="what libFuzzer's dice begin with; by chance when it is left out")
     parser.add_argument("targets", nargs="*")
     arguments = parser.parse_args()
     names = targets(arguments.targets)

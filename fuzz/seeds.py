@@ -55,9 +55,9 @@ def programs(shared):
 
 def configurations():
     """Those that stand in the tests and on the pages, and the keys one by one."""
-    sources = [*(ROOT / "tests/cli").glob("*.cpp"), ROOT / "docs/use.md", ROOT / "README.md"]
+    sources = [*(ROOT / "tests/cli").glob("*.cpp"), *(ROOT / "docs").glob("*.md")]
     text = "\n".join(path.read_text(encoding="utf-8") for path in sources)
-    raw = re.findall(r'R"\((\{.*?\})\)"', text, re.S) + re.findall(r"```json\n(.*?)```", text, re.S)
+    raw = re.findall(r'R"\((\{.*?\})\)"', text, re.S) + re.findall(r"^```\w*\n(\{.*?^\})\n```", text, re.S | re.M)
     return [one.encode() for one in raw]
 
 

@@ -45,6 +45,7 @@ def windows_zip(executable: pathlib.Path, staged: pathlib.Path, licences: pathli
     documents = staged / "share/doc/maclint"
     found = [Entry(f"{name}/maclint.exe", content, EXECUTABLE)]
     found += [Entry(f"{name}/{path.name}", path.read_bytes()) for path in sorted(documents.iterdir()) if path.is_file()]
+    found += entries_below(documents / "docs", f"{name}/docs")
     found += entries_below(staged / "share/maclint", name)
     if licences is not None:
         found += entries_below(licences, f"{name}/licences")

@@ -1,6 +1,7 @@
 """Tries packages as their users do: unpacked, installed, run on a program with a finding and on one without."""
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -35,6 +36,24 @@ def output(command: list, status: int = 0, **options) -> str:
     return done.stdout
 
 
+def broken_links(folder: pathlib.Path) -> list[str]:
+    """Links of the pages below the folder that lead to no file."""
+    found = []
+    for page in sorted(folder.rglob("*.md")):
+        for target in re.findall(r"\]\(([^)#]+)[^)]*\)", page.read_text(encoding="utf-8")):
+            if not re.match(r"[a-z]+:", target) and not (page.parent / target).exists():
+                found.append(f"{page.relative_to(folder)} links to {target}")
+    return found
+
+
+def try_pages(folder: pathlib.Path) -> None:
+    if not (folder / "docs/use.md").is_file():
+        fail(f"there is no docs/use.md in {folder}")
+    broken = broken_links(folder)
+    if broken:
+        fail("; ".join(broken))
+
+
 def try_program(command: list, folder: pathlib.Path) -> None:
     """The version, a program without and one with a finding; `folder` is where the command finds them."""
     if output(command + ["--version"]) != f"maclint {version()}\n":
@@ -54,6 +73,7 @@ def try_archive(package: pathlib.Path, scratch: pathlib.Path) -> None:
     lacking = [path for path in INSTALLED if not (folder / path).is_file()]
     if lacking:
         fail(f"{package.name} lacks {', '.join(lacking)}")
+    try_pages(folder / "share/doc/maclint")
     emulator = ["qemu-aarch64"] if "aarch64" in package.name else []
     try_program(emulator + [folder / "bin/maclint"], scratch)
 
@@ -68,6 +88,7 @@ def try_debian(package: pathlib.Path, scratch: pathlib.Path) -> None:
     output(["dpkg", f"--root={root}", "--force-not-root", "--log=/dev/null", "--install", package])
     if "ok installed" not in output(["dpkg-query", f"--admindir={root}/var/lib/dpkg", "--status", "maclint"]):
         fail(f"dpkg does not take {package.name} for installed")
+    try_pages(root / "usr/share/doc/maclint")
     try_program([root / "usr/bin/maclint"], scratch)
     if os.geteuid() == 0:
         output(["chroot", root, "/usr/bin/maclint", "--version"])
@@ -92,6 +113,7 @@ def try_foreign_wheel(package: pathlib.Path, scratch: pathlib.Path) -> None:
 def try_windows_zip(package: pathlib.Path, scratch: pathlib.Path) -> None:
     with zipfile.ZipFile(package) as packed:
         packed.extractall(scratch)
+    try_pages(scratch / package.stem)
     program = scratch / package.stem / "maclint.exe"
     wine = shutil.which("wine")
     if wine is None:

@@ -44,7 +44,7 @@ def tags(tag: str) -> list[str]:
 
 def metadata() -> bytes:
     lines = ["Metadata-Version: 2.1", "Name: maclint", f"Version: {version()}", f"Summary: {SUMMARY}", "License: MIT",
-             "Requires-Python: >=3.7", "Description-Content-Type: text/markdown", "",
+             "Requires-Python: >=3.9", "Description-Content-Type: text/markdown", "",
              (ROOT / "docs/install.md").read_text(encoding="utf-8")]
     return "\n".join(lines).encode()
 

@@ -2,6 +2,8 @@
 #include "analyzer/source/platform/process.hpp"
 #include "cli/gate/changed_lines.hpp"
 
+#include <csignal>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -76,6 +78,14 @@ TEST(Process, ReadsMoreThanPipesHold) {
     EXPECT_EQ(size, 300'000U);
     EXPECT_EQ(end.errors.size(), 4096U);
     EXPECT_EQ(end.status, 137);
+}
+
+/// Services start programs that way; the system then keeps no exit status.
+TEST(Process, GivesTheStatusThoughWhoStartedItIgnoresEnds) {
+    auto* const before = std::signal(SIGCHLD, SIG_IGN);
+    const auto end = platform::run_process({"sh", "-c", "exit 3"}, [](std::string_view) {});
+    EXPECT_EQ(end.status, 3);
+    EXPECT_EQ(std::signal(SIGCHLD, before), SIG_IGN);
 }
 
 TEST(Process, TellsThatThereIsNoSuchProgram) {

@@ -4,6 +4,7 @@ import csv
 import hashlib
 import io
 import json
+import os
 import pathlib
 import re
 import struct
@@ -20,6 +21,7 @@ import archive  # noqa: E402
 import fetch_sources  # noqa: E402
 import package  # noqa: E402
 import project_version  # noqa: E402
+import trial  # noqa: E402
 import wheel_writer  # noqa: E402
 
 
@@ -96,18 +98,34 @@ class WindowsArchiveTest(InFolder):
     def test_holds_the_program_documents_and_data_in_one_folder(self):
         self.write("stage/share/doc/maclint/LICENSE", b"MIT")
         self.write("stage/share/doc/maclint/licences/glibc.txt", b"not in it")
+        self.write("stage/share/doc/maclint/docs/rules/MAC001.md", b"a page")
         self.write("stage/share/maclint/maclint.schema.json", b"{}")
         self.write("licences/cli11.txt", b"BSD")
         path = package.windows_zip(self.write("maclint.exe", b"MZ"), self.folder / "stage", self.folder / "licences", self.folder)
         name = f"maclint-{project_version.version()}-windows-x86_64"
         self.assertEqual(path.name, name + ".zip")
         with zipfile.ZipFile(path) as packed:
-            self.assertEqual(packed.namelist(), [f"{name}/{file}" for file in ("maclint.exe", "LICENSE", "maclint.schema.json",
-                                                                               "licences/cli11.txt")])
+            self.assertEqual(packed.namelist(), [f"{name}/{file}" for file in ("maclint.exe", "LICENSE", "docs/rules/MAC001.md",
+                                                                               "maclint.schema.json", "licences/cli11.txt")])
 
     def test_refuses_another_system_s_program(self):
         with self.assertRaisesRegex(SystemExit, "no Windows executable"):
             package.windows_zip(self.write("maclint.exe", elf()), self.folder, None, self.folder)
+
+
+class PagesTest(InFolder):
+    def test_with_links_that_lead_nowhere_are_found(self):
+        self.write("docs/a.md", b"[b](b.md#x) [c](../c.md) [here](#x) [net](https://x.invalid/a) [gone](gone.md#x)")
+        self.write("docs/b.md", b"")
+        self.write("c.md", b"[folder](docs) [d](docs/d.md)")
+        self.assertEqual(trial.broken_links(self.folder), ["c.md links to docs/d.md", "docs/a.md links to gone.md"])
+
+    def test_that_are_installed_lead_to_what_is_installed(self):
+        program = os.environ.get("MACLINT")
+        if not program:
+            self.skipTest("MACLINT does not name an executable")
+        subprocess.run(["cmake", "--install", pathlib.Path(program).parent, "--prefix", self.folder], check=True, stdout=subprocess.DEVNULL)
+        trial.try_pages(self.folder / "share/doc/maclint")
 
 
 class SumsTest(InFolder):

@@ -38,6 +38,16 @@ class RecipesTest(unittest.TestCase):
         for recipe in RECIPES:
             self.assertEqual(len(commands(recipe)), 1, recipe.name)
 
+    def test_each_is_told_what_to_install(self):
+        for recipe in RECIPES:
+            word, = re.findall(r"pip install --quiet (\"[^\n\"]*\")", recipe.read_text())
+            if recipe.name == "action.yml":
+                continue  # its default is the action itself
+            done = subprocess.run(["sh", "-c", f"echo {word}"], env={"PATH": os.environ["PATH"]}, capture_output=True, text=True)
+            self.assertNotEqual(done.returncode, 0, recipe.name)
+            self.assertIn("say in MACLINT what pip installs", done.stderr)
+            self.assertEqual(self.run_in_folder(f"MACLINT=a.whl; echo {word}").stdout, "a.whl\n")
+
     def test_each_fails_at_a_finding_and_leaves_what_the_service_reads(self):
         for recipe in RECIPES:
             command, = commands(recipe)

@@ -17,9 +17,9 @@ WINE = os.environ.get("WINE", "wine")
 JUMP = "%\nO1001 (BAD)\nG0 X1.\nGOTO 99\nM30\n%\n"  # MAC301 in line 4
 
 
-def run(executable, arguments, folder, text=None):
-    words = [WINE, executable] if executable == EXE else [executable]
-    environment = {**os.environ, "WINEDEBUG": "-all", "LC_ALL": "C.UTF-8"}
+def run(executable, arguments, folder, text=None, **variables):
+    words = [WINE, executable] if str(executable).endswith(".exe") else [executable]
+    environment = {**os.environ, "WINEDEBUG": "-all", "LC_ALL": "C.UTF-8", **variables}
     source = {"input": text} if text is not None else {"stdin": subprocess.DEVNULL}
     return subprocess.run(words + arguments, cwd=folder, env=environment, capture_output=True, check=False, timeout=600, **source)
 
@@ -66,8 +66,12 @@ class Findings(WindowsTest):
                 self.assertGreater(len(out), 10_000)
 
     def test_do_not_depend_on_how_many_threads_look(self):
-        outs = {run(EXE, ["check", "--format", "json", "--isolated", "--no-timestamps", "--jobs", jobs, "corpus"], ROOT).stdout
-                for jobs in ("1", "2", "8")}
+        outs = set()
+        for jobs in ("1", "2", "8"):
+            done = run(EXE, ["check", "--format", "json", "--isolated", "--no-timestamps", "--jobs", jobs, "corpus"], ROOT)
+            self.assertEqual(done.returncode, 1, done.stderr.decode())
+            self.assertGreater(len(done.stdout), 10_000)
+            outs.add(done.stdout)
         self.assertEqual(len(outs), 1)
 
     def test_in_texts_with_the_line_ends_and_the_end_mark_of_dos(self):
@@ -116,6 +120,17 @@ class Names(WindowsTest):
         self.write("sub x/a.nc", JUMP)
         self.assertEqual(self.concise('sub x"'), ["sub x/a.nc:4"])
 
+    def test_of_a_drive_with_a_backslash_before_the_last_quote(self):
+        prefix = pathlib.Path(os.environ.get("WINEPREFIX") or pathlib.Path.home() / ".wine")
+        self.windows("--version")  # makes the prefix where there is none
+        drive = prefix / "dosdevices/q:"
+        drive.symlink_to(self.folder)
+        self.addCleanup(drive.unlink)
+        self.write("inner/a.nc", JUMP)
+        self.write("b.nc", JUMP)
+        found = run(EXE, ["--format", "concise", "--quiet", 'Q:"'], self.folder / "inner")
+        self.assertEqual(len(found.stdout.splitlines()), 2, found)
+
     def test_with_a_drive(self):
         self.write("a.nc", JUMP)
         path = "Z:" + str(self.folder / "a.nc").replace("/", "\\")
@@ -158,6 +173,14 @@ class Outcomes(WindowsTest):
         self.assertIn("--baseline", options[0])
         self.assertEqual(*options)
 
+    def test_of_asking_windows_for_the_details_of_the_program(self):
+        version = self.windows("--version").stdout.decode().split()[1]
+        content = pathlib.Path(EXE).read_bytes()
+        for name in ("FileVersion", "ProductVersion"):
+            self.assertIn(f"{name}\0".encode("utf-16-le"), content)
+            value = content.split(f"{name}\0".encode("utf-16-le"))[1].lstrip(b"\0")
+            self.assertTrue(value.startswith(f"{version}\0".encode("utf-16-le")), name)
+
     def test_of_standard_input(self):
         self.same_as_here("check", "--format", "concise", "--stdin-filename", "x.nc", "-", text=JUMP.encode())
 
@@ -178,6 +201,22 @@ class Outcomes(WindowsTest):
         self.write("a.nc", JUMP)
         self.assertEqual(self.windows("check", "--quiet", "--output", "json:NUL", "a.nc").returncode, 1)
         self.assertEqual(sorted(os.listdir(self.folder)), [".git", "a.nc"])
+
+    def test_of_git_is_asked_of_what_the_path_leads_to_and_of_nothing_in_the_repository(self):
+        self.write("a.nc", JUMP)
+        program = pathlib.Path(EXE).read_bytes()  # as git it says that it knows no such option
+        self.write("git.exe", program)
+        beside = self.write("tools/maclint.exe", program)
+        self.write("tools/git.exe", program)
+        for path in ("", ".", "tools"):
+            done = run(beside, ["--since", "HEAD", "a.nc"], self.folder, WINEPATH=path)
+            self.assertIn("no git is found here", done.stderr.decode(), path)
+            self.assertEqual(done.returncode, 2)
+        for path in ("Z:{}\\tools", "C:\\nowhere;Z:{}\\tools\\"):
+            path = path.format(str(self.folder).replace("/", "\\"))
+            done = run(EXE, ["--since", "HEAD", "a.nc"], self.folder, WINEPATH=path)
+            self.assertIn("--since cannot ask git about", done.stderr.decode(), path)
+            self.assertIn("--no-optional-locks", done.stderr.decode(), path)
 
     def test_of_a_link_that_leads_back(self):
         self.write("a.nc", JUMP)

@@ -10,7 +10,7 @@ namespace maclint::platform {
 
 struct ProcessEnd {
     bool started = false; ///< otherwise there is no such program, or it must not run
-    int status = 0;       ///< exit status; 128 and more: a signal ended it
+    int status = 0;       ///< exit status; 127: nobody knows; 128 and more: a signal ended it
     std::string errors;   ///< beginning of what it wrote to standard error
 };
 

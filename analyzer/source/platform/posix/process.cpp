@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <optional>
 #include <utility>
 
@@ -21,7 +22,9 @@ namespace {
 class Pipe {
   public:
     Pipe() {
-        if (pipe2(ends_.data(), O_CLOEXEC) != 0) ends_ = {-1, -1};
+        if (pipe(ends_.data()) != 0) ends_ = {-1, -1};
+        for (const int end : ends_) // pipe2 would do both, but not every system has it
+            if (end >= 0) fcntl(end, F_SETFD, FD_CLOEXEC);
     }
     Pipe(const Pipe&) = delete;
     Pipe& operator=(const Pipe&) = delete;
@@ -43,6 +46,23 @@ class Pipe {
     }
 
     std::array<int, 2> ends_{-1, -1};
+};
+
+/// While this lives, the end of a program is kept until it is asked for. Who started maclint may have ignored
+/// the signal, and then the system forgets it.
+class KeptEnds {
+  public:
+    KeptEnds() {
+        struct sigaction action {};
+        action.sa_handler = SIG_DFL;
+        sigaction(SIGCHLD, &action, &before_);
+    }
+    KeptEnds(const KeptEnds&) = delete;
+    KeptEnds& operator=(const KeptEnds&) = delete;
+    ~KeptEnds() { sigaction(SIGCHLD, &before_, nullptr); }
+
+  private:
+    struct sigaction before_ {};
 };
 
 std::optional<pid_t> spawn(const std::vector<std::string>& words, const Pipe& output, const Pipe& errors) {
@@ -92,6 +112,7 @@ ProcessEnd run_process(const std::vector<std::string>& words,
     Pipe errors;
     ProcessEnd end;
     if (!output.is_open() || !errors.is_open()) return end;
+    const KeptEnds kept;
     const auto child = spawn(words, output, errors);
     if (!child) return end;
     end.started = true;
@@ -99,9 +120,13 @@ ProcessEnd run_process(const std::vector<std::string>& words,
     errors.close_writer();
     drain(output, errors, take, end.errors);
     int status = 0;
-    while (waitpid(*child, &status, 0) < 0)
-        if (errno != EINTR) return end;
+    constexpr int unknown = 127;
     constexpr int signalled = 128;
+    while (waitpid(*child, &status, 0) < 0) {
+        if (errno == EINTR) continue;
+        end.status = unknown;
+        return end;
+    }
     end.status = WIFEXITED(status) ? WEXITSTATUS(status) : signalled + WTERMSIG(status);
     return end;
 }

@@ -37,9 +37,10 @@ std::vector<std::string> arguments(int, char**) {
     wchar_t** const words = CommandLineToArgvW(GetCommandLineW(), &count);
     std::vector<std::string> result;
     for (int i = 1; i < count; ++i) {
-        std::wstring_view word = words[i];
+        std::wstring word = words[i];
         // "D:\shop\" as people type it: the system takes the last backslash and the quote for a quote.
-        if (word.ends_with(L'"')) word.remove_suffix(1);
+        // Without its backslash, "D:\" would be the current folder of the drive.
+        if (word.ends_with(L'"')) word.back() = L'\\';
         result.push_back(narrow(word));
     }
     LocalFree(words);

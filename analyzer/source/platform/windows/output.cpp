@@ -72,6 +72,8 @@ int replace_file(const std::string& path, std::string_view text) {
     const fs::path target = path_of(path);
     const std::wstring name = extended(target);
     if (is_read_only(name)) return EACCES;
+    if (kind_of(target) == FileKind::broken_link)
+        return ENOENT; // whoever made the link wants no file in its place
     const std::wstring temporary = name_beside(target);
     const Unfinished guarded(temporary);
     int error = write_new(temporary, text);

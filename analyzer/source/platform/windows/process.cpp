@@ -1,10 +1,12 @@
 //! CreateProcess and two pipes, the second of which is read by a thread of its own.
 #include "analyzer/source/platform/process.hpp"
 
+#include "analyzer/source/platform/paths.hpp"
 #include "analyzer/source/platform/windows/system.hpp"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <thread>
 
 namespace maclint::platform {
@@ -26,6 +28,32 @@ std::wstring command_line(const std::vector<std::string>& words) {
     std::wstring line;
     for (const std::string& word : words) line += (line.empty() ? L"" : L" ") + quoted(wide(word));
     return line;
+}
+
+std::wstring variable(const wchar_t* name) {
+    std::wstring value(GetEnvironmentVariableW(name, nullptr, 0), L'\0');
+    value.resize(GetEnvironmentVariableW(name, value.data(), static_cast<DWORD>(value.size())));
+    return value;
+}
+
+/// Where PATH has the program, by its absolute entries alone. CreateProcess would look beside maclint and in
+/// the current folder first, and run what lies among the programs that are to be checked.
+std::optional<std::filesystem::path> place_of(const std::string& program) {
+    const std::wstring entries = variable(L"PATH");
+    std::wstring entry;
+    bool in_quotes = false; // a semicolon there is one of the name
+    for (const wchar_t c : entries + L';') {
+        if (c == L'"') {
+            in_quotes = !in_quotes;
+        } else if (c != L';' || in_quotes) {
+            entry += c;
+        } else {
+            const auto place = std::filesystem::path(entry) / path_of(program + ".exe");
+            if (place.is_absolute() && kind_of(place) == FileKind::regular) return place;
+            entry.clear();
+        }
+    }
+    return std::nullopt;
 }
 
 SECURITY_ATTRIBUTES inherited() { return {sizeof(SECURITY_ATTRIBUTES), nullptr, TRUE}; }
@@ -66,6 +94,8 @@ void read_all(HANDLE reader, const std::function<void(std::string_view)>& take) 
 ProcessEnd run_process(const std::vector<std::string>& words,
                        const std::function<void(std::string_view part)>& take) {
     ProcessEnd end;
+    const auto program = place_of(words.front());
+    if (!program) return end;
     Pipe output;
     Pipe errors;
     SECURITY_ATTRIBUTES attributes = inherited();
@@ -79,8 +109,8 @@ ProcessEnd run_process(const std::vector<std::string>& words,
     startup.hStdError = errors.writer;
     PROCESS_INFORMATION made{};
     std::wstring line = command_line(words);
-    if (CreateProcessW(nullptr, line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW, nullptr, nullptr,
-                       &startup, &made) == 0)
+    if (CreateProcessW(program->c_str(), line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW, nullptr,
+                       nullptr, &startup, &made) == 0)
         return end;
     end.started = true;
     const Handle process(made.hProcess);

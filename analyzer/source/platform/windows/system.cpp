@@ -57,12 +57,12 @@ int last_error() {
     switch (GetLastError()) {
     case ERROR_SUCCESS: return EIO; // a call that failed without a reason
     case ERROR_FILE_NOT_FOUND:
+    case ERROR_PATH_NOT_FOUND:
     case ERROR_INVALID_DRIVE:
     case ERROR_INVALID_NAME: // a wildcard that nothing fits
     case ERROR_BAD_PATHNAME:
     case ERROR_BAD_NETPATH:
     case ERROR_BAD_NET_NAME: return ENOENT;
-    case ERROR_PATH_NOT_FOUND: return ENOENT;
     case ERROR_DIRECTORY: return ENOTDIR;
     case ERROR_ACCESS_DENIED:
     case ERROR_WRITE_PROTECT: return EACCES;
@@ -108,6 +108,7 @@ int write_all(HANDLE handle, std::string_view bytes) {
         DWORD written = 0;
         const auto part = static_cast<DWORD>(std::min(bytes.size(), most));
         if (WriteFile(handle, bytes.data(), part, &written, nullptr) == 0) return last_error();
+        if (written == 0) return EIO; // a pipe that neither waits nor takes anything
         bytes.remove_prefix(written);
     }
     return 0;
