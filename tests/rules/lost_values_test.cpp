@@ -86,6 +86,14 @@ TEST(DeadStore, IsNoCopyThatNothingUsesYet) {
     EXPECT_THAT(dead("IF[#1EQ0]THEN#33=#24*2\n#33=#24\nG0X#24\n"), ElementsAre("note 2"));
 }
 
+TEST(DeadStore, IsACopyWhoseSourceIsSetAnew) {
+    EXPECT_THAT(dead("#500=#1\n#500=#24\nG0X#1\n"), IsEmpty());
+    EXPECT_THAT(dead("#500=#1\n#1=7\n#500=#24\nG0X#1\n"), ElementsAre("warning 2"));
+    EXPECT_THAT(dead("#1=7\n#500=#1\n#500=#24\n#1=8\nG0X#1\n"), IsEmpty());
+    EXPECT_THAT(dead("#500=#1\nIF[#2EQ1]THEN#1=7\n#500=#24\nG0X#1\n"), ElementsAre("warning 2"));
+    EXPECT_THAT(dead("#500=#1\n#2=7\n#500=#24\nG0X#2\n"), IsEmpty());
+}
+
 TEST(DeadStore, IsNoCounterNorSavedCodeNorRepetition) {
     EXPECT_THAT(dead("#33=0\nG0X#33\n#33=#33+1\nG0X#1\n"), IsEmpty());
     EXPECT_THAT(dead("#33=#4003\n#33=#24\nG0X#33\n"), IsEmpty());
