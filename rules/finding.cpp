@@ -1,6 +1,7 @@
 //! Fills the arguments of a finding into its message.
 #include "rules/finding.hpp"
 
+#include "rules/listed.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
@@ -42,11 +43,9 @@ std::string repeated_in(const std::vector<RelatedLocation>& repeats) {
     const bool all = named == lines.size();
     std::string text = " The same in " + std::to_string(repeats.size()) + " more place";
     text += repeats.size() == 1 ? ": line " : lines.size() == 1 ? "s: line " : "s: lines ";
-    for (std::size_t i = 0; i < named; ++i) {
-        if (i != 0) text += all && i + 1 == named ? " and " : ", ";
-        text += std::to_string(lines[i]);
-    }
-    return text + (all ? "." : " …");
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < named; ++i) words.push_back(std::to_string(lines[i]));
+    return text + rules::listed(words, all ? " and " : ", ") + (all ? "." : " …");
 }
 
 const Message* text_of(const Finding& finding) {

@@ -1,6 +1,9 @@
 //! Reads the symbols of results.
 #include "analyzer/queries/calculations.hpp"
 
+#include "analyzer/dataflow/domain/read_set.hpp"
+
+#include <algorithm>
 #include <cmath>
 
 namespace maclint::queries {
@@ -110,6 +113,13 @@ bool is_as_written(const dataflow::Value& value) {
     constexpr double largest = 1e6; // above that a double has no room for so many decimals
     const auto number = value.constant();
     return number && std::abs(*number) < largest && std::round(*number * decimals) / decimals == *number;
+}
+
+bool is_of_own_variables(const ProgramAnalysis& analysis, ExpressionId expression) {
+    const auto reads = dataflow::variables_of(analysis.program(), expression);
+    return reads.closed && std::ranges::all_of(reads.variables, [&](Variable variable) {
+               return analysis.control().spaces[variable.space].scope == Scope::frame;
+           });
 }
 
 bool is_distance(const ProgramAnalysis& analysis, const dataflow::Value& value) {

@@ -28,6 +28,10 @@ namespace maclint::queries {
 /// -2.772, but 0.1+0.2 is not 0.3.
 [[nodiscard]] bool is_as_written(const dataflow::Value& value);
 
+/// Whether nothing but numbers and locals of the program decides the expression: what others set, too, may
+/// have changed while the program stood.
+[[nodiscard]] bool is_of_own_variables(const ProgramAnalysis& analysis, ExpressionId expression);
+
 /// Whether the value is the ABS of a difference.
 [[nodiscard]] bool is_distance(const ProgramAnalysis& analysis, const dataflow::Value& value);
 

@@ -52,10 +52,12 @@ class Search {
         : analysis_(analysis)
         , graph_(analysis.graph())
         , store_(store)
-        , found_{&store, {}, false, false, false, {}} {
+        , found_{&store, {}, false, false, false, false, {}} {
         const VariableSpace& space = analysis.control().spaces[store.variable.space];
         own_ = space.scope == Scope::frame && !space.handed_down;
         found_.read_elsewhere = !own_;
+        if (const auto* load = std::get_if<Load>(&analysis.program().expressions[store.expression].node))
+            source_ = load->variable;
     }
 
     /// Nothing where somebody else may read the variable before.
@@ -99,9 +101,13 @@ class Search {
         found_.may_end |= std::ranges::find(graph_.exits, node, &flow::Exit::node) != graph_.exits.end();
     }
 
-    [[nodiscard]] const dataflow::Store* store_in(flow::NodeId node, EffectId from) const {
-        for (const dataflow::Store& store : analysis_.facts().in<dataflow::Store>(node))
-            if (store.variable == store_.variable && store.effect >= from) return &store;
+    /// The store in the node that replaces the value; notes what is set there before.
+    [[nodiscard]] const dataflow::Store* store_in(flow::NodeId node, EffectId from) {
+        for (const dataflow::Store& store : analysis_.facts().in<dataflow::Store>(node)) {
+            if (store.effect < from) continue;
+            if (store.variable == store_.variable) return &store;
+            found_.source_changes |= store.variable == source_;
+        }
         return nullptr;
     }
 
@@ -149,7 +155,8 @@ class Search {
     const flow::Graph& graph_;
     const dataflow::Store& store_;
     DeadStore found_;
-    bool own_; ///< no other program sees the variable
+    std::optional<Variable> source_; ///< that is copied
+    bool own_;                       ///< no other program sees the variable
     bool left_out_ = false;
 };
 

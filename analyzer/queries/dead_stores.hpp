@@ -18,6 +18,7 @@ struct DeadStore {
     bool may_end;        ///< the program can end before another value is stored
     bool is_setting;     ///< nothing but numbers of the text make the value: somebody may edit them
     bool read_elsewhere; ///< some block reads the variable after another assignment, or other programs may
+    bool source_changes; ///< it copies a variable that may be set anew before the value is replaced
     /// The condition of an IF that decides whether the store is run, where its other outcome leads to the
     /// only assignment that replaces the value as well.
     std::optional<ExpressionId> only_if;

@@ -4,6 +4,10 @@
 #include "analyzer/program/block_view.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <system_error>
 
 namespace maclint::queries {
 
@@ -25,6 +29,25 @@ std::vector<SequenceNumber> find_neighbours(const std::vector<SequenceNumber>& n
     if (least != numbers.begin()) neighbours.push_back(*(least - 1));
     if (above != numbers.end()) neighbours.push_back(*above);
     return neighbours;
+}
+
+std::vector<std::int64_t> numbers_a_digit_away(std::int64_t number) {
+    std::vector<std::int64_t> found;
+    const auto add = [&](const std::string& digits) {
+        std::int64_t value = 0;
+        const bool is_written_so = digits == "0" || !digits.starts_with('0');
+        const char* const end = digits.data() + digits.size();
+        if (is_written_so && std::from_chars(digits.data(), end, value).ec == std::errc())
+            found.push_back(value);
+    };
+    const std::string digits = std::to_string(number);
+    for (std::size_t at = 0; at < digits.size(); ++at) add(std::string(digits).erase(at, 1));
+    for (std::size_t at = 0; at <= digits.size(); ++at)
+        for (char digit = '0'; digit <= '9'; ++digit) add(std::string(digits).insert(at, 1, digit));
+    std::ranges::sort(found);
+    const auto repeated = std::ranges::unique(found);
+    found.erase(repeated.begin(), repeated.end());
+    return found;
 }
 
 } // namespace maclint::queries

@@ -20,4 +20,7 @@ struct SequenceNumber {
 [[nodiscard]] std::vector<SequenceNumber> find_neighbours(const std::vector<SequenceNumber>& numbers,
                                                           std::int64_t wanted);
 
+/// The numbers that are this one with a digit put in or left out, each once, rising.
+[[nodiscard]] std::vector<std::int64_t> numbers_a_digit_away(std::int64_t number);
+
 } // namespace maclint::queries

@@ -182,7 +182,8 @@ bool is_set_in(const Program& program, Variable variable) {
     });
 }
 
-/// Whether a caller sets the variable, or something that it calls besides this program may.
+} // namespace
+
 bool callers_set(const ProgramAnalysis& analysis, Variable variable) {
     const auto sets = [&](const Caller& caller) {
         const ProgramAnalysis& calling = calling_program(analysis, caller);
@@ -195,8 +196,6 @@ bool callers_set(const ProgramAnalysis& analysis, Variable variable) {
     return std::ranges::any_of(analysis.callers(), sets) ||
            std::ranges::any_of(analysis.possible_callers(), sets);
 }
-
-} // namespace
 
 std::vector<StaleRead> find_stale_reads(const ProgramAnalysis& analysis) {
     std::vector<StaleRead> found;

@@ -23,14 +23,13 @@ extern const Rule missing_program_end{
     .summary = "A program with a number of its own has no M30, M02 or M99 at all",
     .why = "The control comes to the end of the program and stops with an alarm: the part is finished, the "
            "spindle may still turn, and the next start does not begin at the first block. Where it is a "
-           "subprogram, it never returns. A warning where no alarm of the control is known.",
+           "subprogram, it never returns. A note where no alarm of the control is known.",
     .severity = Severity::error,
     .precision = Precision::high,
-    .yields_to = "MAC456",
     .facts = dataflow::facts<dataflow::ExitState, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"plain", "Missing end: {0} ends after this block, without M30 and without {1}.",
-                  "Add M30 after this block, or {1} if other programs call it."}},
+    .messages = {{"plain", "Missing end: {0} ends after this block, and neither ends the job nor returns.",
+                  "End it after this block, with {1} if other programs call it."}},
     .bad = {{"fanuc", R"nc(
 O0455(FACE)
 G90 G54 G0 X0 Y0 S1200 M3
@@ -60,17 +59,17 @@ M98 P8999
 
 namespace {
 
-/// Whether a program follows in the file that is none by its number: it may be a part of this one.
+/// Whether what follows in the file is no program by its number: it may be a part of this one.
 bool may_go_on(const ProgramAnalysis& analysis) {
-    return std::ranges::any_of(analysis.file().programs, [&](const Program& program) {
-        return program.span.begin > analysis.program().span.begin && !program.number;
-    });
+    const auto& programs = analysis.file().programs; // in the order of the text
+    const auto next = std::ranges::upper_bound(programs, analysis.program().span.begin, {},
+                                               [](const Program& program) { return program.span.begin; });
+    return next != programs.end() && !next->number;
 }
 
 /// Whether it is a program and no fragment of one: its text names it by a number, and it moves an axis.
 bool is_whole(const ProgramAnalysis& analysis) {
     const Program& program = analysis.program();
-    if (may_go_on(analysis)) return false;
     bool moves = false;
     for_each_block(program, [&](const BlockView& block) {
         moves |=
@@ -84,15 +83,15 @@ bool is_whole(const ProgramAnalysis& analysis) {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     // Where programs have sections, the manual lets the last of them end the program.
-    if (!analysis.control().sections.empty() || !is_whole(analysis)) return;
+    const auto last = last_block(analysis.program());
+    if (!analysis.control().sections.empty() || !last) return;
     const auto exits = analysis.facts().all<dataflow::ExitState>();
     const auto leaves = [](const dataflow::ExitState& e) { return e.exit.kind == flow::ExitKind::runs_off; };
     const auto exit = std::ranges::find_if(exits, leaves);
-    if (exit == exits.end() || queries::may_end_otherwise(analysis, exit->exit) ||
+    if (exit == exits.end() || may_go_on(analysis) || !is_whole(analysis) ||
+        queries::may_end_otherwise(analysis, exit->exit) ||
         queries::find_expected_end(analysis, exit->exit)) // MAC456's
         return;
-    const auto last = last_block(analysis.program());
-    if (!last) return;
     const Span span = queries::last_block_before(analysis, exit->exit, *last);
     Finding& finding =
         reporter.report({analysis, span}, span, "plain",

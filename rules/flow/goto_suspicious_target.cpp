@@ -1,11 +1,14 @@
 //! MAC302: a jump to an alarm, where a block one digit away is never reached.
 #include "analyzer/queries/exits.hpp"
+#include "analyzer/queries/sequence_numbers.hpp"
 #include "analyzer/queries/unreached_regions.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
-#include <algorithm>
+#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -57,34 +60,41 @@ N6 #3000=1(Z MISSING)
 
 namespace {
 
-/// Whether one is the other with a digit put in or left out.
-bool differ_by_a_digit(std::int64_t one, std::int64_t other) {
-    std::string longer = std::to_string(one), shorter = std::to_string(other);
-    if (longer.size() < shorter.size()) longer.swap(shorter);
-    if (longer.size() != shorter.size() + 1) return false;
-    const auto at = std::ranges::mismatch(longer, shorter).in1;
-    longer.erase(at);
-    return longer == shorter;
-}
-
-/// The last jump before the region that goes to an alarm by such a number.
-const flow::ResolvedJump* find_jump(const ProgramAnalysis& analysis, const queries::UnreachedRegion& region) {
-    const flow::ResolvedJump* found = nullptr;
-    for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
-        const auto* number = jump.label ? std::get_if<std::int64_t>(&*jump.label) : nullptr;
-        if (jump.node < region.first && number != nullptr && jump.target &&
-            analysis.data().reached(jump.node) && differ_by_a_digit(*number, *region.number) &&
-            queries::ends_in_alarm(analysis, jump.node, true))
-            found = &jump;
+/// The jumps that lead to an alarm, by the number that they name.
+class JumpsToAlarms {
+  public:
+    explicit JumpsToAlarms(const ProgramAnalysis& analysis) {
+        for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
+            const auto* number = jump.label ? std::get_if<std::int64_t>(&*jump.label) : nullptr;
+            if (number != nullptr && jump.target && analysis.data().reached(jump.node) &&
+                queries::ends_in_alarm(analysis, jump.node, true))
+                jumps_[*number].push_back(&jump);
+        }
     }
-    return found;
-}
+
+    /// The last one before the region whose number lacks a digit, or has one too many, to lead there.
+    [[nodiscard]] const flow::ResolvedJump* beside(const queries::UnreachedRegion& region) const {
+        const flow::ResolvedJump* found = nullptr;
+        for (const std::int64_t number : queries::numbers_a_digit_away(*region.number)) {
+            const auto jumps = jumps_.find(number);
+            if (jumps == jumps_.end()) continue;
+            for (const flow::ResolvedJump* jump : jumps->second)
+                if (jump->node < region.first && (found == nullptr || jump->node > found->node)) found = jump;
+        }
+        return found;
+    }
+
+  private:
+    std::map<std::int64_t, std::vector<const flow::ResolvedJump*>> jumps_;
+};
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    std::optional<JumpsToAlarms> jumps; // most programs have no such region
     for (const queries::UnreachedRegion& region : queries::unreached_regions(analysis)) {
         if (!region.number || region.is_alarm || !region.work || region.is_meant || region.is_explained)
             continue;
-        const flow::ResolvedJump* jump = find_jump(analysis, region);
+        if (!jumps) jumps.emplace(analysis);
+        const flow::ResolvedJump* jump = jumps->beside(region);
         if (jump == nullptr) continue;
         const Span span = analysis.program().effects[jump->jump].span;
         const auto line = [&](Span of) { return line_number(analysis.file(), of.begin); };

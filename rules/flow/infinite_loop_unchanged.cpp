@@ -1,6 +1,7 @@
 //! MAC319: nothing that decides whether a loop ends changes in it.
 #include "analyzer/queries/loop_exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/listed.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -85,12 +86,9 @@ END
 namespace {
 
 std::string list(const Program& program, const std::vector<Variable>& variables) {
-    std::string text;
-    for (std::size_t i = 0; i < variables.size(); ++i) {
-        if (i != 0) text += i + 1 == variables.size() ? " or " : ", ";
-        text += program.spell(variables[i]);
-    }
-    return text;
+    std::vector<std::string> names;
+    for (const Variable variable : variables) names.push_back(program.spell(variable));
+    return listed(names, " or ");
 }
 
 bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {

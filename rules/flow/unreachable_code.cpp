@@ -1,10 +1,10 @@
 //! MAC460: blocks that no path reaches.
 #include "analyzer/queries/unreached_regions.hpp"
+#include "rules/flow/unreached_words.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace maclint::rules {
@@ -77,51 +77,24 @@ END
 
 namespace {
 
-using queries::UnreachedRegion;
-
-/// Jumps lead to some other alarm, so that those are no messages kept for later.
-bool raises_another(const ProgramAnalysis& analysis) {
+/// Whether some alarm is reached: the others are no messages kept for later.
+bool raises_an_alarm(const ProgramAnalysis& analysis) {
     return std::ranges::any_of(analysis.graph().exits, [&](const flow::Exit& exit) {
         return exit.kind == flow::ExitKind::alarm && analysis.data().reached(exit.node);
     });
 }
 
-/// The message; none where the blocks may stand there on purpose.
-std::string_view message_for(const ProgramAnalysis& analysis, const UnreachedRegion& region) {
-    const Effect& ender = analysis.program().effects[*region.ender];
-    const auto* stop = std::get_if<Stop>(&ender.what);
-    const bool ends = stop != nullptr && stop->kind != Stop::Kind::alarm;
-    if (region.is_meant || region.is_explained) return {};
-    if (region.number && region.is_alarm) return raises_another(analysis) ? "alarm" : std::string_view();
-    if (region.leaves || !region.work) return {};
-    if (ends && region.only_switches) return {}; // the end of a program switches off as well
-    if (!region.number || ends) return "after";
-    return region.moves && !region.is_alarm ? "block" : std::string_view();
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const Program& program = analysis.program();
-    for (const UnreachedRegion& region : queries::unreached_regions(analysis)) {
-        const std::string_view message = message_for(analysis, region);
-        if (message.empty()) continue;
-        const Span ender = program.effects[*region.ender].span;
-        const std::string number = region.number ? std::to_string(*region.number) : "";
-        const std::string line = line_number(analysis.file(), ender.begin);
-        std::vector<std::string> words{number, quoted(program, ender), line};
-        if (message == "after") words = {quoted(program, *region.work), quoted(program, ender), line};
-        if (message == "alarm")
-            words = {number, quoted(program, program.effects[region.alarms.front()].span)};
-        const Span place = message == "after" ? *region.work : region.head;
-        Finding& finding = reporter.report({analysis, region.text}, place, message, std::move(words));
-        // Who puts a GOTO in front of blocks switches them off for a while.
-        const bool jump = std::holds_alternative<Jump>(program.effects[*region.ender].what);
-        const bool is_sure = message == "after" ? !jump : message == "alarm" && region.is_named;
-        if (!is_sure) finding.severity = std::min(finding.severity, Severity::note);
-        if (message != "alarm") continue;
-        for (const EffectId other : region.alarms)
-            if (other != region.alarms.front())
-                finding.related.push_back(
-                    related_at_effect(analysis, other, "this one is not raised, either"));
+    const auto regions = queries::unreached_regions(analysis);
+    const bool another_is_raised = !regions.empty() && raises_an_alarm(analysis);
+    for (const queries::UnreachedRegion& region : regions) {
+        auto said = words_for(analysis, region, another_is_raised);
+        if (!said) continue;
+        Finding& finding =
+            reporter.report({analysis, region.text}, said->place, said->message, std::move(said->words));
+        if (!said->is_sure) finding.severity = std::min(finding.severity, Severity::note);
+        for (const EffectId other : said->others)
+            finding.related.push_back(related_at_effect(analysis, other, "this one is not raised, either"));
     }
 }
 

@@ -6,6 +6,7 @@
 #include "analyzer/queries/origins.hpp"
 #include "analyzer/queries/saved_state.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/listed.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -93,7 +94,7 @@ bool report_alone(const ProgramAnalysis& analysis, const queries::ModalLeak& lea
         message = "not-put-back";
     } else if (!saves.empty()) {
         message = "not-saved";
-        words.push_back(listed(variables_saved(analysis, saves)));
+        words.push_back(listed(variables_saved(analysis, saves), " and "));
     } else {
         return false;
     }
@@ -110,7 +111,7 @@ void report_rest(const ProgramAnalysis& analysis, const std::vector<queries::Mod
     for (const queries::ModalLeak& leak : leaks)
         words.push_back("'" + word_of(analysis, leak.group, leak.part) + "'");
     report_leak(analysis, reporter, leaks.front(), block_cause(analysis, leaks.front().part), "left",
-                {listed(words)})
+                {listed(words, " and ")})
         .severity = Severity::note;
 }
 

@@ -9,7 +9,6 @@
 #include "rules/trace.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace maclint::rules {
@@ -70,15 +69,6 @@ std::string cure_by_saving(const ProgramAnalysis& analysis, const queries::Modal
     if (!free) return "Save " + *variable + " at the start, and put it back" + before;
     const std::string name = program.spell(*free);
     return "Add " + name + "=" + *variable + " at the start, and " + letter + name + before;
-}
-
-std::string listed(const std::vector<std::string>& words) {
-    std::string list;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) list += i + 1 == words.size() ? " and " : ", ";
-        list += words[i];
-    }
-    return list;
 }
 
 std::vector<std::string> variables_saved(const ProgramAnalysis& analysis,

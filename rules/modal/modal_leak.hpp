@@ -28,9 +28,6 @@ namespace maclint::rules {
 
 /// Where the program is left with it: "the M99 of line 52".
 [[nodiscard]] std::string exit_text(const ProgramAnalysis& analysis, const queries::ModalLeak& leak);
-
-/// "a, b and c".
-[[nodiscard]] std::string listed(const std::vector<std::string>& words);
 /// The variables that the assignments save, as they are written, each once: "#4001".
 [[nodiscard]] std::vector<std::string> variables_saved(const ProgramAnalysis& analysis,
                                                        const std::vector<const dataflow::Store*>& saves);

@@ -2,6 +2,7 @@
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/listed.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -62,7 +63,7 @@ std::string switched_off(const ProgramAnalysis& analysis, const queries::ModalLe
     std::vector<std::string> words;
     for (std::size_t bit = 0; bit < names.size(); ++bit)
         if ((code >> bit & 1U) != 0) words.emplace_back(names[bit]);
-    return listed(words);
+    return listed(words, " and ");
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

@@ -4,7 +4,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/unset_reads.hpp"
-#include "rules/numbers/operand_risk.hpp"
+#include "rules/operand_risk.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"

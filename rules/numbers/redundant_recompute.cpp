@@ -1,12 +1,11 @@
 //! MAC720: an assignment calculates again what its variable holds already.
-#include "analyzer/dataflow/domain/read_set.hpp"
+#include "analyzer/queries/calculations.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
-#include <algorithm>
 #include <variant>
 
 namespace maclint::rules {
@@ -69,18 +68,11 @@ END
 
 namespace {
 
-/// What others set, too, is a number that an operator may have changed while the program stood.
-bool is_own(const ProgramAnalysis& analysis, const dataflow::Store& store) {
-    const auto reads = dataflow::variables_of(analysis.program(), store.expression);
-    return reads.closed && std::ranges::all_of(reads.variables, [&](Variable variable) {
-               return analysis.control().spaces[variable.space].scope == Scope::frame;
-           });
-}
-
 /// The assignment whose result the variable holds already; nullptr when there is none.
 const dataflow::Store* repeated(const ProgramAnalysis& analysis, const dataflow::Store& store) {
     if (!std::holds_alternative<Apply>(analysis.program().expressions[store.expression].node) ||
-        store.value.constant() || !queries::is_same_value(store.value, store.old) || !is_own(analysis, store))
+        store.value.constant() || !queries::is_same_value(store.value, store.old) ||
+        !queries::is_of_own_variables(analysis, store.expression))
         return nullptr;
     const dataflow::Store* before = queries::store_of(analysis, store.old);
     const bool same = before != nullptr && before->effect != store.effect &&

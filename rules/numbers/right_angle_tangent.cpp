@@ -6,7 +6,7 @@
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/semantics/concrete.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/numbers/operand_risk.hpp"
+#include "rules/operand_risk.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"

@@ -1,9 +1,11 @@
 //! MAC211: a call passes a value that the called program never reads.
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/unread_arguments.hpp"
+#include "rules/listed.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -82,32 +84,31 @@ namespace {
 
 using queries::UnreadArgument;
 
-/// "#2 (B), #6 (K) and #17 (Q)"
-std::string names_of(const std::vector<UnreadArgument>& unread) {
-    std::string names;
-    for (const UnreadArgument& one : unread) {
-        if (!names.empty()) names += &one == &unread.back() ? " and " : ", ";
-        names += with_letter(*one.called, one.variable);
-    }
-    return names;
-}
-
 /// Of one call: those that nothing names, or one that is overwritten.
 void report(const ProgramAnalysis& analysis, const std::vector<UnreadArgument>& unread, Reporter& reporter) {
     const UnreadArgument& first = unread.front();
     const Program& called = first.called->program();
     const Span span = first.argument->span;
-    std::vector<std::string> words{called.name, names_of(unread), quoted(analysis.program(), span)};
+    std::vector<std::string> names;
+    std::map<std::pair<ProgramIndex, EffectId>, std::vector<std::string>> others; // and what they pass
+    for (const UnreadArgument& one : unread) {
+        names.push_back(with_letter(*one.called, one.variable));
+        for (const auto& [program, effect] : one.others) others[{program, effect}].push_back(names.back());
+    }
+    std::vector<std::string> words{called.name, listed(names, " and "), quoted(analysis.program(), span)};
     if (first.overwritten) {
         const Span store = called.effects[*first.overwritten].span;
         words.push_back(line_number(first.called->file(), store.begin));
     }
-    std::string_view message = unread.size() == 1 ? "unread" : "several";
-    if (first.overwritten) message = "overwritten";
+    const std::string_view kept = unread.size() == 1 ? "unread" : "several";
+    const std::string_view message = first.overwritten ? "overwritten" : kept;
     Finding& finding = reporter.report({analysis, span}, span, message, std::move(words));
-    for (const Caller& other : first.others)
-        finding.related.push_back(related_at_effect(queries::calling_program(analysis, other), other.effect,
-                                                    "this call passes it, too"));
+    for (const auto& [call, passed] : others) {
+        const std::string what = unread.size() == 1 ? "it" : listed(passed, " and ");
+        const ProgramAnalysis& caller = queries::calling_program(analysis, {call.first, call.second});
+        finding.related.push_back(
+            related_at_effect(caller, call.second, "this call passes " + what + ", too"));
+    }
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

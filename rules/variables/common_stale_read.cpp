@@ -2,9 +2,11 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/early_checks.hpp"
 #include "analyzer/queries/stale_reads.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
+#include "rules/trace.hpp"
 
 namespace maclint::rules {
 
@@ -17,7 +19,7 @@ extern const Rule common_stale_read{
     .name = "common-stale-read",
     .summary =
         "A common variable is set for some numbers of a decision, and read for another that the program "
-        "asks for as well",
+        "asks for as well, or checked before the program sets it",
     .why = "The variable still holds what the run before has left there, or is vacant after the control was "
            "switched on: the program runs with the number of another part.",
     .severity = Severity::warning,
@@ -27,7 +29,10 @@ extern const Rule common_stale_read{
     .messages = {{"case",
                   "Value from the run before: {0} is set for {1} only, and read here for {2}, which "
                   "line {3} asks for.",
-                  "Set it in that case, too, or refuse the case with an alarm."}},
+                  "Set it in that case, too, or refuse the case with an alarm."},
+                 {"limit",
+                  "Value from the run before: '{0}' looks at {1}, which the program sets in line {2} only.",
+                  "Move the check behind that line, or correct the variable."}},
     .bad = {{"fanuc", R"nc(
 O9216(PASSES)
 IF[#4012EQ54]GOTO1
@@ -39,6 +44,16 @@ IF[#4012EQ54]THEN#103=3
 IF[#4012EQ56]THEN#103=2
 G0 X#103
 M99
+)nc"},
+            {"fanuc", R"nc(
+O9217(POCKET, Z DEPTH R CLEARANCE W START)
+IF[#26LE0]GOTO9
+IF[#106+#23GT80.]GOTO9
+#106=#26-#18
+G0 Z-#106
+G0 Z#23
+M99
+N9 #3000=1(Z OR TOOL LENGTH)
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9216(PASSES)
@@ -50,6 +65,16 @@ IF[#4012EQ54]THEN#103=3
 IF[#4012EQ56]THEN#103=2
 G0 X#103
 M99
+)nc"},
+             {"fanuc", R"nc(
+O9217(POCKET, Z DEPTH R CLEARANCE W START)
+IF[#26LE0]GOTO9
+#106=#26-#18
+IF[#106+#23GT80.]GOTO9
+G0 Z-#106
+G0 Z#23
+M99
+N9 #3000=1(Z OR TOOL LENGTH)
 )nc"}},
     .sources = {"SEED-002:357"},
     .check = &check,
@@ -67,7 +92,21 @@ std::string words_for(const ProgramAnalysis& analysis, const queries::StaleRead&
     return words;
 }
 
+void report_limits(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const queries::EarlyCheck& early : queries::find_early_checks(analysis)) {
+        const Span span = program.expressions[early.read->expression].span;
+        Finding& finding = reporter.report(
+            {analysis, *early.read}, span, "limit",
+            {quoted(program, program.effects[early.read->effect].span), program.spell(early.read->variable),
+             line_number(analysis.file(), program.effects[early.store->effect].span.begin)});
+        finding.related.push_back(related_at_effect(analysis, early.store->effect, "it is set here"));
+        trace(finding, analysis, early.read->node, "it is checked as the run before has left it");
+    }
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    report_limits(analysis, reporter);
     const Program& program = analysis.program();
     for (const queries::StaleRead& stale : queries::find_stale_reads(analysis)) {
         const Span span = program.expressions[stale.read->expression].span;

@@ -83,10 +83,11 @@ bool is_only_repeated(const queries::DeadStore& dead) {
     });
 }
 
-/// #32=#5001, which nobody reads: it keeps a place for something. #576=#572 loses nothing: #572 has it still.
+/// #32=#5001, which nobody reads: it keeps a place for something. #576=#572 loses nothing as long as #572 has
+/// it still.
 bool is_spare_copy(const ProgramAnalysis& analysis, const queries::DeadStore& dead) {
     const VariableSpace& space = analysis.control().spaces[dead.store->variable.space];
-    return (!dead.read_elsewhere || space.scope != Scope::frame) &&
+    return (!dead.read_elsewhere || (space.scope != Scope::frame && !dead.source_changes)) &&
            !std::holds_alternative<Apply>(analysis.program().expressions[dead.store->expression].node);
 }
 

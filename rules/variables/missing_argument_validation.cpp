@@ -1,6 +1,6 @@
 //! MAC604: an argument that nothing checks decides when a loop ends.
-#include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/loop_bounds.hpp"
+#include "rules/operand_risk.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -60,29 +60,14 @@ M99
 
 namespace {
 
-using Evidence = queries::OperandRisk::Evidence;
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const queries::UncheckedBound& bound : queries::unchecked_bounds(analysis)) {
         const Span span = program.expressions[bound.test->expression].span;
-        std::vector<std::string> words{quoted(program, span), with_letter(analysis, bound.read->variable),
-                                       program.spell(bound.counter)};
-        std::string_view message = "unchecked";
-        const ProgramAnalysis* calling = nullptr;
-        if (bound.risk.call != nullptr) {
-            message = "left-out";
-            calling = &queries::calling_program(analysis, *bound.risk.call);
-            const Span call = calling->program().effects[bound.risk.call->effect].span;
-            words.push_back(line_number(calling->file(), call.begin));
-            words.push_back(calling->program().name);
-        } else if (bound.risk.other) {
-            message = "others-checked";
-            words.push_back(with_letter(analysis, *bound.risk.other));
-        }
-        Finding& finding = reporter.report({analysis, *bound.read}, span, message, std::move(words));
-        if (calling != nullptr)
-            finding.path.push_back(related_at_effect(*calling, bound.risk.call->effect, "this call"));
+        Finding& finding = report_risk(analysis, bound.risk, {analysis, *bound.read}, span,
+                                       {quoted(program, span), with_letter(analysis, bound.read->variable),
+                                        program.spell(bound.counter)},
+                                       reporter);
         trace(finding, analysis, bound.read->node, "the loop goes on or ends here");
     }
 }

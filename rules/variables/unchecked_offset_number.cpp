@@ -1,7 +1,6 @@
 //! MAC225: an argument that nothing checks picks an offset.
-#include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/offsets.hpp"
-#include "analyzer/queries/operand_risks.hpp"
+#include "rules/operand_risk.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -61,28 +60,12 @@ M99
 
 namespace {
 
-using Evidence = queries::OperandRisk::Evidence;
-
 void report(const ProgramAnalysis& analysis, const queries::OffsetPick& pick,
             const queries::OperandRisk& risk, Reporter& reporter) {
     const Program& program = analysis.program();
     const Span span = program.expressions[pick.index].span;
-    std::vector<std::string> arguments{quoted(program, span), with_letter(analysis, risk.variable)};
-    if (risk.other) arguments.push_back(with_letter(analysis, *risk.other));
-    const ProgramAnalysis* calling = nullptr;
-    if (risk.call != nullptr) {
-        calling = &queries::calling_program(analysis, *risk.call);
-        const Span call = calling->program().effects[risk.call->effect].span;
-        arguments.push_back(line_number(calling->file(), call.begin));
-        arguments.push_back(calling->program().name);
-    }
-    const std::string_view message = risk.evidence == Evidence::left_out         ? "left-out"
-                                     : risk.evidence == Evidence::others_checked ? "others-checked"
-                                                                                 : "unchecked";
-    Finding& finding = reporter.report({analysis, *pick.read}, span, message, std::move(arguments));
-    if (risk.evidence == Evidence::unchecked) finding.severity = Severity::note;
-    if (calling != nullptr)
-        finding.path.push_back(related_at_effect(*calling, risk.call->effect, "this call"));
+    Finding& finding = report_risk(analysis, risk, {analysis, *pick.read}, span,
+                                   {quoted(program, span), with_letter(analysis, risk.variable)}, reporter);
     trace(finding, analysis, pick.read->node, "it picks an offset here");
 }
 

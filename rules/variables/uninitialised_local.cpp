@@ -41,7 +41,7 @@ extern const Rule uninitialised_local{
           "Nothing has set {0} on a path to this block, nor do the programs that call this one.",
           "Set it on every path, or before the call."},
          {"unless-by-callers",
-          "Nothing in this program sets {0}: vacant, unless a program that calls it by M98 has set {0}.",
+          "Nothing in this program sets {0}: vacant, unless a caller that shares its variables has set {0}.",
           "Set it here, or test for EQ #0 first."},
          {"cases", "{2} {0} may be vacant here: set only for {1}.",
           "Set a value in the other cases, too, or refuse them with an alarm."},

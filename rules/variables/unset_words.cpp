@@ -1,22 +1,20 @@
 //! Lists of variables and numbers as a sentence has them.
 #include "rules/variables/unset_words.hpp"
 
+#include "rules/listed.hpp"
 #include "rules/path.hpp"
 
 #include <span>
+#include <vector>
 
 namespace maclint::rules {
 namespace {
 
-/// "1, 2 or 3", where `last` is " or ".
-std::string list_of(const ProgramAnalysis& analysis, std::span<const ExpressionId> expressions,
-                    std::string_view last) {
-    std::string text;
-    for (std::size_t i = 0; i < expressions.size(); ++i) {
-        if (i != 0) text += i + 1 == expressions.size() ? last : std::string_view(", ");
-        text += as_written(analysis, expressions[i]);
-    }
-    return text;
+std::vector<std::string> all_as_written(const ProgramAnalysis& analysis,
+                                        std::span<const ExpressionId> expressions) {
+    std::vector<std::string> words;
+    for (const ExpressionId expression : expressions) words.push_back(as_written(analysis, expression));
+    return words;
 }
 
 } // namespace
@@ -52,9 +50,9 @@ std::string names_of(const ProgramAnalysis& analysis, const queries::UnsetReads&
 }
 
 std::string words_for_cases(const ProgramAnalysis& analysis, const queries::MissingCase& missing) {
-    std::string subjects = list_of(analysis, missing.subjects, " and ");
+    std::string subjects = listed(all_as_written(analysis, missing.subjects), " and ");
     if (missing.numbers.empty()) return subjects;
-    return subjects + " = " + list_of(analysis, missing.numbers, " or ");
+    return subjects + " = " + listed(all_as_written(analysis, missing.numbers), " or ");
 }
 
 } // namespace maclint::rules

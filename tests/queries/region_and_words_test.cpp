@@ -3,6 +3,7 @@
 #include "analyzer/queries/block_words.hpp"
 #include "analyzer/queries/region_faults.hpp"
 #include "analyzer/queries/sections.hpp"
+#include "analyzer/queries/sequence_numbers.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <cstdint>
@@ -89,6 +90,20 @@ TEST(Sections, AreAskedForByRole) {
     EXPECT_EQ(program.slice(first_heading(program)), "MACHINING");
     const auto fragment = test::analyse_text("dinplus", "MACHINING\nN1 G0 X1\nN2 M30\n");
     EXPECT_FALSE(is_whole_main_program(fragment->programs().front().program()));
+}
+
+TEST(SequenceNumbers, AreADigitAwayWhenOneIsMissingOrTooMany) {
+    using testing::AllOf;
+    using testing::Contains;
+    using testing::Not;
+    EXPECT_THAT(numbers_a_digit_away(6), AllOf(testing::SizeIs(18), Contains(60), Contains(16), Contains(66),
+                                               Not(Contains(6)), Not(Contains(0)), Not(Contains(600))));
+    EXPECT_THAT(numbers_a_digit_away(106), AllOf(Contains(10), Contains(16), Contains(1006),
+                                                 Not(Contains(6)))); // nobody writes N06 for N6
+    EXPECT_THAT(numbers_a_digit_away(10), AllOf(Contains(0), Contains(1), Contains(100)));
+    EXPECT_THAT(numbers_a_digit_away(0), testing::ElementsAre(10, 20, 30, 40, 50, 60, 70, 80, 90));
+    // Longer ones cannot be written.
+    EXPECT_THAT(numbers_a_digit_away(9'223'372'036'854'775'807), Contains(922'337'203'685'477'580));
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 //! Rules about what calls pass, in corner cases: MAC211.
 #include "tests/rules/raised.hpp"
+#include "tests/support/analysed.hpp"
 
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -58,6 +60,26 @@ TEST(ArgumentUnused, IsToldOnceForAllCallsOfAProgram) {
     EXPECT_THAT(
         lines_raised("MAC211", "O1\nG65 P9001 X1. Z2.\nG65 P9001 X1. Z2.\nM30\nO9001\nG0 X#24\nM99\n"),
         ElementsAre(2));
+}
+
+/// The places beside the only finding.
+std::vector<std::string> told_beside(const std::string& text) {
+    const auto workspace = test::analyse_fanuc(text);
+    const auto findings = run_rules(*workspace, {{find_rule("MAC211")}}, 1);
+    std::vector<std::string> told;
+    if (findings.size() != 1) return {"no finding, or several"};
+    for (const RelatedLocation& place : findings.front().related)
+        told.push_back(std::to_string(place.source->position(place.span.begin).line) + " " + place.text);
+    return told;
+}
+
+TEST(ArgumentUnused, IsToldWithAllCallsThatPassSomeOfThem) {
+    const std::string macro = "M30\nO9001\nG0 X#24\nM99\n";
+    EXPECT_THAT(told_beside("O1\nG65 P9001 X1. Z2.\nG65 P9001 X1. Z2.\n" + macro),
+                ElementsAre("3 this call passes it, too"));
+    EXPECT_THAT(
+        told_beside("O1\nG65 P9001 X1. Z2. R3.\nG65 P9001 X1. R3.\nG65 P9001 R3. Z2.\n" + macro),
+        ElementsAre("3 this call passes #18 (R), too", "4 this call passes #26 (Z) and #18 (R), too"));
 }
 
 } // namespace

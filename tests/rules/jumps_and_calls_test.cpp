@@ -172,7 +172,7 @@ TEST(RecursiveCall, OfALongCircleSomeProgramsAreNamed) {
     EXPECT_EQ(findings.front().path.size(), 9U);
 }
 
-TEST(RecursiveCall, OfAVeryLongCircleNoProgramsAreNamed) {
+TEST(RecursiveCall, OfAVeryLongCircleTheMiddleIsLeftOut) {
     for (const int programs : {900, 1100}) {
         std::string text;
         for (int i = 1; i <= programs; ++i)

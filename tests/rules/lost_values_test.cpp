@@ -86,6 +86,14 @@ TEST(DeadStore, IsNoCopyThatNothingUsesYet) {
     EXPECT_THAT(dead("IF[#1EQ0]THEN#33=#24*2\n#33=#24\nG0X#24\n"), ElementsAre("note 2"));
 }
 
+TEST(DeadStore, IsACopyWhoseSourceIsSetAnew) {
+    EXPECT_THAT(dead("#500=#1\n#500=#24\nG0X#1\n"), IsEmpty());
+    EXPECT_THAT(dead("#500=#1\n#1=7\n#500=#24\nG0X#1\n"), ElementsAre("warning 2"));
+    EXPECT_THAT(dead("#1=7\n#500=#1\n#500=#24\n#1=8\nG0X#1\n"), IsEmpty());
+    EXPECT_THAT(dead("#500=#1\nIF[#2EQ1]THEN#1=7\n#500=#24\nG0X#1\n"), ElementsAre("warning 2"));
+    EXPECT_THAT(dead("#500=#1\n#2=7\n#500=#24\nG0X#2\n"), IsEmpty());
+}
+
 TEST(DeadStore, IsNoCounterNorSavedCodeNorRepetition) {
     EXPECT_THAT(dead("#33=0\nG0X#33\n#33=#33+1\nG0X#1\n"), IsEmpty());
     EXPECT_THAT(dead("#33=#4003\n#33=#24\nG0X#33\n"), IsEmpty());
@@ -160,6 +168,44 @@ TEST(CommonStaleRead, IsNoneWhereACallerSetsIt) {
         return codes_of({{"1.nc", "O0001\n" + caller + "G65P9001\nM30\n"}, {"2.nc", macro}}, "MAC216");
     };
     EXPECT_THAT(with("#103=1\n"), IsEmpty());
+    EXPECT_THAT(with("#104=1\n"), ElementsAre("MAC216"));
+}
+
+/// A limit, an alarm behind it; `rest` stands between them.
+std::vector<std::uint32_t> early(const std::string& limit, const std::string& rest) {
+    return stale("IF[#26LE0]GOTO9\n" + limit + "\n" + rest + "M99\nN9#3000=1(Z)\n");
+}
+
+TEST(CommonStaleRead, IsInALimitThatIsCheckedBeforeTheVariableIsSet) {
+    const std::string set = "#106=#26-#18\n", used = "G1Z-#106\n";
+    EXPECT_THAT(early("IF[#106+#23GT80.]GOTO9", set + used), ElementsAre(3));
+    EXPECT_THAT(early("IF[#106LE80.]GOTO5\nGOTO9\nN5", set + used), ElementsAre(3));
+    EXPECT_THAT(
+        messages_raised("MAC216", "O9001\nIF[#106GT80.]GOTO9\n#106=#26-#18\nZ#106\nM99\nN9#3000=1(Z)\n"),
+        ElementsAre(AllOf(HasSubstr("'IF[#106GT80.]GOTO9' looks at #106"), HasSubstr("line 3"))));
+}
+
+TEST(CommonStaleRead, IsNoLimitThatIsMeantForTheRunBefore) {
+    const std::string set = "#106=#26-#18\n", used = "G1Z-#106\n";
+    const std::string limit = "IF[#106+#23GT80.]GOTO9";
+    EXPECT_THAT(early(limit, used + set), IsEmpty());                       // it is used before, too
+    EXPECT_THAT(early(limit, set), IsEmpty());                              // kept for another program
+    EXPECT_THAT(early(limit, "#106=#26\n" + used), IsEmpty());              // a copy
+    EXPECT_THAT(early(limit, "#106=0\n" + used), IsEmpty());                // a state
+    EXPECT_THAT(early(limit, "#106=#106+#26\n" + used), IsEmpty());         // a sum over the runs
+    EXPECT_THAT(early(limit, set + set + used), IsEmpty());                 // several assignments
+    EXPECT_THAT(early("IF[#106GT#26]GOTO9", set + used), IsEmpty());        // deeper than the last time
+    EXPECT_THAT(early("IF[#106GT80.]GOTO7", set + "N7" + used), IsEmpty()); // no alarm
+    EXPECT_THAT(early(set + limit, used), IsEmpty());                       // it is set before
+    EXPECT_THAT(early("IF[#506GT80.]GOTO9", "#506=#26-#18\nG1Z-#506\n"), IsEmpty());
+}
+
+TEST(CommonStaleRead, IsNoLimitOfWhatACallerSets) {
+    const std::string macro = "O9001\nIF[#106GT80.]GOTO9\n#106=#26-#18\nG1Z-#106\nM99\nN9#3000=1(Z)\n";
+    const auto with = [&](const std::string& caller) {
+        return codes_of({{"1.nc", "O0001\n" + caller + "G65P9001Z5.R1.\nM30\n"}, {"2.nc", macro}}, "MAC216");
+    };
+    EXPECT_THAT(with("#106=1\n"), IsEmpty());
     EXPECT_THAT(with("#104=1\n"), ElementsAre("MAC216"));
 }
 

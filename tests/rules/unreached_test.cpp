@@ -1,5 +1,6 @@
 //! Rules about blocks that nothing reaches, and about ends, in corner cases: MAC302, MAC455, MAC460.
 #include "tests/rules/raised.hpp"
+#include "tests/support/analysed.hpp"
 
 #include <string>
 
@@ -50,7 +51,7 @@ TEST(UnreachableCode, StandsBehindAJumpAnAlarmOrAnEnd) {
     EXPECT_THAT(lines_raised("MAC460", "O1\nG0 X1.\nM30\nN9 M5\n#500=1\n"), ElementsAre(4));
     EXPECT_THAT(lines_raised("MAC460", "O1\nG0 X1.\nM30\nN9 G0 X5.\n"), ElementsAre(4));
     // A stop behind a stop does nothing by itself, nor does the wait of G4.
-    EXPECT_THAT(judged("MAC460", begin + "#3000=1(X)\nM0\nG4 X999.\nM99\n" + end), IsEmpty());
+    EXPECT_THAT(judged("MAC460", begin + "#3000=1(X)\nM0\nG4 X999.\n" + end), IsEmpty());
 }
 
 TEST(UnreachableCode, IsMeantBehindARemarkOrWithAnEndOfItsOwn) {
@@ -73,9 +74,11 @@ TEST(UnreachableCode, WithANumberIsANoteWhenItMoves) {
 TEST(UnreachableCode, LeavesWhatOtherRulesSayToThem) {
     // A loop that nothing ends, a number that stands twice, a call that does not return, a remark without its
     // brackets.
-    EXPECT_THAT(judged("MAC460", "O9001\nN1 G0 X1.\nX2.\nGOTO1\nG0 Z5.\nM99\n"), IsEmpty());
-    EXPECT_THAT(judged("MAC460", "O9001\nIF[#1EQ2]GOTO3\nN3 G0 X1.\nGOTO5\nN3 G0 Z5.\nN5 M99\n"), IsEmpty());
-    EXPECT_THAT(judged("MAC460", "O1\nM98 P9001\nG0 X1.\nM30\nO9001\nM30\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC460", "O9001\nN1 G0 X1.\nX2.\nGOTO1\nG0 Z5.\n"), IsEmpty());
+    const std::string twice = "N3 G0 X1.\nIF[#1EQ2]GOTO5\nGOTO5\nN3 G0 Z5.\nN5 M99\n";
+    EXPECT_THAT(judged("MAC460", "O9001\nM98 P2\n" + twice + "O2\nM99 P3\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC460", "O9001\n" + twice), ElementsAre("note 5")); // nobody looks for it
+    EXPECT_THAT(judged("MAC460", "O1\nM98 P9001\nG0 X1.\nO9001\nM30\n"), IsEmpty());
     EXPECT_THAT(judged("MAC460", "O9001\nIF[#1EQ2]GOTO5\nGOTO5\nG0 X1.\nHERE IT ENDS\nN5 M99\n"), IsEmpty());
 }
 
@@ -87,11 +90,18 @@ TEST(SuspiciousTarget, IsAnAlarmOneDigitAway) {
     EXPECT_THAT(messages_raised("MAC302", program("6", "N60 G0 Z50.\n")),
                 ElementsAre(HasSubstr("'GOTO6' leads to line 8, and nothing leads to N60 in line 6")));
     EXPECT_THAT(lines_raised("MAC302", program("6", "N16 G0 Z50.\n")), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC302", program("6", "N61 G0 Z50.\n")), ElementsAre(4));
     EXPECT_THAT(judged("MAC302", program("60", "N60 G0 Z50.\n")), IsEmpty());
     EXPECT_THAT(judged("MAC302", program("8", "N80 G0 Z50.\n")), IsEmpty());    // no alarm there
     EXPECT_THAT(judged("MAC302", program("6", "N7 G0 Z50.\n")), IsEmpty());     // the next number
     EXPECT_THAT(judged("MAC302", program("6", "N600 G0 Z50.\n")), IsEmpty());   // two digits
     EXPECT_THAT(judged("MAC302", program("6", "N60 #3000=2(Z)\n")), IsEmpty()); // an alarm itself
+}
+
+TEST(SuspiciousTarget, IsTheLastJumpBeforeTheBlocks) {
+    EXPECT_THAT(lines_raised("MAC302", "O9001\nIF[#26EQ#0]GOTO6\nIF[#25EQ#0]GOTO6\nIF[#24EQ#0]GOTO20\n"
+                                       "GOTO20\nN60 G0 Z50.\nM99\nN20 M99\nN6 #3000=1(Z)\n"),
+                ElementsAre(3));
 }
 
 TEST(UnreachableCode, IsExplainedByANumberThatIsMissing) {
@@ -107,11 +117,20 @@ TEST(MissingProgramEnd, IsToldOfProgramsWithANumberThatMove) {
     EXPECT_THAT(judged("MAC455", "O1\nG0 X1.\nO2\nX1.\nM30\n"), ElementsAre("error 2"));
 }
 
+TEST(MissingProgramEnd, IsANoteWhereNoAlarmOfTheControlIsKnown) {
+    const auto workspace = test::analyse_text("nct", "O1\nG0 X1.\n");
+    const auto findings = run_rules(*workspace, {{find_rule("MAC455")}}, 1);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings[0].severity, Severity::note);
+    EXPECT_THAT(findings[0].rule->why, HasSubstr("A note where no alarm of the control is known"));
+}
+
 TEST(MissingProgramEnd, MayStandInAnotherProgramOrABlockThatIsSkipped) {
     EXPECT_THAT(judged("MAC455", "O1\nG0 X1.\nM98 P9999\n"), IsEmpty());
     EXPECT_THAT(judged("MAC455", "O1\nG0 X1.\n/M30\n"), IsEmpty());
     // What follows has no number: it may be its own end.
     EXPECT_THAT(judged("MAC455", "O1\nG0 X1.\n<PART TWO>\nM30\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC455", "O1\nG0 X1.\nO2\nX1.\n<PART TWO>\nM30\n"), ElementsAre("error 2"));
     // MAC456 says more.
     EXPECT_THAT(judged("MAC455", "O1\nM98 P2\nG0 X1.\nM30\nO2\nX1.\n"), IsEmpty());
 }

@@ -1,13 +1,15 @@
-//! Messages about operands that a program may be given.
-#include "rules/numbers/operand_risk.hpp"
+//! Messages about values that a program may be given.
+#include "rules/operand_risk.hpp"
 
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
-#include "analyzer/queries/operand_risks.hpp"
 #include "rules/path.hpp"
 #include "rules/trace.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace maclint::rules {
 namespace {
@@ -30,33 +32,38 @@ void report(const ProgramAnalysis& analysis, const dataflow::Application& applic
     const Program& program = analysis.program();
     const ExpressionId operand = application.right_expression;
     const Span span = program.expressions[application.expression].span;
-    std::vector<std::string> arguments{quoted(program, span),
-                                       quoted(program, program.expressions[operand].span),
-                                       with_letter(analysis, risk.variable)};
-    if (risk.other) arguments.push_back(with_letter(analysis, *risk.other));
-    if (risk.check != nullptr)
-        arguments.push_back(quoted(program, program.expressions[risk.check->expression].span));
-    const ProgramAnalysis* calling = nullptr;
-    if (risk.call != nullptr) {
-        calling = &queries::calling_program(analysis, *risk.call);
-        const Span call = calling->program().effects[risk.call->effect].span;
-        arguments.push_back(line_number(calling->file(), call.begin));
-        arguments.push_back(calling->program().name);
-    }
-    Finding& finding = reporter.report(Cause(analysis, application.effect, operand), span,
-                                       message_of(risk.evidence), std::move(arguments));
-    const bool is_warning = risk.evidence != Evidence::unchecked;
-    finding.severity = std::min(finding.severity, is_warning ? Severity::warning : Severity::note);
-    finding.alarm = {};
-    if (calling != nullptr)
-        finding.path.push_back(related_at_effect(*calling, risk.call->effect, "this call"));
-    if (risk.check != nullptr)
-        finding.related.push_back(
-            {analysis.source(), program.expressions[risk.check->expression].span, "0 passes this check"});
+    Finding& finding = report_risk(analysis, risk, Cause(analysis, application.effect, operand), span,
+                                   {quoted(program, span), quoted(program, program.expressions[operand].span),
+                                    with_letter(analysis, risk.variable)},
+                                   reporter);
     trace(finding, analysis, application.node, "it is calculated here");
 }
 
 } // namespace
+
+Finding& report_risk(const ProgramAnalysis& analysis, const queries::OperandRisk& risk, const Cause& cause,
+                     Span span, std::vector<std::string> words, Reporter& reporter) {
+    const Program& program = analysis.program();
+    std::optional<Span> check;
+    if (risk.check != nullptr) check = program.expressions[risk.check->expression].span;
+    if (risk.other) words.push_back(with_letter(analysis, *risk.other));
+    if (check) words.push_back(quoted(program, *check));
+    const ProgramAnalysis* calling = nullptr;
+    if (risk.call != nullptr) {
+        calling = &queries::calling_program(analysis, *risk.call);
+        const Span call = calling->program().effects[risk.call->effect].span;
+        words.push_back(line_number(calling->file(), call.begin));
+        words.push_back(calling->program().name);
+    }
+    Finding& finding = reporter.report(cause, span, message_of(risk.evidence), std::move(words));
+    const bool is_shown = risk.evidence != Evidence::unchecked;
+    finding.severity = std::min(finding.severity, is_shown ? Severity::warning : Severity::note);
+    finding.alarm = {};
+    if (calling != nullptr)
+        finding.path.push_back(related_at_effect(*calling, risk.call->effect, "this call"));
+    if (check) finding.related.push_back({analysis.source(), *check, "0 passes this check"});
+    return finding;
+}
 
 void report_risks(const ProgramAnalysis& analysis, Operation operation, Reporter& reporter) {
     std::optional<queries::OperandRisks> risks;

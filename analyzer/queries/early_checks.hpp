@@ -1,0 +1,23 @@
+//! Shared variables that a program checks before it sets them.
+#pragma once
+
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <vector>
+
+namespace maclint::queries {
+
+/// A test with an alarm on one side, which reads what was in the variable when the program began.
+struct EarlyCheck {
+    const dataflow::Read* read;
+    const dataflow::Store* store; ///< that comes later
+};
+
+/// The first such read of each variable that lives as long as the control is on. Only where the program
+/// stores in it once, what it calculates from its own variables and the test does not look at, and everything
+/// behind the store reads that; not where a caller may have set it.
+[[nodiscard]] std::vector<EarlyCheck> find_early_checks(const ProgramAnalysis& analysis);
+
+} // namespace maclint::queries

@@ -1,0 +1,40 @@
+//! Chooses the message for blocks that no path reaches.
+#include "rules/flow/unreached_words.hpp"
+
+#include "rules/path.hpp"
+
+#include <variant>
+
+namespace maclint::rules {
+
+std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
+                                        const queries::UnreachedRegion& region, bool another_is_raised) {
+    if (region.is_meant || region.is_explained) return std::nullopt;
+    const Program& program = analysis.program();
+    const Effect& ender = program.effects[*region.ender];
+    const std::string number = region.number ? std::to_string(*region.number) : "";
+    const std::string before = quoted(program, ender.span);
+    const std::string line = line_number(analysis.file(), ender.span.begin);
+    if (region.number && region.is_alarm) {
+        const Span alarm = program.effects[region.alarms.front()].span;
+        if (!another_is_raised) return std::nullopt;
+        return UnreachedWords{"alarm",
+                              region.head,
+                              {number, quoted(program, alarm)},
+                              region.is_named,
+                              std::span(region.alarms).subspan(1)};
+    }
+    const auto* stop = std::get_if<Stop>(&ender.what);
+    const bool ends = stop != nullptr && stop->kind != Stop::Kind::alarm;
+    if (region.leaves || !region.work) return std::nullopt;
+    if (ends && region.only_switches) return std::nullopt; // the end of a program switches off as well
+    if (!region.number || ends) {
+        // Who puts a GOTO in front of blocks switches them off for a while.
+        const bool is_sure = !std::holds_alternative<Jump>(ender.what);
+        return UnreachedWords{"after", *region.work, {quoted(program, *region.work), before, line}, is_sure};
+    }
+    if (!region.moves || region.is_alarm) return std::nullopt;
+    return UnreachedWords{"block", region.head, {number, before, line}, false};
+}
+
+} // namespace maclint::rules
