@@ -117,7 +117,7 @@ std::vector<NumberInText> numbers_behind(std::string_view word, std::string_view
                                          const Program& program) {
     const std::string text = in_capitals(program.slice(program.span));
     std::vector<NumberInText> numbers;
-    for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
         const std::string_view rest = std::string_view(text).substr(at + word.size());
         const std::size_t digits = std::min(rest.find_first_not_of(blanks), rest.size());
         if (const auto number = number_at(rest.substr(digits)))

@@ -72,7 +72,7 @@ bool is_told_of(const Program& program, Variable variable) {
     const auto goes_on = [&](std::size_t at) {
         return at < text.size() && (is_letter(text[at]) || is_digit(text[at]));
     };
-    for (auto at = text.find(name); at != text.npos; at = text.find(name, at + 1))
+    for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1))
         if (!goes_on(at + name.size())) return true;
     return false;
 }
