@@ -17,7 +17,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-LIMITS = ("-timeout=20", "-rss_limit_mb=3072", "-max_len=4096", "-print_final_stats=1", "-verbosity=1")
+LIMITS = ("-timeout=60", "-rss_limit_mb=3072", "-max_len=4096", "-print_final_stats=1", "-verbosity=1")
 
 
 def targets(wanted):
