@@ -54,7 +54,9 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     ahead_ = nullptr;
     visits_ = 0;
     PathFound found;
-    if (distance_.front()[0] == no_way) return found;
+    flow::NodeId from = 0;
+    for (std::size_t each = 0; each < legs.size(); from = legs[each++].to)
+        if (distance_[each][from] == no_way) return found;
     bool arrived = arrive(0, 0, run_.at_start());
     while (!arrived && !places_.empty()) {
         if (visits_ > most_visits) {

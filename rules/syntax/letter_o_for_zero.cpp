@@ -21,7 +21,9 @@ extern const Rule letter_o_for_zero{
                  {"jump",
                   "Letter O for the figure 0, or a GOTO without its TO: '{0}', and the control stops"
                   " here.",
-                  "Write '{1}', or GOTO before the number."}},
+                  "Write '{1}', or GOTO before the number."},
+                 {"plain", "Letter O for the figure 0: '{0}', and the control stops here.",
+                  "Write the figure."}},
     .bad = {{"fanuc", R"nc(
 O9106(FACE)
 GO1 X10. F100

@@ -99,6 +99,16 @@ std::string many_cases() {
     return text;
 }
 
+TEST(FeasiblePaths, NoneIsLookedForToAnEndThatDoesNotFollow) {
+    const auto workspace = test::analyse_fanuc("O1\nG0X1.\n" + many_cases() + "G0Z#10\nM30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    const flow::NodeId read = program.facts().all<dataflow::Read>().back().node;
+    const execution::PathFound back = queries::path_on_from(program, read, 1);
+    EXPECT_FALSE(back.path.has_value());
+    EXPECT_EQ(back.visits, 0U);
+    EXPECT_TRUE(queries::path_on_from(program, 1, read).path.has_value());
+}
+
 execution::PathFound search_for_last_read(const ProgramAnalysis& program, std::int32_t variable) {
     const dataflow::Read* last = nullptr;
     for (const dataflow::Read& read : program.facts().all<dataflow::Read>())

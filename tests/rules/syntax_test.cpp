@@ -2,6 +2,7 @@
 #include "tests/rules/raised.hpp"
 #include "tests/support/linted.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,28 @@ TEST(OneSyntaxError, TheSameUnknownWordIsToldOnceWithItsOtherLines) {
     const std::string text = "O1\nIF[#100LTE1]GOTO9\nG0X1.\nIF[#101LTE1]GOTO9\nIF[#102LTE1]GOTO9\nN9M30\n";
     EXPECT_THAT(told(text), ElementsAre("2: error MAC118 +4 +5"));
     EXPECT_THAT(first_message(text), EndsWith(" The same in 2 more places: lines 4 and 5. Write 'LE'."));
+}
+
+TEST(SyntaxErrors, AreToldOfNumbersTooLongForTheirCure) {
+    const std::string zeros(80, '0');
+    EXPECT_THAT(test::messages_raised("MAC106", "O1\nG0 X0." + zeros + "O7\nM30\n"),
+                ElementsAre(AllOf(HasSubstr(zeros + "O7"), EndsWith("Write the figure."))));
+    EXPECT_THAT(test::messages_raised("MAC106", "O1\nGO" + std::string(80, '1') + "\nM30\n"),
+                ElementsAre(EndsWith("Write the figure.")));
+}
+
+/// Whoever has a message with a cure needs one for where none is known.
+TEST(SyntaxErrors, HaveAMessageWithoutACureToo) {
+    std::size_t with_cure = 0;
+    for (const Rule* rule : all_rules()) {
+        const auto has = [&](std::string_view id) {
+            return std::ranges::find(rule->messages, id, &Message::id) != rule->messages.end();
+        };
+        if (!has("cure")) continue;
+        ++with_cure;
+        EXPECT_TRUE(has("plain")) << rule->code;
+    }
+    EXPECT_GT(with_cure, 5U);
 }
 
 TEST(OneMissingNumber, IsToldOnceAProgramWithTheOthers) {

@@ -310,6 +310,7 @@ bool Liveness::is_live_after(EffectId effect, Variable variable) const {
 }
 
 std::vector<Variable> Liveness::live_before(flow::NodeId node) const {
+    if (!LiveVariables::is_reached(after_[node])) return {};
     return variables_->members(variables_->run(node, after_[node]));
 }
 

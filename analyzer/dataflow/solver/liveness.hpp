@@ -36,7 +36,8 @@ class Liveness {
     /// Whether what the variable holds after the effect may be read: here, by a called program, or when this
     /// one has ended. True where nothing is known, as of a variable that the program does not name.
     [[nodiscard]] bool is_live_after(EffectId effect, Variable variable) const;
-    /// The variables that the program names and whose value before the node may be read.
+    /// The variables that the program names and whose value before the node may be read; none where no path
+    /// leads to the goal.
     [[nodiscard]] std::vector<Variable> live_before(flow::NodeId node) const;
 
   private:
