@@ -28,8 +28,8 @@ extern const Rule missing_program_end{
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::ExitState, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"plain", "Missing end: {0} ends after this block, and neither ends the job nor returns.",
-                  "End it after this block, with {1} if other programs call it."}},
+    .messages = {{"plain", "Missing end: {0} ends after this block, without M30 and without {1}.",
+                  "Add M30 after this block, or {1} if other programs call it."}},
     .bad = {{"fanuc", R"nc(
 O0455(FACE)
 G90 G54 G0 X0 Y0 S1200 M3
