@@ -47,6 +47,30 @@ class PackagesTest(unittest.TestCase):
             self.assertRegex(table, rf"(?m)(^|[ ,]){re.escape(name)}($|[ ,])")
 
 
+class CommandLineUnderWineTest(unittest.TestCase):
+    def printed(self, function):
+        done = subprocess.run(["bash", "-c", f". ./dev help >/dev/null\n{function}"], cwd=ROOT, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def test_runs_what_starts_the_executable(self):
+        tests = self.printed("command_line_tests").split()
+        for name in ("Executable.EndsWith0WithoutFindings", "BadBytes.UnclosedComment", "Faults.NoFileTakesTwoReports"):
+            self.assertIn(name, tests)
+        self.assertNotIn("Glob.EndsSoonWhateverThePatternIs", tests)
+
+    def test_leaves_out_what_there_is_and_says_why(self):
+        tests = self.printed("command_line_tests").split()
+        lines = [line for line in (ROOT / "tests/windows/left_out").read_text().splitlines() if not line.startswith("#")]
+        names = self.printed("left_out_under_wine").split()
+        self.assertEqual(len(names), len(lines), "each line has a name and a reason")
+        for name in names:
+            self.assertTrue(any(re.fullmatch(name.replace("*", ".*"), test) for test in tests), name)
+        left_out = re.compile(self.printed("left_out_under_wine | any_of").strip())
+        self.assertTrue(left_out.fullmatch("Since.ConflictsHaveChanged"))
+        self.assertLess(len([test for test in tests if left_out.fullmatch(test)]), len(tests) / 4)
+
+
 class InCopyTest(unittest.TestCase):
     """In a folder with nothing but the script."""
 

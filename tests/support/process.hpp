@@ -1,4 +1,4 @@
-//! Runs the built executable.
+//! Runs the built executable, or the one that the environment names as MACLINT_EXECUTABLE.
 #pragma once
 
 #include <optional>

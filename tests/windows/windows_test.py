@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -196,6 +197,15 @@ class Outcomes(WindowsTest):
         self.assertIn("which is one of the files to check", over.stderr.decode())
         self.assertEqual((self.folder / "a.nc").read_text(), JUMP)
         self.assertEqual(sorted(os.listdir(self.folder)), [".git", "a.nc", "report.json"])
+
+    def test_of_a_report_where_standard_output_goes(self):
+        self.write("a.nc", JUMP)
+        shutil.copy(EXE, self.folder / "maclint.exe")
+        for report in ("out.json", f"..\\{self.folder.name}\\out.json"):
+            done = run("cmd.exe", ["/c", f"maclint.exe --output json:{report} a.nc > out.json"], self.folder)
+            self.assertEqual(done.returncode, 2, done.stderr.decode())
+            self.assertIn("where standard output goes, too", done.stderr.decode())
+            self.assertEqual((self.folder / "out.json").read_bytes(), b"")
 
     def test_of_a_report_to_no_device(self):
         self.write("a.nc", JUMP)
