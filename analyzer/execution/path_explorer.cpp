@@ -1,8 +1,6 @@
 //! Depth first, the nearest way first; of ways that make no difference to the decisions to come only one.
 #include "analyzer/execution/path_explorer.hpp"
 
-#include "analyzer/dataflow/facts/clobber.hpp"
-#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/flow/walk.hpp"
 
 #include <algorithm>
@@ -40,6 +38,7 @@ PathExplorer::PathExplorer(const ProgramAnalysis& analysis)
     : analysis_(analysis)
     , graph_(analysis.graph())
     , run_(analysis)
+    , rounds_(analysis)
     , ways_meet_(where_ways_meet(graph_)) {}
 
 PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits) {
@@ -121,8 +120,9 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
         if (distance_[leg][node] == no_way) return false;
     }
     if (is_on_path(node, leg)) return false;
-    if (const Changes* changes = changes_of_rounds(node, legs_[leg].barred))
-        point = run_.after_changes(*changes, node, point);
+    const auto is_passed = [&](flow::NodeId each) { return is_on_path(each, leg); };
+    if (const Changes* changes = rounds_.at(node, legs_[leg].barred, is_passed))
+        point = run_.after_changes(*changes, point);
     // Blocks that run once more make other values of the same symbols.
     if (back_on_path) PathRun::forget_assumptions(point);
     std::uint64_t fingerprint = 0;
@@ -172,49 +172,6 @@ bool PathExplorer::failed_before(flow::NodeId node, std::uint32_t leg, const Poi
     fingerprint =
         dataflow::mix(run_.fingerprint(point, deciding->second), dataflow::side_by_side(node, leg)) | 1U;
     return failed_.contains(fingerprint);
-}
-
-// ---- loops
-
-const Changes* PathExplorer::changes_of_rounds(flow::NodeId head, std::span<const flow::NodeId> barred) {
-    const Rounds& rounds = rounds_of(head);
-    const bool passed =
-        std::ranges::any_of(rounds.nodes, [&](flow::NodeId n) { return is_barred(barred, n); });
-    return rounds.nodes.empty() || passed ? nullptr : &rounds.changes;
-}
-
-/// In every cycle the first node in the text is its head: an edge leads back there, and the cycle stays after
-/// it.
-const PathExplorer::Rounds& PathExplorer::rounds_of(flow::NodeId head) {
-    const auto [found, fresh] = rounds_.try_emplace(head);
-    Rounds& rounds = found->second;
-    if (!fresh) return rounds;
-    flow::walk<flow::Direction::backward>(graph_, {head}, [&](flow::EdgeId edge, flow::NodeId from) {
-        if (from < head || !analysis_.data().passable(edge)) return flow::Step::refuse;
-        rounds.nodes.push_back(from);
-        return from == head ? flow::Step::end : flow::Step::go_on;
-    });
-    std::ranges::sort(rounds.nodes);
-    collect_changes(rounds);
-    return rounds;
-}
-
-void PathExplorer::collect_changes(Rounds& rounds) const {
-    Changes& changes = rounds.changes;
-    for (const flow::NodeId node : rounds.nodes) {
-        for (const dataflow::Store& store : analysis_.facts().in<dataflow::Store>(node))
-            changes.variables.push_back(store.variable);
-        for (const dataflow::Clobber& clobber : analysis_.facts().in<dataflow::Clobber>(node))
-            if (clobber.variable)
-                changes.variables.push_back(*clobber.variable);
-            else
-                changes.spaces.push_back(clobber.space);
-        changes.machine = changes.machine || run_.acts(node);
-    }
-    const auto key = [](Variable variable) { return std::pair(variable.space, variable.number); };
-    std::ranges::sort(changes.variables, {}, key);
-    const auto twice = std::ranges::unique(changes.variables);
-    changes.variables.erase(twice.begin(), twice.end());
 }
 
 } // namespace maclint::execution

@@ -4,12 +4,12 @@
 
 #include "analyzer/dataflow/solver/liveness.hpp"
 #include "analyzer/execution/path_run.hpp"
+#include "analyzer/execution/rounds.hpp"
 
 #include <optional>
 #include <span>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 namespace maclint::execution {
@@ -59,28 +59,19 @@ class PathExplorer {
     [[nodiscard]] bool failed_before(flow::NodeId node, std::uint32_t leg, const Point& point,
                                      std::uint64_t& fingerprint);
     [[nodiscard]] std::vector<flow::EdgeId> ways_from(flow::NodeId node, std::uint32_t leg) const;
-    [[nodiscard]] const Changes* changes_of_rounds(flow::NodeId head, std::span<const flow::NodeId> barred);
     [[nodiscard]] bool is_on_path(flow::NodeId node, std::uint32_t leg) const {
         return (on_path_[node] >> leg & 1U) != 0;
     }
 
-    /// The nodes of a loop, and what they change.
-    struct Rounds {
-        std::vector<flow::NodeId> nodes; ///< sorted; empty: no edge leads back
-        Changes changes;
-    };
-    [[nodiscard]] const Rounds& rounds_of(flow::NodeId head);
-    void collect_changes(Rounds& rounds) const;
-
     const ProgramAnalysis& analysis_;
     const flow::Graph& graph_;
     PathRun run_;
+    Rounds rounds_;
     std::span<const Leg> legs_;
     std::vector<std::vector<std::uint32_t>> distance_; ///< edges to the end of each leg, of every node
     std::vector<std::uint8_t> on_path_;                ///< of every node, a bit for each leg
     std::vector<bool> ways_meet_;                      ///< of every node: see ways_meet
     std::vector<Place> places_;
-    std::unordered_map<flow::NodeId, Rounds> rounds_;
     /// What the decisions on the way to a goal depend on.
     struct Deciding {
         dataflow::Liveness decisions;

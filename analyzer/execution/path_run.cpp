@@ -16,6 +16,17 @@ using dataflow::Value;
 
 } // namespace
 
+bool acts(const Program& program, const flow::Node& node) {
+    if (node.is_run) return true;
+    for (Id i = node.effects.first; i < node.effects.first + node.effects.count; ++i) {
+        const auto& what = program.effects[i].what;
+        if (!std::holds_alternative<Assign>(what) && !std::holds_alternative<Guarded>(what) &&
+            !std::holds_alternative<RegionMark>(what) && !std::holds_alternative<Jump>(what))
+            return true;
+    }
+    return false;
+}
+
 PathRun::PathRun(const ProgramAnalysis& analysis)
     : program_(analysis.program())
     , graph_(analysis.graph())
@@ -55,30 +66,18 @@ std::optional<PathRun::Point> PathRun::along(flow::EdgeId id, const Point& after
     return remembered(Step::Kind::edge, id, after, [&] { return along_now(id, after); });
 }
 
-PathRun::Point PathRun::after_changes(const Changes& changes, flow::NodeId head, Point point) {
-    return *remembered(Step::Kind::rounds, head, point, [&] { return change(changes, head, point); });
+PathRun::Point PathRun::after_changes(const Changes& changes, Point point) {
+    return *remembered(Step::Kind::rounds, changes.id, point, [&] { return change(changes, point); });
 }
 
 PathRun::Point PathRun::run_now(flow::NodeId node, Point point) {
     transfer_.set_machine_time(point.time);
     point.state = transfer_.run(node, point.state);
     const flow::Node& n = graph_.nodes[node];
-    if (acts(node)) point.time.acted = node;
+    if (acts(program_, n)) point.time.acted = node;
     if (stores_in_machine(n)) point.time.stored = node;
     transfer_.set_machine_time(point.time);
     return point;
-}
-
-bool PathRun::acts(flow::NodeId id) const {
-    const flow::Node& node = graph_.nodes[id];
-    if (node.is_run) return true;
-    for (Id i = node.effects.first; i < node.effects.first + node.effects.count; ++i) {
-        const auto& what = program_.effects[i].what;
-        if (!std::holds_alternative<Assign>(what) && !std::holds_alternative<Guarded>(what) &&
-            !std::holds_alternative<RegionMark>(what) && !std::holds_alternative<Jump>(what))
-            return true;
-    }
-    return false;
 }
 
 bool PathRun::stores_in_machine(const flow::Node& node) const {
@@ -131,25 +130,26 @@ bool PathRun::assume_one(Point& point, const dataflow::State& before, const Appl
 
 // ---- loops
 
-/// The changed variables and their unknown values, which are the same whenever the path comes to the head.
-dataflow::Root PathRun::unknown_after(const Changes& changes, flow::NodeId head) {
-    const auto [known, fresh] = unknown_.try_emplace(head);
+/// The changed variables and their unknown values, which are the same whenever the path comes to the node.
+dataflow::Root PathRun::unknown_after(const Changes& changes) {
+    const auto [known, fresh] = unknown_.try_emplace(changes.id);
     if (!fresh) return known->second;
     dataflow::State state;
     for (const Variable variable : changes.variables) {
         Value value;
-        value.symbol = states_.table().symbols({Symbol::Kind::joined, dataflow::key_of(variable), head, 1});
+        value.symbol =
+            states_.table().symbols({Symbol::Kind::joined, dataflow::key_of(variable), changes.at, 1});
         states_.write(state, variable, value);
     }
     return known->second = state.root;
 }
 
-PathRun::Point PathRun::change(const Changes& changes, flow::NodeId head, Point point) {
+PathRun::Point PathRun::change(const Changes& changes, Point point) {
     for (const SpaceId space : changes.spaces)
-        states_.havoc(point.state, space, {dataflow::Origin::Kind::effect, head, head});
-    point.state.root = states_.trees().united(unknown_after(changes, head), point.state.root);
+        states_.havoc(point.state, space, {dataflow::Origin::Kind::effect, changes.at, changes.at});
+    point.state.root = states_.trees().united(unknown_after(changes), point.state.root);
     if (!changes.machine) return point;
-    point.time = {head, head};
+    point.time = {changes.at, changes.at};
     for (std::size_t i = 0; i < program_.control->groups.size(); ++i)
         dataflow::for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
             const auto group = static_cast<GroupId>(i);

@@ -14,12 +14,17 @@
 
 namespace maclint::execution {
 
-/// What some blocks may change, each of them run any number of times.
+/// What some blocks may change, each of them run any number of times, when a path comes to a node.
 struct Changes {
+    std::uint32_t id = 0;            ///< no other changes in the program have it
+    flow::NodeId at = 0;             ///< the node
     std::vector<Variable> variables; ///< sorted, each once
     std::vector<SpaceId> spaces;     ///< of which any variable may change
     bool machine = false;            ///< modal state, and what the machine does
 };
+
+/// Whether the node does anything but calculate, decide and jump.
+[[nodiscard]] bool acts(const Program& program, const flow::Node& node);
 
 class PathRun {
   public:
@@ -38,8 +43,8 @@ class PathRun {
     [[nodiscard]] Point run(flow::NodeId node, Point point);
     /// From after an edge's node to the end of the edge; nothing when who came this way cannot take it.
     [[nodiscard]] std::optional<Point> along(flow::EdgeId id, const Point& after);
-    /// Whatever the changes have made of the point. `head`: the node at which that is.
-    [[nodiscard]] Point after_changes(const Changes& changes, flow::NodeId head, Point point);
+    /// Whatever the changes have made of the point.
+    [[nodiscard]] Point after_changes(const Changes& changes, Point point);
     /// Nothing that was assumed on the way is sure any more.
     static void forget_assumptions(Point& point) { point.assumed = Assumptions::none; }
 
@@ -47,11 +52,8 @@ class PathRun {
     /// it can go the same ways.
     [[nodiscard]] std::uint64_t fingerprint(const Point& point, std::span<const Variable> deciding);
 
-    /// Whether the node does anything but calculate, decide and jump.
-    [[nodiscard]] bool acts(flow::NodeId id) const;
-
   private:
-    /// A step that was taken: the node, edge or head, and the point before it.
+    /// A step that was taken: the node, edge or changes, and the point before it.
     struct Step {
         enum class Kind : std::uint8_t { node, edge, rounds } kind;
         std::uint32_t id;
@@ -69,8 +71,8 @@ class PathRun {
                                                   const Take& take);
     [[nodiscard]] Point run_now(flow::NodeId node, Point point);
     [[nodiscard]] std::optional<Point> along_now(flow::EdgeId id, const Point& after);
-    [[nodiscard]] dataflow::Root unknown_after(const Changes& changes, flow::NodeId head);
-    [[nodiscard]] Point change(const Changes& changes, flow::NodeId head, Point point);
+    [[nodiscard]] dataflow::Root unknown_after(const Changes& changes);
+    [[nodiscard]] Point change(const Changes& changes, Point point);
     [[nodiscard]] bool stores_in_machine(const flow::Node& node) const;
     [[nodiscard]] bool assume(Point& point, const dataflow::State& before, ExpressionId condition,
                               bool holds);
@@ -84,10 +86,10 @@ class PathRun {
     dataflow::Transfer transfer_;
     Assumptions assumptions_;
     dataflow::Interner<Step> steps_;
-    std::vector<std::optional<Point>> after_;                  ///< of each step
-    std::unordered_map<flow::NodeId, dataflow::Root> unknown_; ///< by head, see unknown_after
-    bool reads_modal_state_;                                   ///< somewhere in the program
-    std::vector<dataflow::SymbolId> seen_;                     ///< kept for its memory
+    std::vector<std::optional<Point>> after_;                   ///< of each step
+    std::unordered_map<std::uint32_t, dataflow::Root> unknown_; ///< by id of changes, see unknown_after
+    bool reads_modal_state_;                                    ///< somewhere in the program
+    std::vector<dataflow::SymbolId> seen_;                      ///< kept for its memory
 };
 
 } // namespace maclint::execution

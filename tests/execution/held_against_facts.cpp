@@ -30,7 +30,7 @@ using dataflow::Vacancy;
 using execution::Leaving;
 
 /// Paths of whole programs are looked at up to so many edges.
-constexpr std::size_t longest_path = 60;
+constexpr std::size_t longest_path = 500;
 
 std::string spell(semantics::Content content) { return content ? std::to_string(*content) : "vacant"; }
 
@@ -495,9 +495,22 @@ void HeldAgainstFacts::check_stop() {
         if (level.before_call.empty()) continue;
         claim(level.analysis->summary().may_stop, "summary: stops", "a program called there stops");
         for (const dataflow::Loop& loop : level.analysis->loops())
-            claim(!loop.holds(*level.node) || loop.can_stop, "loops that cannot stop",
-                  "a program called there stops");
+            if (loop.holds(*level.node) && in_a_later_round(level, loop))
+                claim(loop.can_stop, "loops that cannot stop", "a program called there stops");
     }
+}
+
+/// Whether the run has come to its node again without leaving the loop. Of the first round a loop claims
+/// nothing.
+bool HeldAgainstFacts::in_a_later_round(const Level& level, const dataflow::Loop& loop) {
+    if (level.path.size() >= longest_path) return true;
+    const flow::Graph& graph = level.analysis->graph();
+    for (const flow::EdgeId id : level.path | std::views::reverse) {
+        const flow::Edge& edge = graph.edges[id];
+        if (!loop.holds(edge.from)) return false;
+        if (edge.from == *level.node) return true;
+    }
+    return false;
 }
 
 void HeldAgainstFacts::end(bool machine_stood_still) {
@@ -511,24 +524,34 @@ void HeldAgainstFacts::end(bool machine_stood_still) {
     levels_.clear();
 }
 
-/// Where a run has come, a search comes, too; where the run met no node twice, over its nodes alone. A path
-/// may end where a program called from there has stopped for good.
+/// Where a run has come, a search comes, too, over the nodes that the run met alone, and by way of any of
+/// them. A path may end where a program called from there has stopped for good.
 void HeldAgainstFacts::check_path(const Level& level) {
     const flow::Graph& graph = level.analysis->graph();
+    const bool whole = level.path.size() < longest_path;
     std::vector<bool> met(graph.nodes.size(), false);
     met[0] = true;
-    bool twice = level.path.size() >= longest_path;
+    bool twice = false;
     for (const flow::EdgeId edge : level.path) {
         twice = twice || met[graph.edges[edge].to];
         met[graph.edges[edge].to] = true;
     }
     std::vector<flow::NodeId> barred;
-    for (flow::NodeId node = 0; node < graph.nodes.size() && !twice; ++node)
+    for (flow::NodeId node = 0; node < graph.nodes.size() && whole && !twice; ++node)
         if (!met[node]) barred.push_back(node);
     execution::PathSearch search(*level.analysis);
-    const execution::PathFound found = search.find(std::array{execution::Leg{*level.node, barred}});
-    claim(found.path.has_value() || found.gave_up, twice ? "paths with loops" : "paths",
-          "no path leads to node " + std::to_string(*level.node) + ", where it has come");
+    const std::string where = "no path leads to node " + std::to_string(*level.node) + ", where it has come";
+    const auto expect = [&](std::span<const execution::Leg> legs, const char* kind, const std::string& what) {
+        const execution::PathFound found = search.find(legs);
+        claim(found.path.has_value() || found.gave_up, kind, what);
+    };
+    const execution::Leg last{*level.node, barred};
+    expect(std::array{last}, twice ? "paths with loops" : "paths", where);
+    if (!whole || level.path.empty()) return;
+    const flow::NodeId between = graph.edges[level.path[level.path.size() / 2]].to;
+    expect(std::array{execution::Leg{between, barred}, last},
+           twice ? "paths by way of a node, with loops" : "paths by way of a node",
+           where + " by way of node " + std::to_string(between));
 }
 
 } // namespace maclint::test

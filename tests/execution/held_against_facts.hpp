@@ -70,6 +70,7 @@ class HeldAgainstFacts {
     void check_exit(execution::Stepper& stepper, const execution::ProgramLeft& left);
     void check_summary(execution::Stepper& stepper, const execution::ProgramLeft& left);
     void check_stop();
+    [[nodiscard]] static bool in_a_later_round(const Level& level, const dataflow::Loop& loop);
     void check_path(const Level& level);
     void check_changes(execution::Stepper& stepper, EffectId call);
 

@@ -60,6 +60,20 @@ TEST(FeasiblePaths, WhatIsStoredAfterTheRoundsIsKnownAgain) {
                                        5));
 }
 
+TEST(FeasiblePaths, ALoopThatAJumpEntersInItsMiddleIsGoneRound) {
+    // The test of the loop stands at its end, where the program comes first.
+    EXPECT_TRUE(reaches_uninitialised("#1=0\nGOTO20\nN10 #1=#1+1\nN20 IF[#1LT3]GOTO10\n" + sets_5_or_not, 5));
+    // Two ways lead into the loop, to N10 and to N20, of which the first sets #5. The second comes to N20
+    // seven times before that lets go.
+    const std::string loop = "N10 G0X1.\nN20 IF[#1EQ7]GOTO30\n#1=#1+1\nIF[#1LT9]GOTO10\n#5=1\nN30 ";
+    for (const std::string start : {"IF[#501EQ1]GOTO20\n#5=1\n", "IF[#501EQ1]GOTO5\nGOTO20\nN5 #5=1\n"})
+        EXPECT_TRUE(reaches_uninitialised("#1=0\n" + start + loop + "G0Z#5\n", 5)) << start;
+    // What no round changes is known in the middle, too.
+    EXPECT_FALSE(reaches_uninitialised("#1=0\nIF[#503EQ1]THEN #5=1\nIF[#501EQ1]GOTO20\n#5=1\n" + loop +
+                                           "IF[#503NE1]GOTO40\nG0Z#5\nN40\n",
+                                       5));
+}
+
 TEST(FeasiblePaths, ALoopThatSetsTheVariableInItsRoundsIsNotPassedWithoutThem) {
     EXPECT_FALSE(reaches_uninitialised("#1=0\nWHILE[#1LT3]DO1\n#5=#1\n#1=#1+1\nEND1\nG0Z#5\n", 5));
     EXPECT_FALSE(

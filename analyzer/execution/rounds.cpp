@@ -1,0 +1,149 @@
+//! Loops by their heads; where a jump leads into the middle of one, by what the path has passed.
+#include "analyzer/execution/rounds.hpp"
+
+#include "analyzer/dataflow/cycles.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/flow/walk.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace maclint::execution {
+namespace {
+
+/// Loops inside so many others are taken for entered aside: that is asked again on each path.
+constexpr int most_depth = 16;
+
+/// What is left of the graph when the nodes are taken out.
+flow::Adjacency without(const flow::Adjacency& adjacency, const std::vector<bool>& taken_out) {
+    flow::Adjacency left;
+    for (flow::NodeId node = 0; node < adjacency.size(); ++node) {
+        if (!taken_out[node])
+            for (const flow::NodeId to : adjacency[node])
+                if (!taken_out[to]) left.add(to);
+        left.end_list();
+    }
+    return left;
+}
+
+} // namespace
+
+Rounds::Rounds(const ProgramAnalysis& analysis)
+    : analysis_(analysis)
+    , graph_(analysis.graph()) {}
+
+const Rounds::Cycle& Rounds::headed_by(flow::NodeId head) {
+    const auto [found, fresh] = by_head_.try_emplace(head);
+    Cycle& cycle = found->second;
+    if (!fresh) return cycle;
+    flow::walk<flow::Direction::backward>(graph_, {head}, [&](flow::EdgeId edge, flow::NodeId from) {
+        if (graph_.order[from] < graph_.order[head] || !analysis_.data().passable(edge))
+            return flow::Step::refuse;
+        cycle.nodes.push_back(from);
+        return from == head ? flow::Step::end : flow::Step::go_on;
+    });
+    std::ranges::sort(cycle.nodes);
+    find_changes(cycle, head);
+    return cycle;
+}
+
+const Rounds::Cycle& Rounds::through(flow::NodeId node) {
+    std::vector<bool> ahead(graph_.nodes.size(), false);
+    flow::walk<flow::Direction::forward>(graph_, {node}, [&](flow::EdgeId edge, flow::NodeId to) {
+        if (passed_[to] || !analysis_.data().passable(edge)) return flow::Step::refuse;
+        ahead[to] = true;
+        return to == node ? flow::Step::end : flow::Step::go_on;
+    });
+    std::pair<flow::NodeId, std::vector<flow::NodeId>> key{node, {}};
+    std::vector<flow::NodeId>& nodes = key.second;
+    flow::walk<flow::Direction::backward>(graph_, {node}, [&](flow::EdgeId edge, flow::NodeId from) {
+        if (!ahead[from] || !analysis_.data().passable(edge)) return flow::Step::refuse;
+        nodes.push_back(from);
+        return from == node ? flow::Step::end : flow::Step::go_on;
+    });
+    std::ranges::sort(nodes);
+    const auto [found, fresh] = by_nodes_.try_emplace(std::move(key));
+    Cycle& cycle = found->second;
+    if (!fresh) return cycle;
+    cycle.nodes = found->first.second;
+    find_changes(cycle, node);
+    return cycle;
+}
+
+bool Rounds::entered_aside(flow::NodeId node) {
+    if (!entered_aside_) entered_aside_ = nodes_entered_aside();
+    return !entered_aside_->empty() && (*entered_aside_)[node];
+}
+
+/// Loops from the outside in: what is left of a loop without its head are the loops in it.
+std::vector<bool> Rounds::nodes_entered_aside() const {
+    const auto whole = dataflow::find_cycles(graph_, analysis_.data());
+    if (!whole) return {};
+    std::vector<bool> aside(graph_.nodes.size(), false);
+    std::vector<bool> is_head(graph_.nodes.size(), false);
+    dataflow::Cycles left = *whole;
+    for (int depth = 0;; ++depth) {
+        const auto loops = loops_of(left);
+        if (loops.empty()) return aside;
+        for (const Loop& loop : loops) {
+            is_head[loop.head] = true;
+            if (depth < most_depth && !is_entered_aside(loop, left.components)) continue;
+            for (const flow::NodeId node : loop.nodes)
+                if (node != loop.head) aside[node] = true;
+        }
+        if (depth == most_depth) return aside;
+        left.adjacency = without(whole->adjacency, is_head);
+        left.components = flow::find_components(left.adjacency);
+    }
+}
+
+/// The parts of the graph in which every node leads to every other.
+std::vector<Rounds::Loop> Rounds::loops_of(const dataflow::Cycles& cycles) const {
+    std::vector<Loop> loops;
+    for (std::size_t each = 0; each < cycles.components.members.size(); ++each) {
+        const auto nodes = cycles.components.members[each];
+        const auto after_first = cycles.adjacency[nodes.front()];
+        if (nodes.size() == 1 && std::ranges::find(after_first, nodes.front()) == after_first.end()) continue;
+        loops.push_back({nodes, *std::ranges::min_element(
+                                    nodes, {}, [&](flow::NodeId node) { return graph_.order[node]; })});
+    }
+    return loops;
+}
+
+bool Rounds::is_entered_aside(const Loop& loop, const flow::Components& components) const {
+    const auto comes_from_elsewhere = [&](flow::EdgeId id) {
+        const flow::NodeId from = graph_.edges[id].from;
+        return components.of[from] != components.of[loop.head] && analysis_.data().passable(id);
+    };
+    return std::ranges::any_of(loop.nodes, [&](flow::NodeId node) {
+        return node != loop.head && std::ranges::any_of(graph_.in[node], comes_from_elsewhere);
+    });
+}
+
+const Changes* Rounds::changes_of(const Cycle& cycle, std::span<const flow::NodeId> barred) {
+    const auto is_barred = [&](flow::NodeId node) { return std::ranges::binary_search(barred, node); };
+    return cycle.nodes.empty() || std::ranges::any_of(cycle.nodes, is_barred) ? nullptr : &cycle.changes;
+}
+
+void Rounds::find_changes(Cycle& cycle, flow::NodeId at) {
+    Changes& changes = cycle.changes;
+    changes.id = static_cast<std::uint32_t>(by_head_.size() + by_nodes_.size());
+    changes.at = at;
+    for (const flow::NodeId node : cycle.nodes) {
+        for (const dataflow::Store& store : analysis_.facts().in<dataflow::Store>(node))
+            changes.variables.push_back(store.variable);
+        for (const dataflow::Clobber& clobber : analysis_.facts().in<dataflow::Clobber>(node))
+            if (clobber.variable)
+                changes.variables.push_back(*clobber.variable);
+            else
+                changes.spaces.push_back(clobber.space);
+        changes.machine = changes.machine || acts(analysis_.program(), graph_.nodes[node]);
+    }
+    const auto key = [](Variable variable) { return std::pair(variable.space, variable.number); };
+    std::ranges::sort(changes.variables, {}, key);
+    const auto twice = std::ranges::unique(changes.variables);
+    changes.variables.erase(twice.begin(), twice.end());
+}
+
+} // namespace maclint::execution

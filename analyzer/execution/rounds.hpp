@@ -1,0 +1,69 @@
+//! What may have changed when a path comes to a node and what lies ahead was run before: a path passes each
+//! node once, the rounds in between are not gone one by one.
+#pragma once
+
+#include "analyzer/dataflow/cycles.hpp"
+#include "analyzer/execution/path_run.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace maclint::execution {
+
+/// The cycles of a program. A path that passes a node any number of times ends with the same values as one
+/// that stays once at the node while the cycles there change what they may: those that pass no node of the
+/// path.
+class Rounds {
+  public:
+    /// The analysis must outlive this, and hold the facts Store and Clobber.
+    explicit Rounds(const ProgramAnalysis& analysis);
+
+    /// What the cycles through the node change that pass no node of which `is_passed(node)` says so. nullptr:
+    /// nothing, or one of their nodes is `barred` (sorted), as nobody knows how often they can go round
+    /// without it. Valid as long as this is.
+    template<class IsPassed>
+    [[nodiscard]] const Changes* at(flow::NodeId node, std::span<const flow::NodeId> barred,
+                                    const IsPassed& is_passed) {
+        if (!entered_aside(node)) return changes_of(headed_by(node), barred);
+        passed_.assign(graph_.nodes.size(), false);
+        for (flow::NodeId each = 0; each < passed_.size(); ++each) passed_[each] = is_passed(each);
+        return changes_of(through(node), barred);
+    }
+
+  private:
+    struct Cycle {
+        std::vector<flow::NodeId> nodes; ///< sorted; empty: no edge leads back
+        Changes changes;
+    };
+
+    /// The nodes that lead back to the node and come after it in the order of the graph: all that its cycles
+    /// hold when a path can come to these nodes by way of it alone.
+    [[nodiscard]] const Cycle& headed_by(flow::NodeId head);
+    /// The nodes on cycles through the node over none that is `passed_`.
+    [[nodiscard]] const Cycle& through(flow::NodeId node);
+    /// Whether a path may come to the node inside a loop whose head it has not passed.
+    [[nodiscard]] bool entered_aside(flow::NodeId node);
+    [[nodiscard]] std::vector<bool> nodes_entered_aside() const;
+    struct Loop {
+        std::span<const flow::NodeId> nodes; ///< sorted
+        flow::NodeId head;                   ///< the first of them in the order of the graph
+    };
+    [[nodiscard]] std::vector<Loop> loops_of(const dataflow::Cycles& cycles) const;
+    [[nodiscard]] bool is_entered_aside(const Loop& loop, const flow::Components& components) const;
+    [[nodiscard]] static const Changes* changes_of(const Cycle& cycle, std::span<const flow::NodeId> barred);
+    void find_changes(Cycle& cycle, flow::NodeId at);
+
+    const ProgramAnalysis& analysis_;
+    const flow::Graph& graph_;
+    std::unordered_map<flow::NodeId, Cycle> by_head_;
+    std::map<std::pair<flow::NodeId, std::vector<flow::NodeId>>, Cycle>
+        by_nodes_;                                   ///< and the node they lead to
+    std::optional<std::vector<bool>> entered_aside_; ///< of every node; found out when asked for
+    std::vector<bool> passed_;                       ///< kept for its memory
+};
+
+} // namespace maclint::execution
