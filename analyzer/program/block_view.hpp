@@ -238,23 +238,42 @@ void for_each_effect(const Program& program, const Visit& visit) {
 /// The addresses that are named, separated by blanks; all of them for "".
 [[nodiscard]] syntax::AddressSet addresses_named(const Program& program, std::string_view names);
 
+namespace blocks {
+
+/// The words of plain blocks, read again; keeps its memory.
+class WordReader {
+  public:
+    /// `visit(BlockView, words, summary)` for the blocks of the part that have words.
+    template<class Visit>
+    void visit_words(const Program& program, const PlainRun& run, Span part, const Visit& visit) {
+        const auto scan = [&](std::string_view text, Offset at, const syntax::PlainTables& tables,
+                              syntax::PlainBlock& block) {
+            words_.clear();
+            const syntax::Lane lane =
+                syntax::scan_words(text, at, tables, block, [&](const syntax::PlainWord& word) {
+                    words_.push_back({address_of(text, tables, word), Literal{word.value, word.decimal_point},
+                                      word.incremental, word.span});
+                });
+            summary_ = {block.addresses, block.repeated, block.conflicts};
+            return lane;
+        };
+        scan_again(program, run, part, scan, [&](const BlockView& block) {
+            if (!words_.empty()) visit(block, std::span<const Word>(words_), &summary_);
+        });
+    }
+
+  private:
+    std::vector<Word> words_;
+    WordSummary summary_;
+};
+
+} // namespace blocks
+
 /// `visit(BlockView, words, summary)` for the blocks that have words; the summary is nullptr where it is not
 /// known. Plain blocks are only read where `wanted(summary)` wants them, or blocks beside them.
 template<class Wanted, class Visit>
 void for_each_block_with_words(const Program& program, const Wanted& wanted, const Visit& visit) {
-    std::vector<Word> words;
-    WordSummary summary;
-    const auto scan = [&](std::string_view text, Offset at, const syntax::PlainTables& tables,
-                          syntax::PlainBlock& block) {
-        words.clear();
-        const syntax::Lane lane =
-            syntax::scan_words(text, at, tables, block, [&](const syntax::PlainWord& word) {
-                words.push_back({blocks::address_of(text, tables, word),
-                                 Literal{word.value, word.decimal_point}, word.incremental, word.span});
-            });
-        summary = {block.addresses, block.repeated, block.conflicts};
-        return lane;
-    };
+    blocks::WordReader reader;
     for (const Item& item : program.items) {
         if (const auto* block = std::get_if<Block>(&item)) {
             const auto stored = std::span(program.words).subspan(block->words.first, block->words.count);
@@ -262,11 +281,22 @@ void for_each_block_with_words(const Program& program, const Wanted& wanted, con
             continue;
         }
         const auto& run = std::get<PlainRun>(item);
-        if (!wanted(run.words)) continue;
-        blocks::scan_again(program, run, run.span, scan, [&](const BlockView& block) {
-            if (!words.empty()) visit(block, std::span<const Word>(words), &summary);
-        });
+        if (wanted(run.words)) reader.visit_words(program, run, run.span, visit);
     }
+}
+
+/// `visit(BlockView, words)` for the blocks of the stretch that have words.
+template<class Visit>
+void for_each_block_with_words(const Program& program, const Stretch& stretch, const Visit& visit) {
+    const Item& item = program.items[stretch.item];
+    if (const auto* block = std::get_if<Block>(&item)) {
+        visit(blocks::view_of(*block),
+              std::span(program.words).subspan(block->words.first, block->words.count));
+        return;
+    }
+    blocks::WordReader().visit_words(program, std::get<PlainRun>(item), stretch.span,
+                                     [&](const BlockView& block, std::span<const Word> words,
+                                         const WordSummary*) { visit(block, words); });
 }
 
 /// Number of blocks, those without words left out.

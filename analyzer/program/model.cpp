@@ -65,6 +65,11 @@ bool ControlModel::has(Capability capability) const {
     return false;
 }
 
+bool MachineFunctions::may_stop_look_ahead(double number) const {
+    const auto holds = [&](const Range& range) { return range.first <= number && number <= range.last; };
+    return !stopping || std::ranges::any_of(*stopping, holds);
+}
+
 std::optional<GroupId> ControlModel::group_with(ModalRole role) const {
     return maclint::group_with(role, groups);
 }

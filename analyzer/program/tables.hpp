@@ -269,6 +269,20 @@ struct Limits {
     std::string_view source;
 };
 
+/// The functions of the machine that words switch.
+struct MachineFunctions {
+    /// Numbers from the first to the last.
+    struct Range {
+        int first, last;
+    };
+    std::string_view address; ///< "M"
+    /// Those which a parameter of the control lets stop look-ahead, beside those that the language says stop
+    /// it. Nothing: nobody has said which, so any may.
+    std::optional<std::vector<Range>> stopping = {};
+
+    [[nodiscard]] bool may_stop_look_ahead(double number) const;
+};
+
 /// What a control drives: words such as G90 mean different things on the two.
 enum class Machine : std::uint8_t { mill, lathe };
 
@@ -318,6 +332,7 @@ struct ControlModel {
     std::vector<Idle> idle = {};       ///< when nobody asks for a feed or speed
     ProgramNumbers macro_numbers = {}; ///< that a shop keeps for macros, and protects
     bool loops_left_by_jump = true; ///< a jump can leave a loop, so a condition that always holds is a custom
+    MachineFunctions functions = {"M"};
     std::vector<SectionKind> sections = {}; ///< empty: programs have no sections
     std::vector<ReferenceKind> references = {};
     /// Addresses that a block may hold more than once, and those that it may where it calls a program.

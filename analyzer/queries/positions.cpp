@@ -108,49 +108,39 @@ struct Passed {
     std::optional<Span> move = {}; ///< the last one
 };
 
-/// Whether one of the addresses stands in the blocks of the item.
-bool names_one_of(const Program& program, const Item& item, std::string_view addresses) {
-    const auto is_one = [&](std::string_view name) {
-        return name.size() == 1 && addresses.find(name.front()) != std::string_view::npos;
-    };
-    if (addresses.empty()) return true;
-    if (const auto* run = std::get_if<PlainRun>(&item)) {
-        const auto& names = program.plain_tables[run->tables]->names;
-        for (std::size_t id = 0; id < names.size(); ++id)
-            if (is_one(names[id]) && run->words.addresses.contains(static_cast<syntax::AddressId>(id)))
-                return true;
-        return false;
-    }
-    const auto* block = std::get_if<Block>(&item);
-    return block == nullptr ||
-           std::ranges::any_of(std::span(program.words).subspan(block->words.first, block->words.count),
-                               [&](const Word& word) { return is_one(word.address); });
+/// Whether one of the addresses stands among the words; empty: any would do.
+bool names_one_of(std::span<const Word> words, std::string_view addresses) {
+    return addresses.empty() || std::ranges::any_of(words, [&](const Word& word) {
+               return word.address.size() == 1 &&
+                      addresses.find(word.address.front()) != std::string_view::npos;
+           });
+}
+
+/// Whether it switches a function of the machine that may stop look-ahead.
+bool may_stop(const MachineFunctions& functions, const Word& word) {
+    if (word.address != functions.address) return false;
+    const auto* number = std::get_if<Literal>(&word.value);
+    return number == nullptr || functions.may_stop_look_ahead(number->value);
 }
 
 /// Of moves only those count that one of the addresses stands beside.
 Passed passed_at(const ProgramAnalysis& analysis, flow::NodeId id, std::string_view addresses) {
     const Program& program = analysis.program();
     const flow::Node& node = analysis.graph().nodes[id];
-    Passed passed;
-    const auto machine_function = [](const Word& word) { return word.address == "M"; };
-    const bool moves_axis = names_one_of(program, program.items[node.item], addresses);
-    for_each_block(program, node.stretch(), [&](const BlockView& block) {
-        if (block.moves && moves_axis) passed = {false, block.span};
-    });
-    if (const auto* run = std::get_if<PlainRun>(&program.items[node.item])) {
-        const auto& names = program.plain_tables[run->tables]->names;
-        for (std::size_t id = 0; id < names.size(); ++id)
-            if (names[id] == "M")
-                passed.ends_moves = run->words.addresses.contains(static_cast<syntax::AddressId>(id));
-        return passed;
-    }
-    for (const Effect& effect : program.effects_in(node.effects))
-        if (std::holds_alternative<Motion>(effect.what) && moves_axis) passed.move = effect.span;
     const auto effects = program.effects_in(node.effects);
-    passed.ends_moves = std::ranges::any_of(effects, ends_moves);
-    if (const auto* block = std::get_if<Block>(&program.items[node.item]))
-        passed.ends_moves |= std::ranges::any_of(
-            std::span(program.words).subspan(block->words.first, block->words.count), machine_function);
+    const auto motion = std::ranges::find_if(
+        effects, [](const Effect& effect) { return std::holds_alternative<Motion>(effect.what); });
+    Passed passed;
+    for_each_block_with_words(program, node.stretch(),
+                              [&](const BlockView& block, std::span<const Word> words) {
+                                  const bool moves = block.moves || motion != effects.end();
+                                  if (moves && names_one_of(words, addresses))
+                                      passed = {false, block.moves ? block.span : motion->span};
+                                  passed.ends_moves |= std::ranges::any_of(words, [&](const Word& word) {
+                                      return may_stop(analysis.control().functions, word);
+                                  });
+                              });
+    passed.ends_moves |= std::ranges::any_of(effects, ends_moves);
     return passed;
 }
 

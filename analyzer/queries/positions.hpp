@@ -31,7 +31,7 @@ struct UnfinishedMove {
 };
 
 /// The nearest such move of the axis that is read: no block that stops look-ahead lies between, no call, and
-/// no M code, which a parameter of the control may have made one that does. Nothing in a program that limits
+/// no M code that a parameter of the control may have made one that does. Nothing in a program that limits
 /// look-ahead.
 [[nodiscard]] std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& analysis,
                                                                    const PositionRead& read);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -116,7 +117,8 @@ class Loader {
     }
 
     std::shared_ptr<const ControlModel> read_control(const JsonMember& member) {
-        static constexpr std::array<std::string_view, 3> known = {"model", "machine", "limits"};
+        static constexpr std::array<std::string_view, 4> known = {"model", "machine", "limits",
+                                                                  "stops-look-ahead"};
         const auto& settings = object(member.node, "a control");
         const auto model = std::ranges::find(settings, "model", &JsonMember::key);
         if (model == settings.end())
@@ -129,10 +131,12 @@ class Loader {
             reject(model->node.span,
                    "there is no control '" + name + "'." +
                        did_you_mean(name, control_names(), "Known are " + enumerate(control_names())));
-        Limits limits = base->limits;
+        OwnFacts own{base->limits, base->functions};
         const ControlModel* lathe = base->lathe;
         for (const JsonMember& setting : settings) {
-            if (setting.key == "limits") read_limits(setting.node, limits);
+            if (setting.key == "limits") read_limits(setting.node, own.limits);
+            if (setting.key == "stops-look-ahead")
+                own.functions.stopping = functions(setting.node, own.functions);
             if (setting.key == "machine") {
                 base = on_machine(*base, setting.node);
                 lathe = nullptr;
@@ -140,20 +144,27 @@ class Loader {
             if (std::ranges::find(known, setting.key) == known.end())
                 reject_key(setting, {known.begin(), known.end()});
         }
-        const auto control = own_control(*base, member.key, limits);
+        const auto control = own_control(*base, member.key, own);
         if (lathe != nullptr) {
-            configuration_->lathes.push_back(own_control(*lathe, member.key, limits));
+            configuration_->lathes.push_back(own_control(*lathe, member.key, own));
             control->lathe = configuration_->lathes.back().get();
         }
         return control;
     }
 
+    /// What a shop says of its control beside the model.
+    struct OwnFacts {
+        Limits limits;
+        MachineFunctions functions;
+    };
+
     static std::shared_ptr<ControlModel> own_control(const ControlModel& base, const std::string& name,
-                                                     const Limits& limits) {
+                                                     const OwnFacts& own) {
         auto control = std::make_shared<ControlModel>(base);
         control->assumed = false;
         control->description = name + " (" + base.description + ")";
-        control->limits = limits;
+        control->limits = own.limits;
+        control->functions = own.functions;
         control->lathe = nullptr;
         return control;
     }
@@ -191,6 +202,33 @@ class Loader {
         if (number == nullptr || *number < 1 || *number > 1000 || *number != std::floor(*number))
             reject(node.span, "'" + key + "' must be a whole number from 1 to 1000. Correct it");
         return static_cast<int>(*number);
+    }
+
+    /// "M25", or several in a row as "M40-M49".
+    std::vector<MachineFunctions::Range> functions(const JsonNode& node, const MachineFunctions& known) {
+        std::vector<MachineFunctions::Range> ranges;
+        for (const JsonNode& element : array(node, "'stops-look-ahead'")) {
+            const std::string& word = text(element, "an entry of 'stops-look-ahead'");
+            const std::size_t hyphen = word.find('-');
+            const auto first = function(std::string_view(word).substr(0, hyphen), known);
+            const auto last = hyphen == std::string::npos
+                                  ? first
+                                  : function(std::string_view(word).substr(hyphen + 1), known);
+            if (!first || !last || *last < *first)
+                reject(element.span,
+                       "'" + word + "' is no M code. Write it as \"M25\", several in a row as \"M40-M49\"");
+            ranges.push_back({*first, *last});
+        }
+        return ranges;
+    }
+
+    static std::optional<int> function(std::string_view word, const MachineFunctions& known) {
+        if (!word.starts_with(known.address)) return std::nullopt;
+        word.remove_prefix(known.address.size());
+        int number = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+        const bool whole = error == std::errc() && end == word.data() + word.size();
+        return whole ? std::optional(number) : std::nullopt;
     }
 
     void read_files(const JsonNode& node) {

@@ -24,7 +24,9 @@ extern const Rule position_read_ahead{
     .why =
         "A control reads blocks ahead and computes macro statements as soon as it has read them, while the "
         "axes still move: the position is one from somewhere on the way, another one each time, and so is "
-        "the work offset that is made of it.",
+        "the work offset that is made of it. An M code behind the move may stop look-ahead, where a "
+        "parameter says "
+        "so; name those that do under 'stops-look-ahead' of the control in .maclint.json.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::Comparison, dataflow::Read>(),

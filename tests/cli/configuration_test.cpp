@@ -110,6 +110,32 @@ TEST(Configuration, GivesAControlOfTheShopItsLathe) {
                 HasSubstr("Write mill or lathe"));
 }
 
+TEST(Configuration, NamesTheMCodesThatStopLookAhead) {
+    const TemporaryFolder folder;
+    const auto configuration = load(folder, R"({"controls": {
+        "named": {"model": "fanuc-30i", "stops-look-ahead": ["M25", "M40-M49"]},
+        "none": {"model": "fanuc-30i", "stops-look-ahead": []},
+        "unknown": {"model": "fanuc-30i"}}})");
+    const MachineFunctions& named = configuration->control("named")->functions;
+    EXPECT_TRUE(named.may_stop_look_ahead(25) && named.may_stop_look_ahead(40) &&
+                named.may_stop_look_ahead(49));
+    EXPECT_FALSE(named.may_stop_look_ahead(8) || named.may_stop_look_ahead(26) ||
+                 named.may_stop_look_ahead(50));
+    EXPECT_FALSE(configuration->control("none")->functions.may_stop_look_ahead(25));
+    EXPECT_TRUE(configuration->control("unknown")->functions.may_stop_look_ahead(25));
+    EXPECT_TRUE(configuration->control("named")->lathe->functions.may_stop_look_ahead(25));
+    EXPECT_FALSE(configuration->control("named")->lathe->functions.may_stop_look_ahead(8));
+    for (const char* bad : {"25", "M", "G25", "M2.5", "M-5", "M49-M40", "M40-49", "M40-", "M99999999999"})
+        EXPECT_THAT(refusal(std::string(R"({"controls": {"c": {"model": "nct", "stops-look-ahead": [")") +
+                            bad + R"("]}}})"),
+                    AllOf(HasSubstr(bad), HasSubstr("is no M code")))
+            << bad;
+    EXPECT_THAT(refusal(R"({"controls": {"c": {"model": "nct", "stops-look-ahead": "M25"}}})"),
+                HasSubstr("must be a list"));
+    EXPECT_THAT(refusal(R"({"controls": {"c": {"model": "nct", "stops-look-ahead": [25]}}})"),
+                HasSubstr("must be a text"));
+}
+
 TEST(Configuration, TellsUnknownKeysWithTheirPlaceAndTheLikelyOne) {
     EXPECT_THAT(refusal("{\n  \"selct\": []\n}"), AllOf(HasSubstr("line 2, column 3"), HasSubstr("'selct'"),
                                                         HasSubstr("Did you mean 'select'?")));

@@ -88,6 +88,25 @@ TEST_F(Executable, APartOfACompleteFolderKnowsTheRestOfIt) {
                                       Not(HasSubstr("O1.nc:2"))));
 }
 
+TEST_F(Executable, OnlyTheMCodesThatAShopNamesStopLookAheadOnItsControl) {
+    const auto read_behind = [](const std::string& word) {
+        return "O1\nG1X5.F100." + word + "\n#5221=#5021\nM99\n";
+    };
+    for (const char* word : {"M8", "M25", "M39", "M40", "M49", "M50", "M#1", "M00"})
+        folder.write(std::string(word) + ".nc", read_behind(word));
+    folder.write("BEHIND.nc", read_behind("\nM8\nM9"));
+    EXPECT_THAT(concise({"--select", "MAC605", "."}), IsEmpty()) << "any of them may";
+    folder.write(".maclint.json", R"({
+        "controls": {"mill 1": {"model": "fanuc-30i", "stops-look-ahead": ["M25", "M40-M49"]}},
+        "files": [{"glob": "*", "control": "mill 1"}]})");
+    const std::string said = concise({"--select", "MAC605", "."});
+    EXPECT_THAT(said, HasSubstr("BEHIND.nc:5:"));
+    for (const char* name : {"M8", "M39", "M50"})
+        EXPECT_THAT(said, HasSubstr(std::string(name) + ".nc:3:")) << name;
+    for (const char* name : {"M25", "M40", "M49", "M#1", "M00"})
+        EXPECT_THAT(said, Not(HasSubstr(std::string(name) + ".nc"))) << name;
+}
+
 TEST_F(Executable, EndsWith2WhenAFileIsMissingButReportsTheOthers) {
     folder.write("O1001.nc", with_defect);
     const Finished finished = run({"O1001.nc", "gone.nc"});

@@ -44,6 +44,8 @@ TEST(PositionReadAhead, ComesAfterAStopOfLookAhead) {
         EXPECT_THAT(early("G1X5.F100.\n" + stop + "\n#5221=#5021\n"), IsEmpty()) << stop;
     EXPECT_THAT(early("G1X5.F100.M80\n#5221=#5021\n"), IsEmpty()); // M80 may be one of parameters 3411-3432
     EXPECT_THAT(early("G53\nG1X5.F100.\n#5221=#5021\n"), ElementsAre(4));
+    EXPECT_THAT(early("M8\nG1X5.F100.\n#5221=#5021\n"), ElementsAre(4));
+    EXPECT_THAT(early("G1X5.F100.\nM8\nF50.\n#5221=#5021\n"), IsEmpty());
     EXPECT_THAT(early("G103P1\nG1X5.F100.\n#5221=#5021\n"), IsEmpty());
     EXPECT_THAT(early("G103\nG1X5.F100.\n#5221=#5021\n"), ElementsAre(4));
 }
