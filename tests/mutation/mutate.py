@@ -31,10 +31,17 @@ NEAREST = {
     'workspace': ['workspace'],
 }
 NEXT = ['rules', 'workspace', 'dataflow', 'execution']
-COPIED = ['CMakeLists.txt', 'README.md', 'CONTRIBUTING.md', 'analyzer', 'bench', 'cli', 'cmake', 'corpus', 'docs', 'grammar', 'rules', 'tests']
+NOT_COPIED = ('.git', 'build')  # folders of the root that begin so
 TIMED = ['*LinearTime', '*TakesNoTime']  # tests that look at a clock fail by chance beside other work
 MEMORY = 3 << 30  # bytes that a broken program may take
 LEAST_KILLED = 0.9
+
+
+def files_of(root):
+    """All files of a checkout, without what a build leaves there."""
+    for start in sorted(root.iterdir()):
+        if not start.name.startswith(NOT_COPIED):
+            yield from [start] if start.is_file() else sorted(p for p in start.rglob('*') if p.is_file())
 
 
 def run(command, **options):
@@ -64,18 +71,16 @@ class Base:
         """Only what changed, so that the build of an earlier run serves again."""
         kept = set()
         (self.source / '.git').mkdir(parents=True, exist_ok=True)  # paths in reports are those in a repository
-        for name in COPIED:
-            start = root / name
-            for path in [start] if start.is_file() else sorted(p for p in start.rglob('*') if p.is_file()):
-                target = self.source / path.relative_to(root)
-                kept.add(target)
-                data = path.read_bytes()
-                if target.exists() and target.read_bytes() == data:
-                    continue
-                target.parent.mkdir(parents=True, exist_ok=True)
-                target.write_bytes(data)
-        for path in [path for name in COPIED for path in (self.source / name).rglob('*')]:
-            if path.is_file() and path not in kept:
+        for path in files_of(root):
+            target = self.source / path.relative_to(root)
+            kept.add(target)
+            data = path.read_bytes()
+            if target.exists() and target.read_bytes() == data:
+                continue
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(data)
+        for path in files_of(self.source):
+            if path not in kept:
                 path.unlink()
 
     def make(self):
