@@ -27,8 +27,14 @@ std::string_view after_number(std::string_view line) {
 
 void Line::read(std::string_view text) {
     as_written_ = trim(text);
-    whole_.assign(as_written_);
-    std::ranges::transform(whole_, whole_.begin(), upper);
+    whole_.resize(as_written_.size());
+    std::uint64_t characters = 0;
+    std::ranges::transform(as_written_, whole_.begin(), [&characters](char written) {
+        const char c = upper(written);
+        characters |= character_bit(c);
+        return c;
+    });
+    characters_ = characters;
     split();
     read_words();
 }
@@ -38,7 +44,7 @@ void Line::split() {
     remark_ = {};
     without_comments_.clear();
     const std::string_view whole = whole_;
-    if (std::ranges::none_of(whole, [](char c) { return c == '(' || c == ';'; })) {
+    if ((characters_ & characters_of("(;")) == 0) {
         code_ = after_number(whole);
         return;
     }
@@ -48,7 +54,9 @@ void Line::split() {
             break;
         }
         if (whole[at] != '(') {
-            without_comments_ += whole[at++];
+            const std::size_t code = at;
+            while (at < whole.size() && whole[at] != '(' && whole[at] != ';') ++at;
+            without_comments_ += whole.substr(code, at - code);
             continue;
         }
         const Offset end = fanuc::after_comment(whole, static_cast<Offset>(at));

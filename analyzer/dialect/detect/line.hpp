@@ -15,6 +15,16 @@ constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
+/// Which characters a text holds, as bits of their last six bits: what a text lacks it does not hold, and
+/// that is cheap to ask. Capitals, digits and signs differ in these bits.
+constexpr unsigned last_bits_of(char c) { return static_cast<unsigned char>(c) & 63U; }
+constexpr std::uint64_t character_bit(char c) { return std::uint64_t{1} << last_bits_of(c); }
+constexpr std::uint64_t characters_of(std::string_view text) {
+    std::uint64_t bits = 0;
+    for (const char c : text) bits |= character_bit(c);
+    return bits;
+}
+
 [[nodiscard]] std::string_view trim(std::string_view text);
 [[nodiscard]] bool starts_with_any(std::string_view text, std::span<const std::string_view> heads);
 
@@ -33,6 +43,8 @@ class Line {
 
     [[nodiscard]] std::string_view as_written() const { return as_written_; }
     [[nodiscard]] std::string_view whole() const { return whole_; }
+    /// Those of the whole line.
+    [[nodiscard]] std::uint64_t characters() const { return characters_; }
     /// Without its number, its comments in round brackets, and what stands after `;`.
     [[nodiscard]] std::string_view code() const { return code_; }
     /// Of the first comment in round brackets, without the bracket.
@@ -52,6 +64,7 @@ class Line {
 
     std::string_view as_written_, code_, comment_, remark_;
     std::string whole_, without_comments_;
+    std::uint64_t characters_ = 0;
     std::array<Word, 24> words_{};
     std::size_t word_count_ = 0;
     bool plain_ = false;
