@@ -255,7 +255,7 @@ constexpr Needed needed[] = {
 };
 
 /// How common characters are in NC texts, the commonest first; all others are rare.
-constexpr std::string_view by_frequency = " #01=[]GO2XTZF5.3N4MIE6SYR(P78)9AC-DUWH,QL+V";
+constexpr std::string_view by_frequency = "0#1OG TNI2EF()359[]4AR=86SLPMC-7DHXUB:Y+Q.KZ*,W/V;<%J>";
 
 /// The rarest character of a text that is not empty.
 char rarest_of(std::string_view text) {

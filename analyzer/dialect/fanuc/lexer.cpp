@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <utility>
 
 namespace maclint::fanuc {
 namespace {
@@ -195,15 +194,17 @@ std::vector<Token> tokens_of(std::string_view file, Span block) {
 
 void make_cache_key(std::string_view block, std::string& key) {
     key.resize(block.size());
-    char before = 0;
-    std::ranges::transform(block, key.begin(), [&before](char c) { // a skip level is one of 1 to 9
-        const bool level = std::exchange(before, c) == '/';
-        return is_digit(c) && !level ? '0' : c;
-    });
+    std::ranges::transform(block, key.begin(), [](char c) { return is_digit(c) ? '0' : c; });
+    for (auto skip = block.find('/'); skip != std::string_view::npos && skip + 1 < block.size();
+         skip = block.find('/', skip + 1))
+        key[skip + 1] = block[skip + 1]; // a level is one of 1 to 9
     blank_out_data(block, key);
     if (block.find('(') == std::string_view::npos) return;
     Lexer lexer(block, {0, static_cast<Offset>(block.size())});
-    while (const std::optional<Token> token = lexer.next()) {
+    while (true) {
+        lexer.pass_ordinary();
+        const std::optional<Token> token = lexer.next();
+        if (!token) return;
         if (token->kind != Kind::comment) continue;
         auto [begin, end] = token->span;
         if (is_closed(block.substr(begin, end - begin))) --end;

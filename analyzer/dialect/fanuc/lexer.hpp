@@ -66,8 +66,8 @@ class Lexer {
         Offset length; ///< of all of them, the blanks between them left out
         Offset end;    ///< of the last one
     };
-    /// Passes over tokens that say nothing about where the block ends: all but comments, names, tape marks,
-    /// ends of blocks and letters O, and nearly all there are.
+    /// Passes over tokens that say nothing about where blocks and comments begin and end: all but comments,
+    /// names, tape marks, ends of blocks and letters O, and nearly all there are.
     Passed pass_ordinary();
 
   private:

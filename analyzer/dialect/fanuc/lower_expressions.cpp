@@ -160,10 +160,21 @@ ExpressionId BlockLowering::lower_unary(const Node& node) {
     return with_sign(name != "+", value, kind_of(*operand) == Kind::number, span(node));
 }
 
+BlockLowering::Sides BlockLowering::sides_of(const Node& node) const {
+    Sides sides{};
+    for_each_below(node, [&](const Node& below) {
+        const Field field = field_of(below);
+        const Node** side = field == Field::left        ? &sides.left
+                            : field == Field::operation ? &sides.sign
+                            : field == Field::right     ? &sides.right
+                                                        : nullptr;
+        if (side != nullptr && *side == nullptr && !is_remark(below)) *side = &below;
+    });
+    return sides;
+}
+
 ExpressionId BlockLowering::lower_binary(const Node& node) {
-    const Node* left = child(node, Field::left);
-    const Node* right = child(node, Field::right);
-    const Node* sign = child(node, Field::operation);
+    const auto [left, sign, right] = sides_of(node);
     if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
     const std::array operands{lower_expression(*left), lower_expression(*right)};
     Operation operation = find(operators, text(*sign));
@@ -175,9 +186,7 @@ ExpressionId BlockLowering::lower_binary(const Node& node) {
 
 /// Comparison with the null variable asks whether the other side is vacant.
 ExpressionId BlockLowering::lower_comparison(const Node& node) {
-    const Node* left = child(node, Field::left);
-    const Node* right = child(node, Field::right);
-    const Node* sign = child(node, Field::operation);
+    const auto [left, sign, right] = sides_of(node);
     if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
     const std::array operands{lower_expression(*left), lower_expression(*right)};
     const std::string_view word = comparison_word(text(*sign));
