@@ -27,14 +27,9 @@ std::string_view after_number(std::string_view line) {
 
 void Line::read(std::string_view text) {
     as_written_ = trim(text);
-    whole_.resize(as_written_.size());
-    std::uint64_t characters = 0;
-    std::ranges::transform(as_written_, whole_.begin(), [&characters](char written) {
-        const char c = upper(written);
-        characters |= character_bit(c);
-        return c;
-    });
-    characters_ = characters;
+    whole_.assign(as_written_);
+    std::ranges::transform(whole_, whole_.begin(), [](char c) { return upper(c); });
+    characters_ = characters_of(whole_);
     split();
     read_words();
 }

@@ -1,7 +1,9 @@
 //! A line of a text of unknown language, cut into what the signatures of languages look at.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -27,6 +29,32 @@ constexpr std::uint64_t characters_of(std::string_view text) {
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 [[nodiscard]] bool starts_with_any(std::string_view text, std::span<const std::string_view> heads);
+
+/// The line ends of a text from front to back. Each kind is looked for alone, which is quicker than looking
+/// for both, and only once as far as it is away.
+class LineEnds {
+  public:
+    explicit LineEnds(std::string_view text)
+        : text_(text)
+        , feed_(first_from('\n', 0))
+        , carriage_return_(first_from('\r', 0)) {}
+
+    /// The first one at or after `at`, or the end of the text. `at` never goes back.
+    [[nodiscard]] std::size_t from(std::size_t at) {
+        if (feed_ < at) feed_ = first_from('\n', at);
+        if (carriage_return_ < at) carriage_return_ = first_from('\r', at);
+        return std::min(feed_, carriage_return_);
+    }
+
+  private:
+    [[nodiscard]] std::size_t first_from(char c, std::size_t at) const {
+        return std::min(text_.find(c, at), text_.size());
+    }
+
+    std::string_view text_;
+    std::size_t feed_;
+    std::size_t carriage_return_;
+};
 
 /// A letter and its number, as they stand in plain G-code.
 struct Word {

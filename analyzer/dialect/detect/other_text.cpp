@@ -2,7 +2,6 @@
 #include "analyzer/dialect/detect/other_text.hpp"
 
 #include "analyzer/dialect/detect/line.hpp"
-#include "analyzer/source/line_index.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -42,8 +41,9 @@ std::optional<std::string_view> find_source_language(std::string_view text) {
     constexpr int enough = 2;
     int of_c = 0, of_python = 0, of_markdown = 0;
     int lines = 0;
+    LineEnds ends(text);
     for (std::size_t at = 0; at < text.size() && lines < most_lines; ++lines) {
-        const std::size_t end = find_line_end(text, at);
+        const std::size_t end = ends.from(at);
         const std::string_view line = trim(text.substr(at, end - at));
         at = end + 1;
         if (line.empty()) continue;
