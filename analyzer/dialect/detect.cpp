@@ -70,8 +70,9 @@ Survey survey(std::string_view text, std::string_view extension) {
     Survey result{Evidence(extension)};
     Line line;
     std::size_t number = 1;
+    detect::LineEnds ends(text);
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = find_line_end(text, at);
+        const std::size_t end = ends.from(at);
         line.read(text.substr(at, end - at));
         if (!line.whole().empty()) {
             if (++result.filled == 1) result.nct_head = has_nct_head(line.whole());

@@ -108,6 +108,7 @@ class Building {
             std::visit(overloaded{
                            [this](const Jump& jump) { want(constant_target(program_, jump.target)); },
                            [this](const UnreadableBlock& block) {
+                               has_unreadable_ = true;
                                for (const Label& label : block.may_jump) wanted_.add(label);
                            },
                            [this](const Return& back) { // in a program that nobody called, it goes on there
@@ -147,7 +148,7 @@ class Building {
         const auto id = static_cast<NodeId>(graph_.nodes.size());
         graph_.nodes.push_back({item, part, effects, is_run});
         for (const Loose& loose : loose_) tie(loose, id);
-        loose_ = {{id, EdgeKind::next, {}, true}};
+        loose_.assign(1, {id, EdgeKind::next, {}, true});
         return id;
     }
 
@@ -423,6 +424,7 @@ class Building {
                 add_edge({jump.node, *shared, EdgeKind::computed, {}, true, jump.jump, {}});
             }
         }
+        if (!has_unreadable_) return;
         for (NodeId node = 0; node < graph_.nodes.size(); ++node) resolve_unreadable(node);
     }
 
@@ -452,6 +454,7 @@ class Building {
     }
 
     void resolve_returns() {
+        if (calls_.empty() && goes_elsewhere_.empty()) return;
         std::vector<bool> goes_elsewhere(graph_.nodes.size(), false);
         for (const NodeId node : goes_elsewhere_) goes_elsewhere[node] = true;
         std::size_t edges = 0;
@@ -559,6 +562,7 @@ class Building {
     const Returns& returns_;
     Graph graph_;
     Wanted wanted_;
+    bool has_unreadable_ = false; ///< some block may jump, whatever it says
     std::unordered_map<EffectId, ReturnTargets>
         return_targets_;                             ///< of calls that may go on elsewhere than after them
     std::unordered_set<const void*> wanted_lists_;   ///< lists of theirs whose labels are wanted

@@ -16,4 +16,7 @@ enum class Content : std::uint8_t {
 /// Judges by the first 64 KiB. NULs are tape leader at the head and at the tail, and binary elsewhere.
 [[nodiscard]] Content classify(std::string_view bytes);
 
+/// Whether the bytes are Content::empty.
+[[nodiscard]] bool is_empty(std::string_view bytes);
+
 } // namespace maclint

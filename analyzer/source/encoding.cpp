@@ -115,6 +115,11 @@ bool needs_escape(char32_t character) {
                        [=](Range range) { return range.first <= character && character <= range.last; });
 }
 
+/// Whether every character is ASCII that can be seen, as in nearly all texts.
+bool is_plain(std::string_view bytes) {
+    return std::ranges::all_of(bytes, [](char c) { return c >= ' ' && c < '\x7F'; });
+}
+
 void append_hexadecimal(std::string& out, char32_t value, std::size_t least_digits) {
     constexpr std::string_view digits = "0123456789ABCDEF";
     std::string reversed;
@@ -209,6 +214,7 @@ std::size_t character_begin(std::string_view bytes, std::size_t offset, Encoding
 }
 
 std::string printable(std::string_view utf8) {
+    if (is_plain(utf8)) return std::string(utf8);
     std::string out;
     out.reserve(utf8.size());
     for_each_character(utf8, [&out](std::string_view sequence, char32_t character) {

@@ -72,15 +72,16 @@ InputError silent(const std::string& path, std::chrono::seconds patience) {
                                  " seconds. Start what writes to it, or leave it out.");
 }
 
-/// Reads to the end. The file may grow or shrink meanwhile: its size is only a hint.
+/// Reads to the end. The file may grow or shrink meanwhile: its size is only a hint. Without `patience` all
+/// bytes are there at once.
 std::variant<std::string, InputError> read_all(int descriptor, const std::string& path, std::size_t size_hint,
-                                               std::chrono::seconds patience) {
+                                               std::optional<std::chrono::seconds> patience) {
     if (size_hint > largest_file) return too_large(path);
     std::string bytes(size_hint + 1, '\0');
     std::size_t filled = 0;
     while (true) {
         if (filled == bytes.size()) bytes.resize(std::max(bytes.size() + bytes.size() / 2, growth_step));
-        if (!platform::comes_in_time(descriptor, patience)) return silent(path, patience);
+        if (patience && !platform::comes_in_time(descriptor, *patience)) return silent(path, *patience);
         const auto [count, error] = platform::read_some(descriptor, std::span(bytes).subspan(filled));
         if (error != 0) return system_refused(path, error);
         if (count == 0) break;
@@ -102,7 +103,9 @@ std::variant<Source, InputError> Source::read_file(std::string path) {
     const platform::OpenFile file(path);
     if (file.error() != 0) return system_refused(path, file.error());
     if (auto refused = refuse_kind(path, file.kind())) return *std::move(refused);
-    auto bytes = read_all(file.descriptor(), path, file.size(), patience_with_pipes);
+    const bool waits = file.kind() == platform::FileKind::pipe;
+    auto bytes = read_all(file.descriptor(), path, file.size(),
+                          waits ? std::optional(patience_with_pipes) : std::nullopt);
     return to_source(std::move(path), std::move(bytes));
 }
 

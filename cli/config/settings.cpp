@@ -69,9 +69,10 @@ std::optional<std::shared_ptr<const Configuration>> Settings::load(const std::st
 std::optional<std::shared_ptr<const Configuration>> Settings::for_folder(const std::string& folder) {
     if (overrides_.isolated) return nullptr;
     if (!overrides_.config_path.empty()) return load(overrides_.config_path);
+    if (const auto known = by_folder_.find(folder); known != by_folder_.end()) return known->second;
     const fs::path at = absolute(folder);
     if (const auto known = by_folder_.find(platform::text_of(at)); known != by_folder_.end())
-        return known->second;
+        return by_folder_[folder] = known->second;
     const fs::path candidate = at / configuration_name;
     const std::string shown = platform::text_of(candidate.lexically_proximate(absolute(".")));
     const platform::FileKind kind = platform::kind_of(candidate);
@@ -87,11 +88,13 @@ std::optional<std::shared_ptr<const Configuration>> Settings::for_folder(const s
     } else if (at.has_relative_path()) {
         found = for_folder(platform::text_of(at.parent_path()));
     }
+    by_folder_[folder] = found; // as it is written, too: many files stand in it
     return by_folder_[platform::text_of(at)] = found;
 }
 
 std::optional<FileSettings> Settings::for_file(const std::string& path) {
-    const auto found = for_folder(platform::text_of(absolute(path).parent_path()));
+    const std::string folder = platform::text_of(platform::path_of(path).parent_path());
+    const auto found = for_folder(folder.empty() ? "." : folder);
     if (!found) return std::nullopt;
     FileSettings settings;
     settings.configuration = *found;

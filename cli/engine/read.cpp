@@ -111,7 +111,7 @@ ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> sou
                                                    : foreign(file, detection.reason);
         return read;
     }
-    if (classify(read.source->bytes()) == Content::empty) read.notice = empty(file);
+    if (is_empty(read.source->bytes())) read.notice = empty(file);
     const bool doubtful = !named && !detection.certain;
     read.extent = doubtful ? Extent::whole : extent;
     read.control = &control_of(file, *read.dialect, detection.control);

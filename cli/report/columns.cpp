@@ -25,6 +25,8 @@ constexpr std::array wide{Range{0x1100, 0x115F},   Range{0x2E80, 0x303E},   Rang
 constexpr std::array combining{Range{0x0300, 0x036F}, Range{0x1AB0, 0x1AFF}, Range{0x1DC0, 0x1DFF},
                                Range{0x20D0, 0x20FF}, Range{0xFE00, 0xFE0F}, Range{0xFE20, 0xFE2F}};
 
+constexpr bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
 template<class Ranges>
 bool in(const Ranges& ranges, char32_t character) {
     return std::ranges::any_of(
@@ -34,12 +36,17 @@ bool in(const Ranges& ranges, char32_t character) {
 } // namespace
 
 std::size_t columns_of(char32_t character) {
+    if (character < combining.front().first) return 1;
     return in(combining, character) ? 0 : in(wide, character) ? 2 : 1;
 }
 
 std::size_t columns_of(std::string_view utf8) {
     std::size_t columns = 0;
     while (!utf8.empty()) {
+        const auto ascii = static_cast<std::size_t>(std::ranges::find_if_not(utf8, is_ascii) - utf8.begin());
+        columns += ascii;
+        utf8.remove_prefix(ascii);
+        if (utf8.empty()) break;
         const Character character = first_character(utf8);
         columns += columns_of(character.value);
         utf8.remove_prefix(character.length);

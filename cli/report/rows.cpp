@@ -12,10 +12,11 @@ namespace {
 constexpr std::size_t most_before = 3;
 constexpr std::size_t most_after = 2;
 
-bool on_one_line(const Row& a, const Row& b) {
-    return a.source == b.source &&
-           a.source->position(a.span.begin).line == b.source->position(b.span.begin).line;
+Row row_at(const Source& source, Span span, std::string remark) {
+    return {&source, source.position(span.begin).line, span, std::move(remark), false};
 }
+
+bool on_one_line(const Row& a, const Row& b) { return a.source == b.source && a.line == b.line; }
 
 void join(Row& row, const Row& next) {
     if (next.own) row.span = next.span;
@@ -36,12 +37,14 @@ std::vector<Row> all_rows_of(const Finding& finding) {
     std::vector<Row> rows;
     const auto end = finding.path.empty() ? finding.path.end() : std::prev(finding.path.end());
     for (auto step = finding.path.begin(); step != end; ++step)
-        add(rows, {step->source.get(), step->span, step->text, false});
+        add(rows, row_at(*step->source, step->span, step->text));
     const bool told = end != finding.path.end() && end->span == finding.span;
-    if (end != finding.path.end() && !told) add(rows, {end->source.get(), end->span, end->text, false});
-    add(rows, {finding.source.get(), finding.span, told ? end->text : "", true});
+    if (end != finding.path.end() && !told) add(rows, row_at(*end->source, end->span, end->text));
+    Row own = row_at(*finding.source, finding.span, told ? end->text : "");
+    own.own = true;
+    add(rows, std::move(own));
     for (const RelatedLocation& related : finding.related)
-        add(rows, {related.source.get(), related.span, related.text, false});
+        add(rows, row_at(*related.source, related.span, related.text));
     return rows;
 }
 

@@ -4,6 +4,7 @@
 #include "cli/report/report.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace maclint::cli {
 /// A line of a program with what is said of it.
 struct Row {
     const Source* source;
+    std::uint32_t line; ///< of the span's begin
     Span span;          ///< what the first remark is about; of the finding's own row its place
     std::string remark; ///< may be empty
     bool own;           ///< the finding's place is here

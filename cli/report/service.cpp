@@ -39,8 +39,7 @@ std::vector<std::string> steps_of(const Finding& finding, PathDetail detail, con
     std::vector<std::string> steps;
     for (const Row& row : rows_of(finding, detail).rows) {
         if (row.remark.empty()) continue;
-        const std::uint32_t line = row.source->position(row.span.begin).line;
-        steps.push_back(service_path(row.source->path(), root) + ":" + std::to_string(line) + ": " +
+        steps.push_back(service_path(row.source->path(), root) + ":" + std::to_string(row.line) + ": " +
                         printable(row.remark));
     }
     return steps;

@@ -26,6 +26,8 @@ Cell cell_of(const Source& source, Span character, std::size_t column) {
         const std::size_t width = tab_width - column % tab_width;
         return {std::string(width, ' '), width, false};
     }
+    if (bytes.size() == 1 && bytes.front() >= ' ' && bytes.front() <= '~')
+        return {std::string(bytes), 1, false}; // nearly all
     const std::string utf8 = source.to_utf8(bytes);
     std::string text = printable(utf8);
     if (text != utf8) return {text, text.size(), false}; // an escape, ASCII only

@@ -46,11 +46,9 @@ class TextWriter {
   private:
     static std::size_t widest_number(const std::vector<Row>& rows) {
         std::uint32_t widest = 1;
-        for (const Row& row : rows) widest = std::max(widest, line_of(row));
+        for (const Row& row : rows) widest = std::max(widest, row.line);
         return std::to_string(widest).size();
     }
-
-    static std::uint32_t line_of(const Row& row) { return row.source->position(row.span.begin).line; }
 
     void add_headline(const Finding& finding) {
         const std::string head =
@@ -99,7 +97,7 @@ class TextWriter {
         const bool fits = columns_of(text.code.text) + gap <= column;
         const std::string code = fits ? text.code.text : code_line(*row.source, row.span, column - gap).text;
         const auto lines = wrapped(text.remark, room - column, room - column);
-        add_line(std::to_string(line_of(row)), code, column, lines.front());
+        add_line(std::to_string(row.line), code, column, lines.front());
         for (auto line = lines.begin() + 1; line != lines.end(); ++line) add_line("", "", column, *line);
     }
 
@@ -108,7 +106,7 @@ class TextWriter {
         const std::size_t code = columns_of(text.code.text);
         const std::size_t begin = std::max(column, code + gap);
         const bool beside = begin + columns_of(text.remark) <= room;
-        add_line(std::to_string(line_of(row)), text.code.text, begin, beside ? text.remark : "");
+        add_line(std::to_string(row.line), text.code.text, begin, beside ? text.remark : "");
         const std::size_t blanks = text.code.marks.find('^');
         out_ += std::string(margin_, ' ') + " " + style_.frame("|") + " " + std::string(blanks, ' ') +
                 style_.severity(Severity::error, text.code.marks.substr(blanks));

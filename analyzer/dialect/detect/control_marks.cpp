@@ -50,6 +50,7 @@ bool says_its_control(const Line& line) {
 struct Mark {
     std::string_view control;
     int points;
+    std::uint64_t characters; ///< that the line must hold
     bool (*holds)(const Line&);
     std::string_view called;
     [[maybe_unused]] std::string_view source;
@@ -57,15 +58,15 @@ struct Mark {
 
 // clang-format off
 constexpr Mark marks[] = {
-    {"haas", 2, parameter_variable, "a variable like #30003.036",  "T: Haas macro variables of settings and parameters"},
-    {"haas", 1, block_look_ahead,   "G103 with P",                 "T: Haas G codes, limit block look-ahead"},
-    {"haas", 1, smoothness,         "G187 with P or E",            "T: Haas G codes, smoothness level"},
-    {"haas", 1, more_work_offsets,  "G154 with P",                 "T: Haas G codes, work coordinates P1-P99"},
-    {"haas", 1, local_program,      "M97 with P",                  "T: Haas M codes, local subprogram call"},
-    {"haas", 1, tool_data,          "#8550",                       "T: Haas macro variables, individual tool data"},
-    {"haas", 1, next_generation,    "'NGC' in a remark",           "T: Haas Next Generation Control"},
-    {"haas", 1, maker,              "'HAAS' in a remark",          "T: the maker's name"},
-    {"haas", 1, says_its_control,   "a remark that names the control", "T"},
+    {"haas", 2, characters_of("#3."), parameter_variable, "a variable like #30003.036",  "T: Haas macro variables of settings and parameters"},
+    {"haas", 1, characters_of("G103P"), block_look_ahead,   "G103 with P",                 "T: Haas G codes, limit block look-ahead"},
+    {"haas", 1, characters_of("G187"), smoothness,         "G187 with P or E",            "T: Haas G codes, smoothness level"},
+    {"haas", 1, characters_of("G154P"), more_work_offsets,  "G154 with P",                 "T: Haas G codes, work coordinates P1-P99"},
+    {"haas", 1, characters_of("M97P"), local_program,      "M97 with P",                  "T: Haas M codes, local subprogram call"},
+    {"haas", 1, characters_of("#8550"), tool_data,          "#8550",                       "T: Haas macro variables, individual tool data"},
+    {"haas", 1, characters_of("NGC"), next_generation,    "'NGC' in a remark",           "T: Haas Next Generation Control"},
+    {"haas", 1, characters_of("HAAS"), maker,              "'HAAS' in a remark",          "T: the maker's name"},
+    {"haas", 1, characters_of("HAASCONTROL"), says_its_control,   "a remark that names the control", "T"},
 };
 // clang-format on
 
@@ -76,7 +77,8 @@ constexpr int enough_points = 2;
 void ControlEvidence::add(const Line& line, std::size_t number) {
     static_assert(std::size(marks) <= most_marks);
     for (std::size_t i = 0; i < std::size(marks); ++i)
-        if (lines_[i] == 0 && marks[i].holds(line)) lines_[i] = static_cast<std::uint32_t>(number);
+        if (lines_[i] == 0 && (marks[i].characters & ~line.characters()) == 0 && marks[i].holds(line))
+            lines_[i] = static_cast<std::uint32_t>(number);
 }
 
 int ControlEvidence::points_of(std::string_view control) const {

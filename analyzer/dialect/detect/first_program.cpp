@@ -3,7 +3,6 @@
 
 #include "analyzer/dialect/detect/line.hpp"
 #include "analyzer/dialect/detect/shapes.hpp"
-#include "analyzer/source/line_index.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -23,8 +22,9 @@ bool is_name_line(std::string_view line) { return line.size() > 1 && line[0] == 
 template<class Step>
 std::string_view cut_by(std::string_view text, const Step& step) {
     Line line;
+    LineEnds ends(text);
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = find_line_end(text, at);
+        const std::size_t end = ends.from(at);
         line.read(text.substr(at, end - at));
         at = end + 1;
         if (line.whole().empty()) continue;

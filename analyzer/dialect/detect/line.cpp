@@ -28,7 +28,8 @@ std::string_view after_number(std::string_view line) {
 void Line::read(std::string_view text) {
     as_written_ = trim(text);
     whole_.assign(as_written_);
-    std::ranges::transform(whole_, whole_.begin(), upper);
+    std::ranges::transform(whole_, whole_.begin(), [](char c) { return upper(c); });
+    characters_ = characters_of(whole_);
     split();
     read_words();
 }
@@ -38,7 +39,7 @@ void Line::split() {
     remark_ = {};
     without_comments_.clear();
     const std::string_view whole = whole_;
-    if (std::ranges::none_of(whole, [](char c) { return c == '(' || c == ';'; })) {
+    if ((characters_ & characters_of("(;")) == 0) {
         code_ = after_number(whole);
         return;
     }
@@ -48,7 +49,9 @@ void Line::split() {
             break;
         }
         if (whole[at] != '(') {
-            without_comments_ += whole[at++];
+            const std::size_t code = at;
+            while (at < whole.size() && whole[at] != '(' && whole[at] != ';') ++at;
+            without_comments_ += whole.substr(code, at - code);
             continue;
         }
         const Offset end = fanuc::after_comment(whole, static_cast<Offset>(at));

@@ -1,7 +1,9 @@
 //! A line of a text of unknown language, cut into what the signatures of languages look at.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,8 +17,44 @@ constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
+/// Which characters a text holds, as bits of their last six bits: what a text lacks it does not hold, and
+/// that is cheap to ask. Capitals, digits and signs differ in these bits.
+constexpr unsigned last_bits_of(char c) { return static_cast<unsigned char>(c) & 63U; }
+constexpr std::uint64_t character_bit(char c) { return std::uint64_t{1} << last_bits_of(c); }
+constexpr std::uint64_t characters_of(std::string_view text) {
+    std::uint64_t bits = 0;
+    for (const char c : text) bits |= character_bit(c);
+    return bits;
+}
+
 [[nodiscard]] std::string_view trim(std::string_view text);
 [[nodiscard]] bool starts_with_any(std::string_view text, std::span<const std::string_view> heads);
+
+/// The line ends of a text from front to back. Each kind is looked for alone, which is quicker than looking
+/// for both, and only once as far as it is away.
+class LineEnds {
+  public:
+    explicit LineEnds(std::string_view text)
+        : text_(text)
+        , feed_(first_from('\n', 0))
+        , carriage_return_(first_from('\r', 0)) {}
+
+    /// The first one at or after `at`, or the end of the text. `at` never goes back.
+    [[nodiscard]] std::size_t from(std::size_t at) {
+        if (feed_ < at) feed_ = first_from('\n', at);
+        if (carriage_return_ < at) carriage_return_ = first_from('\r', at);
+        return std::min(feed_, carriage_return_);
+    }
+
+  private:
+    [[nodiscard]] std::size_t first_from(char c, std::size_t at) const {
+        return std::min(text_.find(c, at), text_.size());
+    }
+
+    std::string_view text_;
+    std::size_t feed_;
+    std::size_t carriage_return_;
+};
 
 /// A letter and its number, as they stand in plain G-code.
 struct Word {
@@ -33,6 +71,8 @@ class Line {
 
     [[nodiscard]] std::string_view as_written() const { return as_written_; }
     [[nodiscard]] std::string_view whole() const { return whole_; }
+    /// Those of the whole line.
+    [[nodiscard]] std::uint64_t characters() const { return characters_; }
     /// Without its number, its comments in round brackets, and what stands after `;`.
     [[nodiscard]] std::string_view code() const { return code_; }
     /// Of the first comment in round brackets, without the bracket.
@@ -52,6 +92,7 @@ class Line {
 
     std::string_view as_written_, code_, comment_, remark_;
     std::string whole_, without_comments_;
+    std::uint64_t characters_ = 0;
     std::array<Word, 24> words_{};
     std::size_t word_count_ = 0;
     bool plain_ = false;

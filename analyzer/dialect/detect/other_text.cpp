@@ -2,29 +2,16 @@
 #include "analyzer/dialect/detect/other_text.hpp"
 
 #include "analyzer/dialect/detect/line.hpp"
-#include "analyzer/source/line_index.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string>
 
 namespace maclint::detect {
 namespace {
 
 constexpr std::string_view pdf_head = "%PDF-";
-
-/// Whether at least two of the first lines, blanks around them left out, are signs of a language.
-template<class IsSign>
-bool has_signs(std::string_view text, const IsSign& is_sign) {
-    constexpr int most_lines = 200;
-    int signs = 0;
-    int lines = 0;
-    for (std::size_t at = 0; at < text.size() && lines < most_lines; ++lines) {
-        const std::size_t end = find_line_end(text, at);
-        const std::string_view line = trim(text.substr(at, end - at));
-        if (!line.empty() && is_sign(line)) ++signs;
-        at = end + 1;
-    }
-    return signs >= 2;
-}
 
 bool is_c_sign(std::string_view line) {
     static constexpr std::string_view heads[] = {"#include", "#define",  "#ifndef",    "#ifdef", "#pragma",
@@ -46,6 +33,28 @@ bool is_markdown_sign(std::string_view line) {
     static constexpr std::string_view heads[] = {"## ", "### ", "```", "|--", "| --"};
     return (line.front() == '#' || line.front() == '`' || line.front() == '|') &&
            starts_with_any(line, heads);
+}
+
+/// The language that at least two of the first lines, blanks around them left out, are signs of.
+std::optional<std::string_view> find_source_language(std::string_view text) {
+    constexpr int most_lines = 200;
+    constexpr int enough = 2;
+    int of_c = 0, of_python = 0, of_markdown = 0;
+    int lines = 0;
+    LineEnds ends(text);
+    for (std::size_t at = 0; at < text.size() && lines < most_lines; ++lines) {
+        const std::size_t end = ends.from(at);
+        const std::string_view line = trim(text.substr(at, end - at));
+        at = end + 1;
+        if (line.empty()) continue;
+        of_c += is_c_sign(line) ? 1 : 0;
+        of_python += is_python_sign(line) ? 1 : 0;
+        of_markdown += is_markdown_sign(line) ? 1 : 0;
+    }
+    if (of_c >= enough) return "C source";
+    if (of_python >= enough) return "Python source";
+    if (of_markdown >= enough) return "Markdown";
+    return std::nullopt;
 }
 
 /// Whether texts, numbers and brackets that match are all that stands in the list at the head of the text,
@@ -94,10 +103,7 @@ std::optional<std::string_view> find_other_text(std::string_view text) {
     if (starts_with_any(text, markup)) return "XML or HTML";
     if (text.starts_with("#!")) return "a script";
     if (text.starts_with(pdf_head)) return "PDF";
-    if (has_signs(text, is_c_sign)) return "C source";
-    if (has_signs(text, is_python_sign)) return "Python source";
-    if (has_signs(text, is_markdown_sign)) return "Markdown";
-    return std::nullopt;
+    return find_source_language(text);
 }
 
 std::optional<std::string_view> find_binary_kind(std::string_view bytes) {

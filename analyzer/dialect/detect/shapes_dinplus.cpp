@@ -96,7 +96,7 @@ bool address_of_two_letters(const Line& line) {
                                                      "BR", "BE", "BF", "BD", "FP", "WB", "RB", "CY"};
     const std::string_view code = line.code();
     for (std::size_t at = 0; at + 2 < code.size(); ++at) {
-        if (!begins_number(code[at + 2]) || !is_capital(code[at + 1]) || !is_capital(code[at])) continue;
+        if (!is_capital(code[at]) || !is_capital(code[at + 1]) || !begins_number(code[at + 2])) continue;
         const bool whole_word = at == 0 || !is_capital(code[at - 1]);
         if (whole_word && std::ranges::find(addresses, code.substr(at, 2)) != std::end(addresses))
             return true;

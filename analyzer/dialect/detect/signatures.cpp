@@ -4,6 +4,8 @@
 #include "analyzer/dialect/detect/shapes.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <iterator>
 
 namespace maclint::detect {
 namespace {
@@ -212,7 +214,7 @@ constexpr Signature signatures[] = {
 };
 // clang-format on
 
-/// Characters without which a line has none of the shape, in capitals: asked first, for it is cheap.
+/// Characters without which a line has none of the shape, in capitals.
 struct Needed {
     bool (*shape)(const Line&);
     std::string_view characters;
@@ -238,47 +240,91 @@ constexpr Needed needed[] = {
     {osp_variable, "VC="},
     {condition_row, "="},
     {end_of_program_word, "END"},
+    {tool_feed_and_speed_in_one_block, "TGFS"},
+    {cycle_of_three_digits, "G"},
+    {tool_change_point, "G14Q"},
+    {c_axis_rapid_alone, "G10C"},
+    {tolerance_of_g64, "G64P"},
+    {probing_move, "G38."},
+    {offset_by_l20, "G10L2"},
+    {digital_output, "M6P"},
+    {extrusion, "GE"},
+    {extruder_zero, "G92E"},
+    {heater, "M1S"},
+    {work_offset_by_g15, "G15H"},
 };
 
-/// Which characters a text holds, as bits of their last six bits: what a text lacks it does not hold.
-constexpr std::size_t last_bits_of(char c) {
-    constexpr unsigned last_bits = 63;
-    return static_cast<unsigned char>(c) & last_bits;
-}
-constexpr std::uint64_t characters_of(std::string_view text) {
-    std::uint64_t bits = 0;
-    for (const char c : text) bits |= std::uint64_t{1} << last_bits_of(c);
-    return bits;
+/// How common characters are in NC texts, the commonest first; all others are rare.
+constexpr std::string_view by_frequency = "0#1OG TNI2EF()359[]4AR=86SLPMC-7DHXUB:Y+Q.KZ*,W/V;<%J>";
+
+/// The rarest character of a text that is not empty.
+char rarest_of(std::string_view text) {
+    return std::ranges::max(text, {}, [](char c) { return by_frequency.find(c); });
 }
 
-constexpr std::size_t places = static_cast<std::size_t>(In::remark) + 1;
-using Rows = std::array<std::uint8_t, std::size(signatures)>;
+constexpr std::size_t place_count = static_cast<std::size_t>(In::remark) + 1;
+constexpr std::size_t all_bits = 64;
 
-/// The rows of `signatures` that look at one place, so that a plain line is asked for a dozen signatures
-/// only.
+/// The rows of `signatures` that look at one place, filed by a character that must be there: of few lines
+/// more than a dozen are asked.
+class Place {
+  public:
+    explicit Place(In in) {
+        std::array<std::size_t, std::size(signatures)> file{};
+        for (std::size_t row = 0; row < std::size(signatures); ++row) {
+            if (signatures[row].in != in) continue;
+            file[row] = file_of(signatures[row]);
+            rows_[count_++] = static_cast<std::uint8_t>(row);
+            if (file[row] < all_bits) filed_ |= std::uint64_t{1} << file[row];
+        }
+        const auto by_file = [&](std::uint8_t row) { return file[row]; };
+        const auto all = std::span(rows_).first(count_);
+        std::ranges::stable_sort(all, {}, by_file);
+        for (std::size_t i = 0; i < begins_.size(); ++i)
+            begins_[i] =
+                static_cast<std::uint8_t>(std::ranges::lower_bound(all, i, {}, by_file) - all.begin());
+    }
+
+    /// Hands the rows that may look for something in a line with the characters to `ask`.
+    template<class Ask>
+    void for_each_row(std::uint64_t characters, const Ask& ask) const {
+        for (std::uint64_t left = characters & filed_; left != 0; left &= left - 1)
+            ask_file(static_cast<std::size_t>(std::countr_zero(left)), ask);
+        ask_file(all_bits, ask);
+    }
+
+  private:
+    /// The last bits of the character; `all_bits` where none is needed.
+    static std::size_t file_of(const Signature& signature) {
+        if (!signature.text.empty())
+            return last_bits_of(signature.in == In::inside ? rarest_of(signature.text)
+                                                           : signature.text.front());
+        const auto* const row = std::ranges::find(needed, signature.shape, &Needed::shape);
+        return row == std::end(needed) ? all_bits : last_bits_of(rarest_of(row->characters));
+    }
+
+    template<class Ask>
+    void ask_file(std::size_t file, const Ask& ask) const {
+        for (std::size_t i = begins_[file]; i < begins_[file + 1]; ++i) ask(rows_[i]);
+    }
+
+    std::array<std::uint8_t, std::size(signatures)> rows_{};
+    std::size_t count_ = 0;
+    std::array<std::uint8_t, all_bits + 2> begins_{}; ///< of each file in `rows_`
+    std::uint64_t filed_ = 0;                         ///< characters under which rows are filed
+};
+
 struct Index {
-    std::array<Rows, places> rows{};
-    std::array<std::size_t, places> counts{};
+    std::vector<Place> places;
     std::array<std::uint64_t, std::size(signatures)> characters{}; ///< that the line must hold
-    /// Those of In::head by their first character: from heads[i] to heads[i + 1] where its last bits are i.
-    std::array<std::size_t, 65> heads{};
 
     Index() {
+        for (std::size_t i = 0; i < place_count; ++i) places.emplace_back(static_cast<In>(i));
         for (std::size_t i = 0; i < std::size(signatures); ++i) {
-            const auto place = static_cast<std::size_t>(signatures[i].in);
-            rows[place][counts[place]++] = static_cast<std::uint8_t>(i);
-            const bool in_code = signatures[i].in == In::head || signatures[i].in == In::inside;
-            if (in_code) characters[i] = characters_of(signatures[i].text);
-            if (signatures[i].in != In::code) continue;
+            characters[i] = characters_of(signatures[i].text);
             for (const Needed& row : needed)
-                if (row.shape == signatures[i].shape) characters[i] = characters_of(row.characters);
+                if (row.shape == signatures[i].shape) characters[i] |= characters_of(row.characters);
         }
-        constexpr auto head = static_cast<std::size_t>(In::head);
-        const auto bucket = [](std::uint8_t row) { return last_bits_of(signatures[row].text.front()); };
-        const auto all = std::span(rows[head]).first(counts[head]);
-        std::ranges::sort(all, {}, bucket);
-        for (std::size_t i = 0; i < heads.size(); ++i)
-            heads[i] = static_cast<std::size_t>(std::ranges::lower_bound(all, i, {}, bucket) - all.begin());
     }
 };
 
@@ -330,33 +376,30 @@ bool holds(const Signature& signature, const Line& line) {
     return false;
 }
 
-/// Whether a line has what the signature looks at: most lines are plain words and are done with quickly.
-bool concerns(In in, const Line& line) {
-    switch (in) {
-    case In::words: return line.is_plain() && !line.words().empty();
-    case In::code:
-    case In::head:
-    case In::inside: return !line.is_plain();
-    case In::line: return !is_capital(line.whole().front());
-    case In::comment: return !line.comment().empty();
-    case In::remark: return !line.remark().empty();
-    }
-    return false;
-}
+/// The character at the head of a text, as a bit; none of an empty one.
+std::uint64_t head_of(std::string_view text) { return text.empty() ? 0 : character_bit(text.front()); }
 
-/// The rows that look at the place; of those that look for a head, the ones that begin as the line does.
-std::span<const std::uint8_t> rows_for(const Index& index, In in, const Line& line) {
-    const auto place = static_cast<std::size_t>(in);
-    const auto all = std::span(index.rows[place]).first(index.counts[place]);
-    if (in != In::head) return all;
-    if (line.code().empty()) return {};
-    const std::size_t first = last_bits_of(line.code().front());
-    return all.subspan(index.heads[first], index.heads[first + 1] - index.heads[first]);
+/// The characters under which the rows of a place are filed that may concern the line; none where it has
+/// nothing that they look at.
+std::uint64_t offered(In in, const Line& line) {
+    switch (in) {
+    case In::words: return line.is_plain() && !line.words().empty() ? line.characters() : 0;
+    case In::code:
+    case In::inside: return line.is_plain() ? 0 : line.characters();
+    case In::head: return line.is_plain() ? 0 : head_of(line.code());
+    case In::line: return is_capital(line.whole().front()) ? 0 : head_of(line.whole());
+    case In::comment: return head_of(line.comment());
+    case In::remark: return head_of(line.remark());
+    }
+    return 0;
 }
 
 std::string spell(const Signature& signature) {
-    return signature.called.empty() ? "'" + std::string(trim(signature.text)) + "'"
-                                    : std::string(signature.called);
+    if (!signature.called.empty()) return std::string(signature.called);
+    std::string quoted = "'";
+    quoted += trim(signature.text);
+    quoted += '\'';
+    return quoted;
 }
 
 int extension_points(std::string_view extension, Language language) {
@@ -377,16 +420,15 @@ Evidence::Evidence(std::string_view extension)
 
 void Evidence::add(const Line& line, std::size_t number) {
     const Index& index = by_place();
-    const std::uint64_t present = characters_of(line.whole());
-    for (std::size_t place = 0; place < places; ++place) {
-        if (!concerns(static_cast<In>(place), line)) continue;
-        for (const std::uint8_t row : rows_for(index, static_cast<In>(place), line)) {
-            if ((index.characters[row] & ~present) != 0) continue;
-            Sighting& sighting = sightings_[row];
-            if (sighting.times == signatures[row].most || !holds(signatures[row], line)) continue;
-            if (sighting.times++ == 0) sighting.line = static_cast<std::uint32_t>(number);
-        }
-    }
+    const auto ask = [&](std::uint8_t row) {
+        if ((index.characters[row] & ~line.characters()) != 0) return;
+        Sighting& sighting = sightings_[row];
+        if (sighting.times == signatures[row].most || !holds(signatures[row], line)) return;
+        if (sighting.times++ == 0) sighting.line = static_cast<std::uint32_t>(number);
+    };
+    for (std::size_t i = 0; i < place_count; ++i)
+        if (const std::uint64_t characters = offered(static_cast<In>(i), line))
+            index.places[i].for_each_row(characters, ask);
 }
 
 int Evidence::points(Language language) const { return points()[static_cast<std::size_t>(language)]; }

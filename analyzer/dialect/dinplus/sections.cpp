@@ -5,12 +5,24 @@
 #include "analyzer/source/encoding.hpp"
 
 #include <algorithm>
+#include <bitset>
 
 namespace maclint::dinplus {
 namespace {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 constexpr bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+constexpr char to_capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// Asked before anything is copied: most lines of most texts begin like no section word.
+bool may_begin_section(char c) {
+    static const auto letters = [] {
+        std::bitset<256> all;
+        for (const SectionWord& row : section_words()) all.set(static_cast<unsigned char>(row.word.front()));
+        return all;
+    }();
+    return !is_ascii(c) || letters[static_cast<unsigned char>(to_capital(c))];
+}
 
 } // namespace
 
@@ -30,6 +42,7 @@ std::string capitals_of(std::string_view words) {
 }
 
 std::optional<FoundSection> find_section(std::string_view words) {
+    if (words.empty() || !may_begin_section(words.front())) return std::nullopt;
     constexpr std::size_t most_words = 3;
     std::size_t ends[most_words] = {};
     std::size_t count = 0;

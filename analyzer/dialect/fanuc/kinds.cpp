@@ -3,6 +3,10 @@
 
 #include "analyzer/dialect/kind_table.hpp"
 
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
 extern "C" const TSLanguage* tree_sitter_fanuc();
 
 namespace maclint::fanuc {
@@ -83,8 +87,13 @@ constexpr std::pair<std::string_view, Field> fields[] = {
 const TSLanguage* grammar() { return tree_sitter_fanuc(); }
 
 const GrammarNumbers& grammar_numbers() {
-    static const GrammarNumbers numbers{kinds_by_symbol<Kind>(grammar, kinds, Kind::token),
-                                        fields_by_number<Field>(grammar, fields)};
+    static const GrammarNumbers numbers = [] {
+        GrammarNumbers all{{}, fields_by_number<Field>(grammar, fields)};
+        const std::vector<Kind> by_symbol = kinds_by_symbol<Kind>(grammar, kinds, Kind::token);
+        assert(by_symbol.size() <= all.kinds.size() && "the grammar has more symbols than the table");
+        std::ranges::copy(by_symbol, all.kinds.begin());
+        return all;
+    }();
     return numbers;
 }
 

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace maclint::fanuc {
 
@@ -99,15 +98,14 @@ enum class Field : std::uint8_t {
 
 /// The grammar's numbers as kinds and fields, for look-ups that every node of every block goes through.
 struct GrammarNumbers {
-    std::vector<Kind> kinds;
+    std::array<Kind, 1024> kinds; ///< the symbol of an ERROR node is the only one beyond
     std::array<Field, 256> fields;
 };
 [[nodiscard]] const GrammarNumbers& grammar_numbers();
 
 [[nodiscard]] inline Kind kind_of(const syntax::Node& node) {
     static const GrammarNumbers& numbers = grammar_numbers();
-    if (node.symbol == syntax::error_symbol) return Kind::error;
-    return node.symbol < numbers.kinds.size() ? numbers.kinds[node.symbol] : Kind::token;
+    return node.symbol < numbers.kinds.size() ? numbers.kinds[node.symbol] : Kind::error;
 }
 
 /// A comment.

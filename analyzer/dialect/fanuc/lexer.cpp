@@ -63,6 +63,16 @@ constexpr std::array<ByteClass, 256> classes = make_classes();
 
 constexpr ByteClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
 
+/// Bytes of tokens that say nothing about where a block ends.
+constexpr std::array<bool, 256> make_ordinary() {
+    std::array<bool, 256> ordinary{};
+    for (std::size_t i = 0; i < ordinary.size(); ++i) ordinary[i] = classes[i].start != Start::blank;
+    for (const char c : std::string_view("(<#%;\r\nOo")) ordinary[static_cast<unsigned char>(c)] = false;
+    return ordinary;
+}
+
+constexpr std::array<bool, 256> ordinary = make_ordinary();
+
 /// After the bytes at `at` that begin a token in that way.
 Offset pass(std::string_view text, Offset at, Start start) {
     while (at < text.size() && class_of(text[at]).start == start) ++at;
@@ -118,6 +128,25 @@ std::optional<Token> Lexer::next() {
     return Token{kind, {begin, at_}};
 }
 
+Lexer::Passed Lexer::pass_ordinary() {
+    const std::string_view text = text_;
+    Passed passed{0, at_};
+    Offset at = at_;
+    for (; at < text.size(); ++at) {
+        const char c = text[at];
+        if (ordinary[static_cast<unsigned char>(c)] ||
+            (c == '#' && at + 1 < text.size() && is_digit(text[at + 1]))) {
+            ++passed.length;
+            passed.end = at + 1;
+        } else if (!is_blank(c)) {
+            break;
+        }
+    }
+    at_ = at;
+    if (passed.length != 0) at_head_ = false;
+    return passed;
+}
+
 Kind Lexer::cut() {
     const ByteClass first = class_of(text_[at_]);
     switch (first.start) {
@@ -164,13 +193,18 @@ std::vector<Token> tokens_of(std::string_view file, Span block) {
 }
 
 void make_cache_key(std::string_view block, std::string& key) {
-    key.assign(block);
-    for (std::size_t i = 0; i < key.size(); ++i) // a skip level is one of 1 to 9
-        if (is_digit(key[i]) && (i == 0 || block[i - 1] != '/')) key[i] = '0';
+    key.resize(block.size());
+    std::ranges::transform(block, key.begin(), [](char c) { return is_digit(c) ? '0' : c; });
+    for (auto skip = block.find('/'); skip != std::string_view::npos && skip + 1 < block.size();
+         skip = block.find('/', skip + 1))
+        key[skip + 1] = block[skip + 1]; // a level is one of 1 to 9
     blank_out_data(block, key);
     if (block.find('(') == std::string_view::npos) return;
     Lexer lexer(block, {0, static_cast<Offset>(block.size())});
-    while (const std::optional<Token> token = lexer.next()) {
+    while (true) {
+        lexer.pass_ordinary();
+        const std::optional<Token> token = lexer.next();
+        if (!token) return;
         if (token->kind != Kind::comment) continue;
         auto [begin, end] = token->span;
         if (is_closed(block.substr(begin, end - begin))) --end;

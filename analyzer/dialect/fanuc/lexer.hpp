@@ -61,6 +61,15 @@ class Lexer {
     /// Empty at the end of the part.
     [[nodiscard]] std::optional<Token> next();
 
+    /// Tokens that were passed over.
+    struct Passed {
+        Offset length; ///< of all of them, the blanks between them left out
+        Offset end;    ///< of the last one
+    };
+    /// Passes over tokens that say nothing about where blocks and comments begin and end: all but comments,
+    /// names, tape marks, ends of blocks and letters O, and nearly all there are.
+    Passed pass_ordinary();
+
   private:
     Token::Kind cut();
     Token::Kind cut_variable();

@@ -12,6 +12,7 @@
 namespace maclint::fanuc {
 /// Nearly all blocks are sound, and one look at their nodes shows it.
 void BlockLowering::check_tokens() {
+    const bool has_points = program_->slice(block_).find('.') != std::string_view::npos;
     bool has_foreign_words = false;
     const Node* empty_word = nullptr;
     int brackets = 0;
@@ -23,7 +24,9 @@ void BlockLowering::check_tokens() {
             if (empty_word == nullptr) empty_word = &node;
             break;
         case Kind::letter_o_word: check_letter_o(node); break;
-        case Kind::variable: check_number_of(node); break;
+        case Kind::variable:
+            if (has_points) check_number_of(node);
+            break;
         case Kind::malformed_word: // alarms 006 and 007
             report(SyntaxErrorKind::unreadable, span(node),
                    "a number with at most one sign and one decimal point");

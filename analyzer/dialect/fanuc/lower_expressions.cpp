@@ -1,4 +1,5 @@
 //! Lowering of expressions and conditions.
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/fanuc/functions.hpp"
 #include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
@@ -23,8 +24,10 @@ constexpr FunctionRow comparisons[] = {
 };
 // clang-format on
 
+/// The name in any case; most are written in capitals, as the rows are.
 Operation find(std::span<const FunctionRow> rows, std::string_view name) {
-    const auto row = std::ranges::find(rows, name, &FunctionRow::name);
+    auto row = std::ranges::find(rows, name, &FunctionRow::name);
+    if (row == rows.end()) row = std::ranges::find(rows, in_capitals(name), &FunctionRow::name);
     return row == rows.end() ? Operation::unknown : row->operation;
 }
 
@@ -157,13 +160,24 @@ ExpressionId BlockLowering::lower_unary(const Node& node) {
     return with_sign(name != "+", value, kind_of(*operand) == Kind::number, span(node));
 }
 
+BlockLowering::Sides BlockLowering::sides_of(const Node& node) const {
+    Sides sides{};
+    for_each_below(node, [&](const Node& below) {
+        const Field field = field_of(below);
+        const Node** side = field == Field::left        ? &sides.left
+                            : field == Field::operation ? &sides.sign
+                            : field == Field::right     ? &sides.right
+                                                        : nullptr;
+        if (side != nullptr && *side == nullptr && !is_remark(below)) *side = &below;
+    });
+    return sides;
+}
+
 ExpressionId BlockLowering::lower_binary(const Node& node) {
-    const Node* left = child(node, Field::left);
-    const Node* right = child(node, Field::right);
-    const Node* sign = child(node, Field::operation);
+    const auto [left, sign, right] = sides_of(node);
     if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
     const std::array operands{lower_expression(*left), lower_expression(*right)};
-    Operation operation = find(operators, upper_text(*sign));
+    Operation operation = find(operators, text(*sign));
     if (operation == Operation::add || operation == Operation::subtract) check_sign(*right);
     if (kind_of(node) == Kind::compound_condition || is_logical(operands[0]) || is_logical(operands[1]))
         operation = between_conditions(operation);
@@ -172,14 +186,12 @@ ExpressionId BlockLowering::lower_binary(const Node& node) {
 
 /// Comparison with the null variable asks whether the other side is vacant.
 ExpressionId BlockLowering::lower_comparison(const Node& node) {
-    const Node* left = child(node, Field::left);
-    const Node* right = child(node, Field::right);
-    const Node* sign = child(node, Field::operation);
+    const auto [left, sign, right] = sides_of(node);
     if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
     const std::array operands{lower_expression(*left), lower_expression(*right)};
     const std::string_view word = comparison_word(text(*sign));
     if (word.empty() && !in_condition_) check_comparison(node);
-    const Operation operation = find(comparisons, word.empty() ? upper_text(*sign) : word);
+    const Operation operation = find(comparisons, word.empty() ? text(*sign) : word);
     if (operation == Operation::equal || operation == Operation::not_equal) {
         const auto is_null = [&](ExpressionId id) {
             return std::holds_alternative<Vacant>(expression(id).node);
@@ -205,7 +217,7 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
         operands.push_back(lower_expression(*argument));
     }
     if (const Node* divisor = child(node, Field::divisor)) operands.push_back(lower_expression(*divisor));
-    Operation operation = find(functions(), upper_text(*name));
+    Operation operation = find(functions(), text(*name));
     if (operation == Operation::arc_tangent && operands.size() == 2)
         operation = Operation::arc_tangent_of_two;
     const std::size_t wanted =

@@ -69,6 +69,13 @@ class BlockLowering : private TreeLowering {
     // ---- expressions (lower_expressions.cpp)
     ExpressionId lower_expression(const Node& node);
     ExpressionId lower_condition(const Node& node);
+    /// Of a calculation or a comparison.
+    struct Sides {
+        const Node* left;
+        const Node* sign;
+        const Node* right;
+    };
+    [[nodiscard]] Sides sides_of(const Node& node) const;
     ExpressionId lower_binary(const Node& node);
     ExpressionId lower_comparison(const Node& node);
     ExpressionId lower_unary(const Node& node);

@@ -30,20 +30,21 @@ struct Signs {
 };
 
 void take_word(char letter, std::string_view digits, BlockWords& block, Signs& signs) {
-    const double value = read_number(digits).value;
-    const bool whole = digits.find('.') == std::string_view::npos;
+    const auto is_whole = [&] { return digits.find('.') == std::string_view::npos; };
     switch (letter) {
     case 'Y': signs.mill = true; break;
-    case 'G':
+    case 'G': {
+        const double value = read_number(digits).value;
         signs.mill |= value == 17 || value == 19 || value == 43 || value == 91 || value == 49;
         signs.turning |= value == 96;
         block.g50 |= value == 50;
         block.cycle |= value >= 70 && value <= 73;
         break;
-    case 'M': signs.mill |= value == 6; break;
+    }
+    case 'M': signs.mill |= read_number(digits).value == 6; break;
     case 'S': block.s = true; break;
-    case 'P': block.p = whole; break;
-    case 'Q': block.q = whole; break;
+    case 'P': block.p = is_whole(); break;
+    case 'Q': block.q = is_whole(); break;
     case 'Z':
     case 'R': block.z_or_r = true; break;
     case 'U':

@@ -29,10 +29,11 @@ bool names_program(std::string_view text, std::int64_t number) {
 }
 
 bool calls(std::string_view remark, std::int64_t number) {
-    for (std::size_t at = 0; at + 3 < remark.size(); ++at) {
-        const bool code = to_capital(remark[at]) == 'G' && remark[at + 1] == '6' &&
-                          (remark[at + 2] == '5' || remark[at + 2] == '6');
-        if (code && names_program(remark.substr(at + 3), number)) return true;
+    for (auto six = remark.find('6', 1); six != std::string_view::npos; six = remark.find('6', six + 1)) {
+        if (six + 2 >= remark.size()) return false;
+        const bool code =
+            to_capital(remark[six - 1]) == 'G' && (remark[six + 1] == '5' || remark[six + 1] == '6');
+        if (code && names_program(remark.substr(six + 2), number)) return true;
     }
     return false;
 }

@@ -127,7 +127,12 @@ void cut_block(std::string_view text, Offset begin, RawBlock& block) {
     block.span = {first, first};
     block.next = size_of(text);
     Lexer lexer(text, {first, block.next});
-    while (const std::optional<Token> token = lexer.next()) {
+    while (true) {
+        const Lexer::Passed passed = lexer.pass_ordinary();
+        block.code += passed.length;
+        if (passed.length != 0) block.span.end = passed.end;
+        const std::optional<Token> token = lexer.next();
+        if (!token) return;
         const Span span = token->span;
         if (token->kind == Token::Kind::end_of_block) {
             block.next = span.end;
