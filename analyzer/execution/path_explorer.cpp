@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace maclint::execution {
 namespace {
@@ -49,6 +51,7 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     work_ += legs.size() * graph_.nodes.size();
     on_path_.assign(graph_.nodes.size(), 0);
     places_.clear();
+    ways_.clear();
     failed_.clear();
     ahead_ = nullptr;
     visits_ = 0;
@@ -63,12 +66,12 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
             break;
         }
         Place& place = places_.back();
-        if (place.ways.empty()) {
+        if (ways_.size() == place.ways) {
             go_back();
             continue;
         }
-        const flow::EdgeId way = place.ways.back();
-        place.ways.pop_back();
+        const flow::EdgeId way = ways_.back();
+        ways_.pop_back();
         // The run stands at the node that was run last: after going back that is another one.
         const auto next = run_.along(way, place.after);
         if (!next) continue;
@@ -129,23 +132,22 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
     if (ahead_ != nullptr && ways_meet_[node] && failed_before(node, leg, point, fingerprint)) return false;
     ++visits_;
     on_path_[node] = static_cast<std::uint8_t>(on_path_[node] | 1U << leg);
-    places_.push_back({node, leg, run_.run(node, point), ways_from(node, leg), {}, fingerprint});
+    places_.push_back({node, leg, run_.run(node, point), ways_.size(), {}, fingerprint});
+    add_ways_from(node, leg);
     return false;
 }
 
-/// Nearest to the end of the leg last.
-std::vector<flow::EdgeId> PathExplorer::ways_from(flow::NodeId node, std::uint32_t leg) const {
+/// Nearest to the end of the leg last, of equally near ones the first edge.
+void PathExplorer::add_ways_from(flow::NodeId node, std::uint32_t leg) {
     const std::vector<std::uint32_t>& distance = distance_[leg];
-    std::vector<flow::EdgeId> ways;
+    const auto first = static_cast<std::ptrdiff_t>(ways_.size());
     for (const flow::EdgeId id : graph_.out[node]) {
         const flow::Edge& edge = graph_.edges[id];
         if (distance[edge.to] != no_way && may_take(edge, id, legs_[leg]) && !is_on_path(edge.to, leg))
-            ways.push_back(id);
+            ways_.push_back(id);
     }
-    const auto distance_after = [&](flow::EdgeId id) { return distance[graph_.edges[id].to]; };
-    std::ranges::stable_sort(ways, {}, distance_after);
-    std::ranges::reverse(ways);
-    return ways;
+    const auto far_first = [&](flow::EdgeId id) { return std::pair(distance[graph_.edges[id].to], id); };
+    std::ranges::sort(ways_.begin() + first, ways_.end(), std::greater{}, far_first);
 }
 
 void PathExplorer::go_back() {
