@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace maclint::execution {
 namespace {
@@ -15,21 +17,12 @@ constexpr std::size_t most_legs = 8;
 /// look at all of them.
 constexpr std::size_t most_work = 40'000'000;
 constexpr std::size_t work_of_a_visit = 100; ///< as long as measuring so many nodes
+/// Where ways meet it is asked whether one has failed. Where they only part it is asked after so many nodes.
+constexpr std::uint32_t most_unasked = 16;
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
 
 bool is_barred(std::span<const flow::NodeId> barred, flow::NodeId node) {
     return std::ranges::binary_search(barred, node);
-}
-
-/// Of every node, whether two ways may meet there, or begin as one: elsewhere nothing is the same again that
-/// was not the same one node earlier.
-std::vector<bool> where_ways_meet(const flow::Graph& graph) {
-    std::vector<bool> meet(graph.nodes.size());
-    for (flow::NodeId node = 0; node < meet.size(); ++node) {
-        const auto& in = graph.in[node];
-        meet[node] = in.size() != 1 || graph.out[graph.edges[in.front()].from].size() != 1;
-    }
-    return meet;
 }
 
 } // namespace
@@ -38,8 +31,7 @@ PathExplorer::PathExplorer(const ProgramAnalysis& analysis)
     : analysis_(analysis)
     , graph_(analysis.graph())
     , run_(analysis)
-    , rounds_(analysis)
-    , ways_meet_(where_ways_meet(graph_)) {}
+    , rounds_(analysis) {}
 
 PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits) {
     assert(!legs.empty() && legs.size() <= most_legs);
@@ -49,6 +41,7 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     work_ += legs.size() * graph_.nodes.size();
     on_path_.assign(graph_.nodes.size(), 0);
     places_.clear();
+    ways_.clear();
     failed_.clear();
     ahead_ = nullptr;
     visits_ = 0;
@@ -63,12 +56,12 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
             break;
         }
         Place& place = places_.back();
-        if (place.ways.empty()) {
+        if (ways_.size() == place.ways) {
             go_back();
             continue;
         }
-        const flow::EdgeId way = place.ways.back();
-        place.ways.pop_back();
+        const flow::EdgeId way = ways_.back();
+        ways_.pop_back();
         // The run stands at the node that was run last: after going back that is another one.
         const auto next = run_.along(way, place.after);
         if (!next) continue;
@@ -126,26 +119,29 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
     // Blocks that run once more make other values of the same symbols.
     if (back_on_path) PathRun::forget_assumptions(point);
     std::uint64_t fingerprint = 0;
-    if (ahead_ != nullptr && ways_meet_[node] && failed_before(node, leg, point, fingerprint)) return false;
+    std::uint32_t unasked = places_.empty() ? 0 : places_.back().unasked + 1;
+    if (ahead_ != nullptr && (graph_.in[node].size() != 1 || unasked >= most_unasked)) {
+        if (failed_before(node, leg, point, fingerprint)) return false;
+        unasked = 0;
+    }
     ++visits_;
     on_path_[node] = static_cast<std::uint8_t>(on_path_[node] | 1U << leg);
-    places_.push_back({node, leg, run_.run(node, point), ways_from(node, leg), {}, fingerprint});
+    places_.push_back({node, leg, run_.run(node, point), ways_.size(), {}, fingerprint, unasked});
+    add_ways_from(node, leg);
     return false;
 }
 
-/// Nearest to the end of the leg last.
-std::vector<flow::EdgeId> PathExplorer::ways_from(flow::NodeId node, std::uint32_t leg) const {
+/// Nearest to the end of the leg last, of equally near ones the first edge.
+void PathExplorer::add_ways_from(flow::NodeId node, std::uint32_t leg) {
     const std::vector<std::uint32_t>& distance = distance_[leg];
-    std::vector<flow::EdgeId> ways;
+    const auto first = static_cast<std::ptrdiff_t>(ways_.size());
     for (const flow::EdgeId id : graph_.out[node]) {
         const flow::Edge& edge = graph_.edges[id];
         if (distance[edge.to] != no_way && may_take(edge, id, legs_[leg]) && !is_on_path(edge.to, leg))
-            ways.push_back(id);
+            ways_.push_back(id);
     }
-    const auto distance_after = [&](flow::EdgeId id) { return distance[graph_.edges[id].to]; };
-    std::ranges::stable_sort(ways, {}, distance_after);
-    std::ranges::reverse(ways);
-    return ways;
+    const auto far_first = [&](flow::EdgeId id) { return std::pair(distance[graph_.edges[id].to], id); };
+    std::ranges::sort(ways_.begin() + first, ways_.end(), std::greater{}, far_first);
 }
 
 void PathExplorer::go_back() {

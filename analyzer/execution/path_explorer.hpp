@@ -43,9 +43,10 @@ class PathExplorer {
         flow::NodeId node;
         std::uint32_t leg;
         Point after;
-        std::vector<flow::EdgeId> ways; ///< the next one last
+        std::size_t ways; ///< so many of all `ways_` are those of nodes before
         std::optional<flow::EdgeId> taken;
         std::uint64_t fingerprint; ///< of the point before the node; 0: not asked for
+        std::uint32_t unasked;     ///< so many nodes ago it was
     };
 
     void measure(std::span<const Leg> legs);
@@ -58,7 +59,7 @@ class PathExplorer {
     [[nodiscard]] Deciding& deciding_on_the_way_to(flow::NodeId goal);
     [[nodiscard]] bool failed_before(flow::NodeId node, std::uint32_t leg, const Point& point,
                                      std::uint64_t& fingerprint);
-    [[nodiscard]] std::vector<flow::EdgeId> ways_from(flow::NodeId node, std::uint32_t leg) const;
+    void add_ways_from(flow::NodeId node, std::uint32_t leg);
     [[nodiscard]] bool is_on_path(flow::NodeId node, std::uint32_t leg) const {
         return (on_path_[node] >> leg & 1U) != 0;
     }
@@ -70,8 +71,8 @@ class PathExplorer {
     std::span<const Leg> legs_;
     std::vector<std::vector<std::uint32_t>> distance_; ///< edges to the end of each leg, of every node
     std::vector<std::uint8_t> on_path_;                ///< of every node, a bit for each leg
-    std::vector<bool> ways_meet_;                      ///< of every node: see ways_meet
     std::vector<Place> places_;
+    std::vector<flow::EdgeId> ways_; ///< not tried yet, of each place in turn, the next one last
     /// What the decisions on the way to a goal depend on.
     struct Deciding {
         dataflow::Liveness decisions;

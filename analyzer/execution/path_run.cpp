@@ -54,8 +54,12 @@ std::optional<PathRun::Point> PathRun::remembered(Step::Kind kind, std::uint32_t
     return after_[step];
 }
 
+/// What was assumed on the way makes no difference there.
 PathRun::Point PathRun::run(flow::NodeId node, Point point) {
-    return *remembered(Step::Kind::node, node, point, [&] { return run_now(node, point); });
+    const Assumptions::Id assumed = std::exchange(point.assumed, Assumptions::none);
+    point = *remembered(Step::Kind::node, node, point, [&] { return run_now(node, point); });
+    point.assumed = assumed;
+    return point;
 }
 
 std::optional<PathRun::Point> PathRun::along(flow::EdgeId id, const Point& after) {

@@ -15,16 +15,22 @@ namespace {
 /// Loops inside so many others are taken for entered aside: that is asked again on each path.
 constexpr int most_depth = 16;
 
-/// What is left of the graph when the nodes are taken out.
-flow::Adjacency without(const flow::Adjacency& adjacency, const std::vector<bool>& taken_out) {
+/// What is left of the graph when the nodes are taken out; nothing where no edge leads back in it.
+std::optional<flow::Adjacency> without(const flow::Graph& graph, const flow::Adjacency& adjacency,
+                                       const std::vector<bool>& taken_out) {
     flow::Adjacency left;
+    left.reserve(adjacency.size(), graph.edges.size());
+    bool leads_back = false;
     for (flow::NodeId node = 0; node < adjacency.size(); ++node) {
         if (!taken_out[node])
-            for (const flow::NodeId to : adjacency[node])
-                if (!taken_out[to]) left.add(to);
+            for (const flow::NodeId to : adjacency[node]) {
+                if (taken_out[to]) continue;
+                leads_back = leads_back || graph.order[to] <= graph.order[node];
+                left.add(to);
+            }
         left.end_list();
     }
-    return left;
+    return leads_back ? std::optional(std::move(left)) : std::nullopt;
 }
 
 } // namespace
@@ -34,6 +40,11 @@ Rounds::Rounds(const ProgramAnalysis& analysis)
     , graph_(analysis.graph()) {}
 
 const Rounds::Cycle& Rounds::headed_by(flow::NodeId head) {
+    static const Cycle none;
+    const auto leads_back = [&](flow::EdgeId id) {
+        return dataflow::leads_back(graph_, analysis_.data(), id);
+    };
+    if (std::ranges::none_of(graph_.in[head], leads_back)) return none; // as at most nodes
     const auto [found, fresh] = by_head_.try_emplace(head);
     Cycle& cycle = found->second;
     if (!fresh) return cycle;
@@ -92,8 +103,9 @@ std::vector<bool> Rounds::nodes_entered_aside() const {
             for (const flow::NodeId node : loop.nodes)
                 if (node != loop.head) aside[node] = true;
         }
-        if (depth == most_depth) return aside;
-        left.adjacency = without(whole->adjacency, is_head);
+        auto inner = without(graph_, whole->adjacency, is_head);
+        if (!inner || depth == most_depth) return aside;
+        left.adjacency = *std::move(inner);
         left.components = flow::find_components(left.adjacency);
     }
 }

@@ -45,9 +45,9 @@ class Search {
         const flow::Edge& two = graph_.edges[out[1]];
         if (!one.condition || one.condition != two.condition || one.holds == two.holds) return std::nullopt;
         const auto if_true = follow(one.holds ? one : two);
+        if (!if_true || !if_true->acts) return std::nullopt; // as behind most jumps
         const auto if_false = follow(one.holds ? two : one);
-        if (!if_true || !if_false || !if_true->acts || if_true->text != if_false->text ||
-            if_true->ends_at != if_false->ends_at)
+        if (!if_false || if_true->text != if_false->text || if_true->ends_at != if_false->ends_at)
             return std::nullopt;
         return EqualBranches{*effect, *one.condition, if_true->span, if_false->span};
     }

@@ -9,6 +9,9 @@
 #include "analyzer/semantics/truth.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
 
 namespace maclint::queries {
 namespace {
@@ -29,11 +32,10 @@ class Row {
   public:
     Row(const ProgramAnalysis& analysis, const dataflow::Condition& last)
         : analysis_(analysis)
-        , last_(last)
-        , reads_(dataflow::variables_of(analysis.program(), last.expression)) {}
+        , last_(last) {}
 
-    std::optional<GuardBefore> find() const {
-        if (!reads_.closed || guard_in(last_.node) == nullptr) return std::nullopt;
+    std::optional<GuardBefore> find() {
+        if (guard_in(last_.node) == nullptr) return std::nullopt;
         flow::NodeId node = last_.node;
         for (int i = 0; i < most_nodes; ++i) {
             const auto before = before_node(node);
@@ -41,6 +43,7 @@ class Row {
             node = before->node;
             const Guarded* guard = guard_in(node);
             if (guard == nullptr || !before->by_failed_guard) continue;
+            if (!reads().closed) return std::nullopt;
             if (const auto makes = decides(node, guard->condition, last_.expression))
                 return GuardBefore{analysis_.graph().nodes[node].effects.first, guard->condition,
                                    same_expression(program(), guard->condition, last_.expression), *makes};
@@ -56,23 +59,37 @@ class Row {
         return effects.count == 1 ? std::get_if<Guarded>(&program().effects[effects.first].what) : nullptr;
     }
 
-    [[nodiscard]] std::vector<const flow::Edge*> edges_to(flow::NodeId node) const {
-        std::vector<const flow::Edge*> edges;
-        for (const flow::EdgeId id : analysis_.graph().in[node])
-            if (analysis_.data().passable(id)) edges.push_back(&analysis_.graph().edges[id]);
-        return edges;
+    /// What the last condition reads; few rows get so far.
+    [[nodiscard]] const dataflow::ReadSet& reads() {
+        if (!reads_) reads_ = dataflow::variables_of(program(), last_.expression);
+        return *reads_;
+    }
+
+    /// Edges by which the program comes to a node; of more than two no more matter.
+    struct EdgesTo {
+        std::array<const flow::Edge*, 3> edges{};
+        std::size_t count = 0;
+    };
+    [[nodiscard]] EdgesTo edges_to(flow::NodeId node) const {
+        EdgesTo to;
+        for (const flow::EdgeId id : analysis_.graph().in[node]) {
+            if (!analysis_.data().passable(id)) continue;
+            to.edges[to.count++] = &analysis_.graph().edges[id];
+            if (to.count == to.edges.size()) break;
+        }
+        return to;
     }
 
     /// The one node that leads to another; that of a guard where what it guards leads there as well.
-    [[nodiscard]] std::optional<Before> before_node(flow::NodeId node) const {
-        const auto edges = edges_to(node);
-        if (edges.size() == 1 && edges[0]->kind != flow::EdgeKind::jump)
+    [[nodiscard]] std::optional<Before> before_node(flow::NodeId node) {
+        const auto [edges, count] = edges_to(node);
+        if (count == 1 && edges[0]->kind != flow::EdgeKind::jump)
             return Before{edges[0]->from, is_failed(*edges[0])};
-        if (edges.size() != 2 || is_failed(*edges[0]) == is_failed(*edges[1])) return std::nullopt;
+        if (count != 2 || is_failed(*edges[0]) == is_failed(*edges[1])) return std::nullopt;
         const flow::NodeId guard = edges[is_failed(*edges[0]) ? 0 : 1]->from;
         const flow::NodeId guarded = edges[is_failed(*edges[0]) ? 1 : 0]->from;
         const auto to_guarded = edges_to(guarded);
-        if (to_guarded.size() != 1 || to_guarded[0]->from != guard || !leaves_operands_alone(guarded))
+        if (to_guarded.count != 1 || to_guarded.edges[0]->from != guard || !leaves_operands_alone(guarded))
             return std::nullopt;
         return Before{guard, false};
     }
@@ -80,7 +97,7 @@ class Row {
     static bool is_failed(const flow::Edge& edge) { return edge.condition.has_value() && !edge.holds; }
 
     /// Whether the node guards, or stores in variables that the last condition does not read, and no more.
-    [[nodiscard]] bool leaves_operands_alone(flow::NodeId at) const {
+    [[nodiscard]] bool leaves_operands_alone(flow::NodeId at) {
         const flow::Node& node = analysis_.graph().nodes[at];
         if (node.is_run) return false;
         return std::ranges::all_of(program().effects_in(node.effects), [&](const Effect& effect) {
@@ -88,7 +105,7 @@ class Row {
             const auto* assign = std::get_if<Assign>(&effect.what);
             const auto* variable = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
             return variable != nullptr &&
-                   std::ranges::find(reads_.variables, *variable) == reads_.variables.end();
+                   std::ranges::find(reads().variables, *variable) == reads().variables.end();
         });
     }
 
@@ -133,7 +150,7 @@ class Row {
 
     const ProgramAnalysis& analysis_;
     const dataflow::Condition& last_;
-    dataflow::ReadSet reads_;
+    std::optional<dataflow::ReadSet> reads_;
 };
 
 bool is_used_as_given(const ProgramAnalysis& analysis, const dataflow::Read& read) {

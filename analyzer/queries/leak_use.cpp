@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <map>
 #include <set>
-#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -38,14 +37,13 @@ struct Point {
     friend bool operator==(const Point&, const Point&) = default;
 };
 
-struct PointHash {
-    std::size_t operator()(const Point& point) const {
-        std::uint64_t hash = dataflow::side_by_side(point.program, point.node);
-        hash = dataflow::mix(hash, dataflow::side_by_side(point.first, point.call));
-        return dataflow::mix(hash, dataflow::side_by_side(point.idle, point.channels) ^
-                                       (std::uint64_t{point.inside} << 63U));
-    }
-};
+std::uint64_t hash_mixed(const Point& point) {
+    std::uint64_t hash = dataflow::side_by_side(point.program, point.node);
+    hash = dataflow::mix(hash, dataflow::side_by_side(point.first, point.call));
+    return dataflow::mix(hash, dataflow::side_by_side(point.idle, point.channels) ^
+                                   (std::uint64_t{point.inside} << 63U));
+}
+std::uint64_t hash_local(const Point& point) { return hash_mixed(point); }
 
 class Search {
   public:
@@ -68,7 +66,7 @@ class Search {
             }
             const Point point = stack_.back();
             stack_.pop_back();
-            if (visited_.size() > most_visits) {
+            if (met_ > most_visits) {
                 result_.matters = true;
                 break;
             }
@@ -97,7 +95,9 @@ class Search {
 
     void push(const Point& point) {
         // Two calls that lead to one node are two questions: the path from each may be open or closed.
-        if (visited_.insert(point).second) stack_.push_back(point);
+        if (points_(point) != met_) return;
+        ++met_;
+        stack_.push_back(point);
     }
 
     /// Of paths back to the callers of a program those with the same codes in force are the same: the callers
@@ -301,7 +301,8 @@ class Search {
     };
     std::vector<Returning> waiting_;
     std::set<std::pair<ProgramIndex, std::uint32_t>> returned_;
-    std::unordered_set<Point, PointHash> visited_;
+    dataflow::Interner<Point> points_;                                ///< met so far
+    std::size_t met_ = 0;                                             ///< so many
     std::map<std::pair<ProgramIndex, flow::NodeId>, bool> loses_own_; ///< by program and call
     LeakUse result_;
 };

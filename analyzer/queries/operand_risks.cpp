@@ -149,8 +149,8 @@ OperandRisks::OperandRisks(const ProgramAnalysis& analysis)
                                                 std::pair(&comparison.right, comparison.right_expression)}) {
             auto variables = given_variables(analysis, *value).variables;
             if (asks) add(asked_, variables);
-            if (ends_in_alarm(analysis, comparison.node, true) ||
-                ends_in_alarm(analysis, comparison.node, false))
+            if (!variables.empty() && (ends_in_alarm(analysis, comparison.node, true) ||
+                                       ends_in_alarm(analysis, comparison.node, false)))
                 add(guarded_, variables);
             if (const auto plain = plain_variable(program, expression)) add(variables, {*plain});
             for (const Variable variable : variables)

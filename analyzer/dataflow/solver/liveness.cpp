@@ -1,7 +1,7 @@
 //! Solves against the flow: what is read behind an effect is asked of the effects in front of it.
 #include "analyzer/dataflow/solver/liveness.hpp"
 
-#include "analyzer/flow/solve.hpp"
+#include "analyzer/flow/worklist.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 
@@ -19,13 +19,25 @@ void add_all(LiveSet& to, const LiveSet& from) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] |= from[i];
 }
 
+/// Whether that is more than the set, which is nothing before the first; adds it.
+bool grows_by(LiveSet& set, const LiveSet& more) {
+    if (set.empty()) {
+        set = more;
+        return true;
+    }
+    bool grows = false;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        grows |= (more[i] & ~set[i]) != 0;
+        set[i] |= more[i];
+    }
+    return grows;
+}
+
 } // namespace
 
 /// What effects read and replace.
 class LiveVariables {
   public:
-    using State = LiveSet;
-
     LiveVariables(const Program& program, const flow::Graph& graph, Liveness::Locals locals)
         : program_(program)
         , graph_(graph) {
@@ -43,33 +55,24 @@ class LiveVariables {
         at_exit_.try_emplace(goal, none());
     }
 
-    // ---- as a domain
-
-    /// Every node may be the last one: who never leaves a loop reads what it asks for all the same. On the
-    /// way to a goal that is the last one.
-    [[nodiscard]] State at_begin(flow::NodeId node) const {
+    /// What is read after the node when it is the last one, as any may be: who never leaves a loop reads what
+    /// it asks for all the same. On the way to a goal only that is, and for others there is no set yet.
+    [[nodiscard]] LiveSet read_behind(flow::NodeId node) const {
         const auto exit = at_exit_.find(node);
         if (exit != at_exit_.end()) return exit->second;
         return of_decisions() ? LiveSet{} : none();
     }
-    [[nodiscard]] static bool is_reached(const State& state) { return !state.empty(); }
-    [[nodiscard]] static bool equal(const State& a, const State& b) { return a == b; }
-    [[nodiscard]] static State join(State a, const State& b, flow::NodeId) {
-        if (a.empty()) return b;
-        if (!b.empty()) add_all(a, b);
-        return a;
-    }
-    [[nodiscard]] State run(flow::NodeId node, State state) const {
+
+    /// From the state after the node to the one in front of it. Conditions are read in the node that asks
+    /// them.
+    void run(flow::NodeId node, LiveSet& live) const {
         const flow::Node& n = graph_.nodes[node];
         if (n.is_run) {
-            if (moves(program_, n.stretch())) add_all(state, read_by_moves_);
-            return state;
+            if (moves(program_, n.stretch())) add_all(live, read_by_moves_);
+            return;
         }
-        for (Id i = n.effects.first + n.effects.count; i > n.effects.first;) pass(node, --i, state);
-        return state;
+        for (Id i = n.effects.first + n.effects.count; i > n.effects.first;) pass(node, --i, live);
     }
-    /// Conditions are read in the node that asks them.
-    [[nodiscard]] static State along(const flow::Edge&, State state) { return state; }
 
     /// From the state after the effect to the one in front of it.
     void pass(flow::NodeId node, EffectId id, LiveSet& live) const {
@@ -82,7 +85,7 @@ class LiveVariables {
     [[nodiscard]] std::vector<Variable> members(const LiveSet& live) const {
         std::vector<Variable> all;
         for (const auto& [variable, place] : places_)
-            if (!live.empty() && (live[place / word_bits] & bit(place)) != 0) all.push_back(variable);
+            if ((live[place / word_bits] & bit(place)) != 0) all.push_back(variable);
         return all;
     }
 
@@ -290,10 +293,24 @@ Liveness Liveness::of_decisions(const Program& program, const flow::Graph& graph
 
 Liveness::Liveness(const flow::Graph& graph, std::unique_ptr<const LiveVariables> variables)
     : graph_(&graph)
-    , variables_(std::move(variables)) {
-    flow::Solution<LiveSet> solution;
-    flow::solve<flow::Direction::backward>(graph, *variables_, solution);
-    after_ = std::move(solution.before);
+    , variables_(std::move(variables))
+    , after_(graph.nodes.size()) {
+    const auto count = static_cast<flow::NodeId>(graph.nodes.size());
+    const auto in_turn = [&](flow::NodeId node) { return count - 1 - node; }; // against the order of the text
+    flow::Worklist waiting(count);
+    for (flow::NodeId node = 0; node < count; ++node) {
+        after_[node] = variables_->read_behind(node);
+        if (!after_[node].empty()) waiting.add(in_turn(node));
+    }
+    LiveSet live;
+    while (const auto next = waiting.take()) {
+        const flow::NodeId node = in_turn(*next);
+        live = after_[node];
+        variables_->run(node, live);
+        for (const flow::EdgeId edge : graph.in[node])
+            if (const flow::NodeId from = graph.edges[edge].from; grows_by(after_[from], live))
+                waiting.add(in_turn(from));
+    }
 }
 
 Liveness::Liveness(Liveness&&) noexcept = default;
@@ -310,8 +327,10 @@ bool Liveness::is_live_after(EffectId effect, Variable variable) const {
 }
 
 std::vector<Variable> Liveness::live_before(flow::NodeId node) const {
-    if (!LiveVariables::is_reached(after_[node])) return {};
-    return variables_->members(variables_->run(node, after_[node]));
+    if (after_[node].empty()) return {};
+    LiveSet live = after_[node];
+    variables_->run(node, live);
+    return variables_->members(live);
 }
 
 } // namespace maclint::dataflow
