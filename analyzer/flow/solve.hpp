@@ -42,6 +42,20 @@ concept Widening = Domain<D> &&
     { domain.widen(node, is_head, visit, state, state) } -> std::same_as<typename D::State>;
 };
 
+/// A domain of sets that grow: the state at the end of an edge is the one behind its node, and what meets at
+/// a node is added to one set there, so that no edge needs a state of its own.
+template<class D>
+concept Gathering = requires(const D domain, NodeId node, typename D::State& set,
+                             const typename D::State& more) {
+    /// As of any domain.
+    { domain.at_begin(node) } -> std::same_as<typename D::State>;
+    { domain.is_reached(more) } -> std::same_as<bool>;
+    /// Adds to the set, which may be State{}; whether it has grown.
+    { domain.add(set, more) } -> std::same_as<bool>;
+    /// From the state in front of the node to the one behind it.
+    { domain.run(node, set) } -> std::same_as<void>;
+};
+
 /// The states of a solution, and the memory for the next one.
 template<class State>
 struct Solution {
@@ -50,13 +64,38 @@ struct Solution {
     std::vector<std::uint32_t> visits; ///< of every node
 };
 
+/// A graph as it is walked in the direction.
+template<Direction direction>
+class Walked {
+  public:
+    explicit Walked(const Graph& graph)
+        : graph_(graph) {}
+
+  protected:
+    [[nodiscard]] NodeId size() const { return static_cast<NodeId>(graph_.nodes.size()); }
+    [[nodiscard]] std::span<const EdgeId> edges_to(NodeId node) const {
+        return forward ? graph_.in[node] : graph_.out[node];
+    }
+    [[nodiscard]] std::span<const EdgeId> edges_from(NodeId node) const {
+        return forward ? graph_.out[node] : graph_.in[node];
+    }
+    [[nodiscard]] static NodeId target(const Edge& edge) { return forward ? edge.to : edge.from; }
+    /// Nodes are visited in the order of the text, or against it.
+    [[nodiscard]] NodeId in_turn(NodeId node) const { return forward ? node : size() - 1 - node; }
+
+    const Graph& graph_;
+
+  private:
+    static constexpr bool forward = direction == Direction::forward;
+};
+
 template<Domain D, Direction direction>
-class Solver {
+class Solver : Walked<direction> {
   public:
     using State = typename D::State;
 
     Solver(const Graph& graph, D& domain, Solution<State>& solution)
-        : graph_(graph)
+        : Walked<direction>(graph)
         , domain_(domain)
         , before_(solution.before)
         , along_(solution.along)
@@ -82,18 +121,8 @@ class Solver {
     }
 
   private:
-    static constexpr bool forward = direction == Direction::forward;
-    [[nodiscard]] std::span<const EdgeId> edges_to(NodeId node) const {
-        return forward ? graph_.in[node] : graph_.out[node];
-    }
-    [[nodiscard]] std::span<const EdgeId> edges_from(NodeId node) const {
-        return forward ? graph_.out[node] : graph_.in[node];
-    }
-    [[nodiscard]] static NodeId target(const Edge& edge) { return forward ? edge.to : edge.from; }
-    /// Nodes are visited in the order of the text, or against it.
-    [[nodiscard]] NodeId in_turn(NodeId node) const {
-        return forward ? node : static_cast<NodeId>(graph_.nodes.size()) - 1 - node;
-    }
+    using Walked<direction>::graph_, Walked<direction>::edges_to, Walked<direction>::edges_from,
+        Walked<direction>::target, Walked<direction>::in_turn;
 
     /// In every cycle an edge leads back in the text.
     void collect_heads() {
@@ -160,13 +189,53 @@ class Solver {
         }
     }
 
-    const Graph& graph_;
     D& domain_;
     std::vector<State>& before_;
     std::vector<State>& along_;
     std::vector<std::uint32_t>& visits_;
     std::vector<bool> head_;
 };
+
+template<Gathering D, Direction direction>
+class Gatherer : Walked<direction> {
+  public:
+    using State = typename D::State;
+
+    Gatherer(const Graph& graph, const D& domain)
+        : Walked<direction>(graph)
+        , domain_(domain) {}
+
+    [[nodiscard]] std::vector<State> run() {
+        std::vector<State> before(size());
+        Worklist waiting(size());
+        for (NodeId node = 0; node < size(); ++node) {
+            before[node] = domain_.at_begin(node);
+            if (domain_.is_reached(before[node])) waiting.add(in_turn(node));
+        }
+        State state;
+        while (const auto next = waiting.take()) {
+            const NodeId node = in_turn(*next);
+            state = before[node];
+            domain_.run(node, state);
+            for (const EdgeId edge : edges_from(node))
+                if (const NodeId to = target(graph_.edges[edge]); domain_.add(before[to], state))
+                    waiting.add(in_turn(to));
+        }
+        return before;
+    }
+
+  private:
+    using Walked<direction>::graph_, Walked<direction>::size, Walked<direction>::edges_from,
+        Walked<direction>::target, Walked<direction>::in_turn;
+
+    const D& domain_;
+};
+
+/// The smallest states in front of every node that all paths of the graph allow.
+template<Direction direction, Gathering D>
+[[nodiscard]] std::vector<typename D::State> solve(const Graph& graph, const D& domain) {
+    return Gatherer<D, direction>(graph, domain).run();
+}
 
 /// Fills `solution` with the smallest states that all paths of the graph allow, or with larger ones where the
 /// domain widens.

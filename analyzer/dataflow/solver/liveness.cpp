@@ -1,7 +1,7 @@
 //! Solves against the flow: what is read behind an effect is asked of the effects in front of it.
 #include "analyzer/dataflow/solver/liveness.hpp"
 
-#include "analyzer/flow/worklist.hpp"
+#include "analyzer/flow/solve.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 
@@ -19,25 +19,13 @@ void add_all(LiveSet& to, const LiveSet& from) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] |= from[i];
 }
 
-/// Whether that is more than the set, which is nothing before the first; adds it.
-bool grows_by(LiveSet& set, const LiveSet& more) {
-    if (set.empty()) {
-        set = more;
-        return true;
-    }
-    bool grows = false;
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        grows |= (more[i] & ~set[i]) != 0;
-        set[i] |= more[i];
-    }
-    return grows;
-}
-
 } // namespace
 
 /// What effects read and replace.
 class LiveVariables {
   public:
+    using State = LiveSet;
+
     LiveVariables(const Program& program, const flow::Graph& graph, Liveness::Locals locals)
         : program_(program)
         , graph_(graph) {
@@ -55,16 +43,30 @@ class LiveVariables {
         at_exit_.try_emplace(goal, none());
     }
 
-    /// What is read after the node when it is the last one, as any may be: who never leaves a loop reads what
-    /// it asks for all the same. On the way to a goal only that is, and for others there is no set yet.
-    [[nodiscard]] LiveSet read_behind(flow::NodeId node) const {
+    // ---- as a domain
+
+    /// Every node may be the last one: who never leaves a loop reads what it asks for all the same. On the
+    /// way to a goal that is the last one.
+    [[nodiscard]] LiveSet at_begin(flow::NodeId node) const {
         const auto exit = at_exit_.find(node);
         if (exit != at_exit_.end()) return exit->second;
         return of_decisions() ? LiveSet{} : none();
     }
 
-    /// From the state after the node to the one in front of it. Conditions are read in the node that asks
-    /// them.
+    [[nodiscard]] static bool is_reached(const LiveSet& live) { return !live.empty(); }
+    [[nodiscard]] static bool add(LiveSet& live, const LiveSet& more) {
+        if (live.empty()) {
+            live = more;
+            return true;
+        }
+        bool grows = false;
+        for (std::size_t i = 0; i < live.size(); ++i) {
+            grows |= (more[i] & ~live[i]) != 0;
+            live[i] |= more[i];
+        }
+        return grows;
+    }
+    /// Conditions are read in the node that asks them.
     void run(flow::NodeId node, LiveSet& live) const {
         const flow::Node& n = graph_.nodes[node];
         if (n.is_run) {
@@ -294,24 +296,7 @@ Liveness Liveness::of_decisions(const Program& program, const flow::Graph& graph
 Liveness::Liveness(const flow::Graph& graph, std::unique_ptr<const LiveVariables> variables)
     : graph_(&graph)
     , variables_(std::move(variables))
-    , after_(graph.nodes.size()) {
-    const auto count = static_cast<flow::NodeId>(graph.nodes.size());
-    const auto in_turn = [&](flow::NodeId node) { return count - 1 - node; }; // against the order of the text
-    flow::Worklist waiting(count);
-    for (flow::NodeId node = 0; node < count; ++node) {
-        after_[node] = variables_->read_behind(node);
-        if (!after_[node].empty()) waiting.add(in_turn(node));
-    }
-    LiveSet live;
-    while (const auto next = waiting.take()) {
-        const flow::NodeId node = in_turn(*next);
-        live = after_[node];
-        variables_->run(node, live);
-        for (const flow::EdgeId edge : graph.in[node])
-            if (const flow::NodeId from = graph.edges[edge].from; grows_by(after_[from], live))
-                waiting.add(in_turn(from));
-    }
-}
+    , after_(flow::solve<flow::Direction::backward>(graph, *variables_)) {}
 
 Liveness::Liveness(Liveness&&) noexcept = default;
 Liveness& Liveness::operator=(Liveness&&) noexcept = default;
