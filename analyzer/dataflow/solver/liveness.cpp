@@ -69,7 +69,7 @@ class LiveVariables {
         return state;
     }
     /// Conditions are read in the node that asks them.
-    [[nodiscard]] static State along(const flow::Edge&, State state) { return state; }
+    [[nodiscard]] static State along(const flow::Edge&, const State& state) { return state; }
 
     /// From the state after the effect to the one in front of it.
     void pass(flow::NodeId node, EffectId id, LiveSet& live) const {
