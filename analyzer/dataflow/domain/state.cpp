@@ -152,7 +152,7 @@ Value States::read(const State& state, Variable variable) {
     return found ? table_.values[*found] : absent(state, key_of(variable));
 }
 
-const ModalValue& States::read(const State& state, ChannelGroup of) {
+const ModalValue& States::read(const State& state, ChannelGroup of) const {
     return table_.modals[id_of(state, of)];
 }
 
@@ -160,7 +160,7 @@ ModalId States::id_of(const State& state, ChannelGroup of) const {
     return maps_.find(state.root, key_of(of)).value_or(entry_modals_[of.group]);
 }
 
-ModalValue States::read(const State& state, Channels channels, GroupId group) {
+ModalValue States::read(const State& state, Channels channels, GroupId group) const {
     if (std::has_single_bit(channels))
         return read(state, ChannelGroup{static_cast<std::uint8_t>(std::countr_zero(channels)), group});
     ModalValue all;

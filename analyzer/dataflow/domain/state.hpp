@@ -96,10 +96,10 @@ class States {
     /// The program shares its callers' local variables, and no known caller sets this one.
     [[nodiscard]] bool is_set_by_no_caller(Variable variable) const;
     [[nodiscard]] Value read(const State& state, Variable variable);
-    [[nodiscard]] const ModalValue& read(const State& state, ChannelGroup of);
+    [[nodiscard]] const ModalValue& read(const State& state, ChannelGroup of) const;
     [[nodiscard]] ModalId id_of(const State& state, ChannelGroup of) const;
     /// All that the group can be in any of the channels.
-    [[nodiscard]] ModalValue read(const State& state, Channels channels, GroupId group);
+    [[nodiscard]] ModalValue read(const State& state, Channels channels, GroupId group) const;
     [[nodiscard]] std::optional<double> entry_code(const State& state, ChannelGroup of) const;
     void write(State& state, Variable variable, const Value& value);
     void write(State& state, ChannelGroup of, ModalValue value);
