@@ -131,10 +131,9 @@ class Solver : Walked<direction> {
             if (edge.to <= edge.from) head_[target(edge)] = true;
     }
 
-    /// All paths that lead to the node.
-    [[nodiscard]] State incoming(NodeId node) {
-        State state = domain_.at_begin(node);
-        for (const EdgeId edge : edges_to(node)) state = domain_.join(state, along_[edge], node);
+    /// All paths that lead to the node, and those that begin there.
+    [[nodiscard]] State incoming(NodeId node, State state) {
+        for (const EdgeId edge : edges_to(node)) state = domain_.join(std::move(state), along_[edge], node);
         return state;
     }
 
@@ -142,19 +141,20 @@ class Solver : Walked<direction> {
     bool update(NodeId node, std::uint32_t visit) {
         State& old = before_[node];
         const auto in = edges_to(node);
-        if (in.size() == 1 && !head_[node] && !domain_.is_reached(domain_.at_begin(node))) {
+        State begin = domain_.at_begin(node);
+        if (in.size() == 1 && !head_[node] && !domain_.is_reached(begin)) {
             // It comes here because that edge has changed.
             old = along_[in.front()];
             return true;
         }
-        State state = incoming(node);
+        State state = incoming(node, std::move(begin));
         if (domain_.is_reached(old)) {
             if constexpr (Widening<D>)
                 if (domain_.widens(head_[node], visit))
                     state = domain_.widen(node, head_[node], visit, old, state);
             if (domain_.equal(state, old)) return false;
         }
-        old = state;
+        old = std::move(state);
         return true;
     }
 
@@ -182,7 +182,7 @@ class Solver : Walked<direction> {
         for (NodeId turn = 0; turn < graph_.nodes.size(); ++turn) {
             const NodeId node = in_turn(turn);
             if (!may_change[node] || !domain_.is_reached(before_[node])) continue;
-            State state = incoming(node);
+            State state = incoming(node, domain_.at_begin(node));
             if (domain_.equal(state, before_[node])) continue;
             before_[node] = std::move(state);
             propagate(node, [&](NodeId next) { may_change[next] = true; });

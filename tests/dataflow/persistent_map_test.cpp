@@ -23,6 +23,49 @@ TEST(PersistentMap, EqualContentIsEqualHoweverItCameAbout) {
     EXPECT_FALSE(trees.equal(0, forwards));
 }
 
+TEST(PersistentMap, KeysBetweenTwoAreTakenOutWhereverTheyStand) {
+    PersistentMap trees;
+    Root map = 0;
+    for (const Key key : {0U, 5U, 6U, 7U, 8U, 9U, 900U})
+        map = trees.set(map, key, static_cast<std::uint32_t>(key));
+    const Root rest = trees.without(map, 6, 8);
+    for (const Key key : {0U, 5U, 9U, 900U}) EXPECT_EQ(trees.find(rest, key), key);
+    for (const Key key : {6U, 7U, 8U}) EXPECT_EQ(trees.find(rest, key), std::nullopt);
+    EXPECT_EQ(trees.without(rest, 6, 8), rest);
+    EXPECT_EQ(trees.without(rest, 0, 900), 0U);
+}
+
+TEST(PersistentMap, ManyKeysSetAtATimeAreThoseThatHaveAValue) {
+    PersistentMap trees;
+    const Root before = trees.set(trees.set(0, 4, 1), 17, 2);
+    constexpr auto none = PersistentMap::absent;
+    const std::vector<std::uint32_t> values{none, 50,   none, 70,   80,   none, none,
+                                            none, none, none, none, none, none, 17};
+    const Root after = trees.set_all(before, 4, values);
+    Root expected = before;
+    for (Key key = 0; key < values.size(); ++key)
+        if (values[key] != none) expected = trees.set(expected, 4 + key, values[key]);
+    EXPECT_TRUE(trees.equal(after, expected));
+    EXPECT_EQ(trees.find(after, 4), 1U);
+    EXPECT_EQ(trees.find(after, 17), 17U);
+    EXPECT_EQ(trees.set_all(after, 4, values), after);
+    EXPECT_EQ(trees.set_all(0, 4, std::vector<std::uint32_t>(20, none)), 0U);
+}
+
+TEST(PersistentMap, MergedMapsAskForWhatDiffers) {
+    PersistentMap trees;
+    const Root both = trees.set(trees.set(0, 1, 1), 3, 3);
+    const Root a = trees.set(trees.set(both, 2, 20), 40, 4);
+    const Root b = trees.set(trees.set(both, 2, 21), 5, 5);
+    const Root merged = trees.merge(
+        a, b, [](Key, std::uint32_t x, std::uint32_t y) { return x + y; },
+        [](Key, std::uint32_t x) { return 100 + x; }, [](Key, std::uint32_t y) { return 200 + y; });
+    std::vector<std::pair<Key, std::uint32_t>> content;
+    trees.for_each(merged, [&](Key key, std::uint32_t value) { content.emplace_back(key, value); });
+    EXPECT_THAT(content, testing::ElementsAre(std::pair(1, 1), std::pair(2, 41), std::pair(3, 3),
+                                              std::pair(5, 205), std::pair(40, 104)));
+}
+
 TEST(PersistentMap, KeptMapsHoldWhatTheyHeld) {
     PersistentMap trees;
     Root first = trees.set(trees.set(0, 1, 10), 2, 20);
@@ -83,6 +126,17 @@ TEST(SmallVector, KeepsOrderAndContentBeyondItsOwnRoom) {
     EXPECT_THAT(few, testing::ElementsAre(1));
     EXPECT_THAT(copy, testing::ElementsAre(1, 2, 3, 4, 5));
     EXPECT_FALSE(few == copy);
+}
+
+TEST(SmallVector, OfOneThingManyTimes) {
+    SmallVector<int, 2> many(3, 7);
+    many[1] = 8;
+    EXPECT_THAT(many, testing::ElementsAre(7, 8, 7));
+    SmallVector<int, 2> other{1};
+    other = many;
+    EXPECT_EQ(other, many);
+    other = SmallVector<int, 2>(1, 5);
+    EXPECT_THAT(other, testing::ElementsAre(5));
 }
 
 TEST(SmallVector, IsEmptyAfterItsContentMovedAway) {

@@ -25,11 +25,22 @@ class SmallVector {
     // NOLINTEND(readability-identifier-naming)
 
     SmallVector() = default;
+    SmallVector(std::size_t count, T thing) {
+        make_room(count);
+        std::fill_n(begin(), count, thing);
+        size_ = static_cast<std::uint32_t>(count);
+    }
     SmallVector(std::initializer_list<T> things) { append(things.begin(), things.size()); }
     SmallVector(const SmallVector& other) { append(other.begin(), other.size_); }
-    SmallVector(SmallVector&& other) noexcept { swap(other); }
-    SmallVector& operator=(SmallVector other) noexcept {
-        swap(other);
+    SmallVector(SmallVector&& other) noexcept { take(other); }
+    SmallVector& operator=(const SmallVector& other) {
+        if (this == &other) return *this;
+        size_ = 0;
+        append(other.begin(), other.size_);
+        return *this;
+    }
+    SmallVector& operator=(SmallVector&& other) noexcept {
+        if (this != &other) take(other);
         return *this;
     }
     ~SmallVector() = default;
@@ -41,6 +52,8 @@ class SmallVector {
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
     [[nodiscard]] const T& front() const { return *begin(); }
+    [[nodiscard]] T& operator[](std::size_t place) { return begin()[place]; }
+    [[nodiscard]] const T& operator[](std::size_t place) const { return begin()[place]; }
 
     void push_back(T thing) { append(&thing, 1); }
     /// Puts the thing in front of `position`.
@@ -56,22 +69,24 @@ class SmallVector {
 
   private:
     void append(const T* things, std::size_t count) {
-        const auto needed = size_ + static_cast<std::uint32_t>(count);
-        if (needed > room_) {
-            room_ = std::max(needed, 2 * room_);
-            auto wider = std::make_unique<T[]>(room_);
-            std::copy(begin(), end(), wider.get());
-            afar_ = std::move(wider);
-        }
+        make_room(size_ + count);
         std::copy_n(things, count, end());
-        size_ = needed;
+        size_ += static_cast<std::uint32_t>(count);
     }
 
-    void swap(SmallVector& other) noexcept {
-        std::swap(here_, other.here_);
-        std::swap(afar_, other.afar_);
-        std::swap(size_, other.size_);
-        std::swap(room_, other.room_);
+    void make_room(std::size_t needed) {
+        if (needed <= room_) return;
+        room_ = std::max(static_cast<std::uint32_t>(needed), 2 * room_);
+        auto wider = std::make_unique<T[]>(room_);
+        std::copy(begin(), end(), wider.get());
+        afar_ = std::move(wider);
+    }
+
+    void take(SmallVector& other) noexcept {
+        here_ = other.here_;
+        afar_ = std::move(other.afar_);
+        size_ = std::exchange(other.size_, 0);
+        room_ = std::exchange(other.room_, nearby);
     }
 
     std::array<T, nearby> here_{};

@@ -8,10 +8,9 @@
 namespace maclint::dataflow {
 namespace {
 
-/// Keeps the parts sorted by symbol; two origins of one symbol both count.
+/// Keeps the parts sorted.
 void add_part(ModalValue& value, const ModalPart& part) {
-    const auto key = [](const ModalPart& p) { return std::pair(p.symbol, p.origin); };
-    const auto position = std::ranges::lower_bound(value.parts, key(part), {}, key);
+    const auto position = std::ranges::lower_bound(value.parts, part);
     if (position != value.parts.end() && *position == part) return;
     value.parts.insert(position, part);
 }
@@ -133,32 +132,35 @@ Value States::entry_value(Variable variable) {
     return value;
 }
 
-std::uint32_t States::absent(const State& state, Key key) {
+Value States::absent(const State& state, Key key) {
     const Variable variable = variable_of(key);
     if (const SymbolId site = table_.havoc(state.havoc).by_space[variable.space]; site != 0) {
         Value value;
         value.symbol = table_.symbols({Symbol::Kind::opaque, key, site, 1});
-        return table_.values(value);
+        return value;
     }
-    if (const auto known = maps_.find(entry_values_, key)) return *known;
-    const std::uint32_t id = table_.values(entry_value(variable));
-    entry_values_ = maps_.set(entry_values_, key, id);
-    return id;
+    if (const auto known = maps_.find(entry_values_, key)) return table_.values[*known];
+    const Value value = entry_value(variable);
+    entry_values_ = maps_.set(entry_values_, key, table_.values(value));
+    return value;
 }
 
-std::uint32_t States::absent_modal(Key key) { return entry_modals_[group_of(key).group]; }
+ModalId States::absent_modal(Key key) const { return entry_modals_[group_of(key).group]; }
 
 Value States::read(const State& state, Variable variable) {
     const auto found = maps_.find(state.root, key_of(variable));
-    return table_.values[found ? *found : absent(state, key_of(variable))];
+    return found ? table_.values[*found] : absent(state, key_of(variable));
 }
 
-const ModalValue& States::read(const State& state, ChannelGroup of) {
-    const auto found = maps_.find(state.root, key_of(of));
-    return table_.modals[found ? *found : absent_modal(key_of(of))];
+const ModalValue& States::read(const State& state, ChannelGroup of) const {
+    return table_.modals[id_of(state, of)];
 }
 
-ModalValue States::read(const State& state, Channels channels, GroupId group) {
+ModalId States::id_of(const State& state, ChannelGroup of) const {
+    return maps_.find(state.root, key_of(of)).value_or(entry_modals_[of.group]);
+}
+
+ModalValue States::read(const State& state, Channels channels, GroupId group) const {
     if (std::has_single_bit(channels))
         return read(state, ChannelGroup{static_cast<std::uint8_t>(std::countr_zero(channels)), group});
     ModalValue all;
@@ -180,8 +182,20 @@ void States::write(State& state, Variable variable, const Value& value) {
 }
 
 void States::write(State& state, ChannelGroup of, ModalValue value) {
+    write(state, of, remember(std::move(value)));
+}
+
+void States::write(State& state, ChannelGroup of, ModalId value) {
+    state.root = maps_.set(state.root, key_of(of), value);
+}
+
+void States::write_groups(State& state, std::uint8_t channel, std::span<const ModalId> values) {
+    state.root = maps_.set_all(state.root, key_of(ChannelGroup{channel, 0}), values);
+}
+
+ModalId States::remember(ModalValue value) {
     if (value.parts.size() > most_modal_parts) value = {{}, true};
-    state.root = maps_.set(state.root, key_of(of), table_.modals(value));
+    return table_.modals(value);
 }
 
 void States::know_entry_code(State& state, ChannelGroup of, double code) {
@@ -189,12 +203,8 @@ void States::know_entry_code(State& state, ChannelGroup of, double code) {
 }
 
 void States::leave_out(State& state, Channels channels) {
-    const std::uint32_t nothing = table_.modals(ModalValue{});
-    for_each_channel(channels, [&](std::uint8_t channel) {
-        for (std::size_t group = 0; group < entry_modals_.size(); ++group)
-            state.root =
-                maps_.set(state.root, key_of(ChannelGroup{channel, static_cast<GroupId>(group)}), nothing);
-    });
+    const std::vector<ModalId> nothing(entry_modals_.size(), table_.modals(ModalValue{}));
+    for_each_channel(channels, [&](std::uint8_t channel) { write_groups(state, channel, nothing); });
 }
 
 void States::havoc(State& state, SpaceId space, const Origin& site) {
@@ -227,14 +237,15 @@ Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t
     return joined;
 }
 
-std::uint32_t States::join_modals(std::uint32_t a, std::uint32_t b) {
+ModalId States::join_modals(ModalId a, ModalId b) {
     if (a == b) return a;
+    const ModalValue& other = table_.modals[b];
+    if (table_.modals[a].includes(other)) return a;
+    if (other.includes(table_.modals[a])) return b;
     ModalValue joined = table_.modals[a];
-    const ModalValue other = table_.modals[b];
     joined.unknown |= other.unknown;
     for (const ModalPart& part : other.parts) add_part(joined, part);
-    if (joined.parts.size() > most_modal_parts) joined = {{}, true};
-    return table_.modals(joined);
+    return remember(std::move(joined));
 }
 
 bool States::equal(const State& a, const State& b) const {
@@ -247,23 +258,29 @@ State States::merge(const State& a, const State& b, std::uint32_t node, Widening
     State joined;
     joined.reached = true;
     constexpr std::uint32_t nothing = 0; // the constant symbol of no code: "not known"
-    const auto join_keyed = [&](Key key, std::uint32_t x, std::uint32_t y) {
-        if (is_group_key(key)) return join_modals(x, y);
-        if (!is_variable_key(key)) return x == y ? x : nothing;
-        const Value old = table_.values[x];
-        Value now = join_values(old, table_.values[y], key, node);
-        widening(old, now);
+    const auto join_variable = [&](Key key, const Value& x, const Value& y) {
+        Value now = join_values(x, y, key, node);
+        widening(x, now);
         return table_.values(now);
     };
-    const auto otherwise = [&](const State& lacking, Key key) -> std::uint32_t {
-        if (is_group_key(key)) return absent_modal(key);
-        if (!is_variable_key(key)) return nothing;
-        return absent(lacking, key);
-    };
     joined.root = maps_.merge(
-        a.root, b.root, join_keyed,
-        [&](Key key, std::uint32_t x) { return join_keyed(key, x, otherwise(b, key)); },
-        [&](Key key, std::uint32_t y) { return join_keyed(key, otherwise(a, key), y); });
+        a.root, b.root,
+        [&](Key key, std::uint32_t x, std::uint32_t y) {
+            if (is_group_key(key)) return join_modals(x, y);
+            return is_variable_key(key) ? join_variable(key, table_.values[x], table_.values[y]) : nothing;
+        },
+        [&](Key key, std::uint32_t x) {
+            if (is_group_key(key)) return join_modals(x, absent_modal(key));
+            if (!is_variable_key(key)) return nothing;
+            const Value other = absent(b, key);
+            return table_.values[x] == other ? x : join_variable(key, table_.values[x], other);
+        },
+        [&](Key key, std::uint32_t y) {
+            if (is_group_key(key)) return join_modals(absent_modal(key), y);
+            if (!is_variable_key(key)) return nothing;
+            const Value other = absent(a, key);
+            return table_.values[y] == other ? y : join_variable(key, other, table_.values[y]);
+        });
     joined.havoc = a.havoc;
     if (a.havoc == b.havoc) return joined;
     HavocSet havoc = table_.havoc(a.havoc);

@@ -96,12 +96,17 @@ class States {
     /// The program shares its callers' local variables, and no known caller sets this one.
     [[nodiscard]] bool is_set_by_no_caller(Variable variable) const;
     [[nodiscard]] Value read(const State& state, Variable variable);
-    [[nodiscard]] const ModalValue& read(const State& state, ChannelGroup of);
+    [[nodiscard]] const ModalValue& read(const State& state, ChannelGroup of) const;
+    [[nodiscard]] ModalId id_of(const State& state, ChannelGroup of) const;
     /// All that the group can be in any of the channels.
-    [[nodiscard]] ModalValue read(const State& state, Channels channels, GroupId group);
+    [[nodiscard]] ModalValue read(const State& state, Channels channels, GroupId group) const;
     [[nodiscard]] std::optional<double> entry_code(const State& state, ChannelGroup of) const;
     void write(State& state, Variable variable, const Value& value);
     void write(State& state, ChannelGroup of, ModalValue value);
+    void write(State& state, ChannelGroup of, ModalId value);
+    /// Every group of the channel at a time, or PersistentMap::absent for those that stay.
+    void write_groups(State& state, std::uint8_t channel, std::span<const ModalId> values);
+    [[nodiscard]] ModalId remember(ModalValue value);
     void know_entry_code(State& state, ChannelGroup of, double code);
     /// These channels do not come this way: until other paths join, their groups have no value at all.
     void leave_out(State& state, Channels channels);
@@ -138,19 +143,19 @@ class States {
     [[nodiscard]] std::optional<double> initial_number(Variable variable) const;
     [[nodiscard]] Vacancy vacancy_at_entry(Variable variable) const;
     [[nodiscard]] bool may_be_handed_down(Variable variable) const;
-    /// The value, by number, of a variable that a state does not hold.
-    [[nodiscard]] std::uint32_t absent(const State& state, Key key);
-    [[nodiscard]] std::uint32_t absent_modal(Key key);
+    /// The value of a variable that a state does not hold.
+    [[nodiscard]] Value absent(const State& state, Key key);
+    [[nodiscard]] ModalId absent_modal(Key key) const;
     [[nodiscard]] bool is_entry_of(OriginId vacancy_origin, Key key) const;
+    [[nodiscard]] ModalId join_modals(ModalId a, ModalId b);
     [[nodiscard]] Value join_values(const Value& a, const Value& b, Key key, std::uint32_t node);
-    [[nodiscard]] std::uint32_t join_modals(std::uint32_t a, std::uint32_t b);
 
     const Program& program_;
     EntryKnowledge knowledge_;
     ValueTable table_;
     PersistentMap maps_;
     Root entry_values_ = 0; ///< those that were asked for
-    std::vector<std::uint32_t> entry_modals_;
+    std::vector<ModalId> entry_modals_;
 };
 
 /// With more possible codes than this a modal group counts as unknown.

@@ -17,6 +17,15 @@ void add(Choices& choices, double number) {
 
 } // namespace
 
+void ModalValue::put_in_order() {
+    std::ranges::sort(parts);
+    parts.cut_off(std::ranges::unique(parts).begin());
+}
+
+bool ModalValue::includes(const ModalValue& other) const {
+    return (unknown || !other.unknown) && std::ranges::includes(parts, other.parts);
+}
+
 ValueTable::ValueTable() {
     symbols({Symbol::Kind::opaque, 0, 0, 0});
     origins({Origin::Kind::none, 0, 0});

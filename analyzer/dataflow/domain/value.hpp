@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -25,6 +26,7 @@ using semantics::Vacancy;
 using SymbolId = std::uint32_t;  ///< equal symbols at one point of the program are equal values
 using OriginId = std::uint32_t;  ///< 0: none
 using ChoicesId = std::uint32_t; ///< 0: none are known
+using ModalId = std::uint32_t;   ///< of a ModalValue
 
 /// Where something came from.
 struct Origin {
@@ -75,17 +77,23 @@ struct Value : semantics::AbstractValue {
     friend bool operator==(const Value&, const Value&) = default;
 };
 
-/// One thing that a modal group can be: a code, the caller's code, a value.
+/// One thing that a modal group can be: a code, the caller's code, a value. Two origins of one symbol both
+/// count.
 struct ModalPart {
     SymbolId symbol;
     OriginId origin; ///< what set it; 0: nothing in this program
-    friend bool operator==(const ModalPart&, const ModalPart&) = default;
+    friend auto operator<=>(const ModalPart&, const ModalPart&) = default;
 };
 
-/// All that a modal group can be at a point, sorted by symbol; `unknown` beside them: any other, too.
+/// All that a modal group can be at a point, sorted; `unknown` beside them: any other, too.
 struct ModalValue {
     SmallVector<ModalPart, 2> parts;
     bool unknown = false;
+
+    /// The parts sorted, each once.
+    void put_in_order();
+    /// Whether it can be everything that the other can be.
+    [[nodiscard]] bool includes(const ModalValue& other) const;
     friend bool operator==(const ModalValue&, const ModalValue&) = default;
 };
 
@@ -164,7 +172,10 @@ struct ValueTable {
     Interner<Choices> choice_sets;
 
     [[nodiscard]] HavocId remember(const HavocSet& havoc) { return havoc_sets(havoc) + 1; }
-    [[nodiscard]] HavocSet havoc(HavocId id) const { return id == 0 ? HavocSet{} : havoc_sets[id - 1]; }
+    [[nodiscard]] const HavocSet& havoc(HavocId id) const {
+        static constexpr HavocSet nothing;
+        return id == 0 ? nothing : havoc_sets[id - 1];
+    }
 
     /// The numbers of a value that is one of a few; none where it is one number or any.
     [[nodiscard]] std::span<const double> choices_of(const Value& value) const;

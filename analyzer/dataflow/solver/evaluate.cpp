@@ -280,7 +280,7 @@ void Transfer::know_entry_code(State& state, ChannelGroup of, double code) {
     for (ModalPart& part : value.parts)
         if (states_.table().number_of(part.symbol) == code)
             part.symbol = states_.table().symbols({Symbol::Kind::entry_group, of.group, 0, 0});
-    std::ranges::sort(value.parts, {}, [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
+    value.put_in_order();
     states_.write(state, of, std::move(value));
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace maclint::dataflow {
@@ -17,6 +18,9 @@ namespace {
 constexpr std::size_t most_known_calls = 64;
 /// Longer programs are not run again for a call: those that only report an error are short.
 constexpr std::size_t most_nodes = 2000;
+
+/// So many states of one node are followed back to the caller before all are solved together.
+constexpr std::size_t most_states_tried = 8;
 
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
 
@@ -37,17 +41,25 @@ std::vector<std::uint32_t> distances_to_return(const Program& program, const flo
     return distance;
 }
 
-/// Whether one path comes back, of which every node is tried with one state alone, the nearest way first.
-bool comes_back_at_first(const Program& program, const flow::Graph& graph, States& states,
-                         Transfer& transfer) {
+/// Whether one path comes back, of which every node is tried with a few states, the nearest way first;
+/// nothing where none does, but nodes would have to be tried with other states.
+std::optional<bool> comes_back_at_first(const Program& program, const flow::Graph& graph, States& states,
+                                        Transfer& transfer) {
     const std::vector<std::uint32_t> distance = distances_to_return(program, graph);
-    std::vector<bool> tried(graph.nodes.size(), false);
+    std::vector<SmallVector<State, 1>> tried(graph.nodes.size());
+    bool all_tried = true;
     std::vector<std::pair<flow::NodeId, State>> ways{{0, states.at_entry()}};
     while (!ways.empty()) {
         const auto [node, before] = ways.back();
         ways.pop_back();
-        if (tried[node] || distance[node] == no_way) continue;
-        tried[node] = true;
+        if (distance[node] == no_way) continue;
+        const auto same = [&](const State& other) { return states.equal(other, before); };
+        if (std::ranges::any_of(tried[node], same)) continue;
+        if (tried[node].size() == most_states_tried) {
+            all_tried = false;
+            continue;
+        }
+        tried[node].push_back(before);
         const State after = transfer.run(node, before);
         if (!after.reached) continue;
         if (distance[node] == 0) return true;
@@ -55,10 +67,11 @@ bool comes_back_at_first(const Program& program, const flow::Graph& graph, State
         for (const flow::EdgeId id : graph.out[node])
             if (const State next = transfer.along(graph.edges[id], after); next.reached)
                 ways.emplace_back(graph.edges[id].to, next);
-        std::ranges::stable_sort(ways.begin() + first, ways.end(), std::greater{},
-                                 [&](const auto& way) { return distance[way.first]; });
+        if (ways.end() - ways.begin() > first + 1)
+            std::ranges::stable_sort(ways.begin() + first, ways.end(), std::greater{},
+                                     [&](const auto& way) { return distance[way.first]; });
     }
-    return false;
+    return all_tried ? std::optional(false) : std::nullopt;
 }
 
 } // namespace
@@ -126,7 +139,7 @@ bool Analysis::finds_way_back(const KnownStart& start) const {
     States states(*program_, std::move(knowledge));
     Transfer transfer(*program_, *graph_, states, callees_);
     transfer.follow_no_calls();
-    if (comes_back_at_first(*program_, *graph_, states, transfer)) return true;
+    if (const auto known = comes_back_at_first(*program_, *graph_, states, transfer)) return *known;
     StateDomain domain(*program_, states, transfer);
     flow::Solution<State> solution;
     flow::solve<flow::Direction::forward>(*graph_, domain, solution);

@@ -1,6 +1,7 @@
 //! Which values may still be read: what is not is a store that nobody needs.
 #pragma once
 
+#include "analyzer/dataflow/domain/small_vector.hpp"
 #include "analyzer/dataflow/solver/summary.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/program/model.hpp"
@@ -13,7 +14,7 @@ namespace maclint::dataflow {
 
 /// Variables of a program whose value may be read before it is replaced, as bits: bit n is the n-th that the
 /// program names. No words at all: no path leads here.
-using LiveSet = std::vector<std::uint64_t>;
+using LiveSet = SmallVector<std::uint64_t, 2>;
 
 class LiveVariables;
 

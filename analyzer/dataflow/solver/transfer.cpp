@@ -85,11 +85,13 @@ void Transfer::apply(State& state, const Effect& effect) {
     std::visit(overloaded{
                    [&](const Assign& what) { assign(state, what); },
                    [&](const SetModal& what) { set_modal(state, what); },
-                   // What changes nothing is only evaluated to be written down.
+                   // What changes nothing is only evaluated to be written down, and there is nothing to write
+                   // of a number.
                    [&](const EvaluateWords& what) {
                        if (facts_ == nullptr) return;
                        for (const ExpressionId value : program_.values_of(what))
-                           (void)evaluate(state, value, Use::word);
+                           if (!std::holds_alternative<Literal>(program_.expressions[value].node))
+                               (void)evaluate(state, value, Use::word);
                    },
                    [&](const Motion&) { move(state); },
                    [&](const Call& what) { call(state, what); },
@@ -264,8 +266,7 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
                 either.parts, [&](const ModalPart& p) { return p.symbol == value.symbol; });
             either.parts.cut_off(others.begin());
             either.parts.push_back({value.symbol, origin});
-            std::ranges::sort(either.parts, {},
-                              [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
+            either.put_in_order();
             write_group(state, {channel, group}, std::move(either));
         });
         return;
@@ -284,16 +285,18 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
 }
 
 /// A channel that does not come here sets nothing; one of which that is not known may have.
+ModalId Transfer::written(const State& state, ChannelGroup of, ModalId value) {
+    if (graph_.channels.empty()) return value;
+    const ModalId known = states_.id_of(state, of);
+    ModalValue before = states_.table().modals[known];
+    if (before.parts.empty() && !before.unknown) return known;
+    if ((channels_.uncertain >> of.channel & 1U) == 0) return value;
+    before.unknown = true;
+    return states_.remember(std::move(before));
+}
+
 void Transfer::write_group(State& state, ChannelGroup of, ModalValue value) {
-    if (!graph_.channels.empty()) {
-        const ModalValue& before = states_.read(state, of);
-        if (before.parts.empty() && !before.unknown) return;
-        if ((channels_.uncertain >> of.channel & 1U) != 0) {
-            value = before;
-            value.unknown = true;
-        }
-    }
-    states_.write(state, of, std::move(value));
+    states_.write(state, of, written(state, of, states_.remember(std::move(value))));
 }
 
 void Transfer::set_code(State& state, GroupId group, double code, OriginId origin) {
@@ -308,15 +311,19 @@ void Transfer::set_code(State& state, GroupId group, double code, OriginId origi
 
 /// Without a letter: all groups.
 void Transfer::havoc_groups(State& state, std::optional<char> letter) {
-    for (std::size_t i = 0; i < program_.control->groups.size(); ++i) {
-        if (letter && program_.control->groups[i].letter != *letter) continue;
-        for_each_channel(channels_.running, [&](std::uint8_t channel) {
+    const auto& groups = program_.control->groups;
+    for_each_channel(channels_.running, [&](std::uint8_t channel) {
+        written_groups_.assign(groups.size(), PersistentMap::absent);
+        for (std::size_t i = 0; i < groups.size(); ++i) {
             const ChannelGroup of{channel, static_cast<GroupId>(i)};
-            ModalValue value = states_.read(state, of);
+            const ModalValue& before = states_.read(state, of);
+            if ((letter && groups[i].letter != *letter) || before.unknown) continue;
+            ModalValue value = before;
             value.unknown = true;
-            write_group(state, of, std::move(value));
-        });
-    }
+            written_groups_[i] = written(state, of, states_.remember(std::move(value)));
+        }
+        states_.write_groups(state, channel, written_groups_);
+    });
 }
 
 // ---- calls ----
@@ -423,13 +430,17 @@ void Transfer::change_handed_down(State& state, const Summary& summary) {
 
 void Transfer::change_groups(State& state, const Summary& summary) {
     const OriginId origin = here();
-    for (const GroupChange& change : summary.groups) {
-        for_each_channel(channels_.running, [&](std::uint8_t channel) {
+    for_each_channel(channels_.running, [&](std::uint8_t channel) {
+        written_groups_.assign(program_.control->groups.size(), PersistentMap::absent);
+        for (const GroupChange& change : summary.groups) {
             const bool surely_here = (change.channels >> channel & 1U) != 0;
-            if (!surely_here && channel != 0) return;
-            const bool keeps = change.may_keep || !surely_here;
-            ModalValue value =
-                keeps ? states_.read(state, ChannelGroup{channel, change.group}) : ModalValue{};
+            if (!surely_here && channel != 0) continue;
+            const ChannelGroup of{channel, change.group};
+            // Of a caller that names no channel the group may change in several channels of the callee.
+            ModalId& now = written_groups_[change.group];
+            if (now == PersistentMap::absent) now = states_.id_of(state, of);
+            ModalValue value;
+            if (change.may_keep || !surely_here) value = states_.table().modals[now];
             for (const double code : change.codes)
                 value.parts.push_back({states_.table().constant(code), origin});
             value.unknown |= change.other || !surely_here;
@@ -438,12 +449,11 @@ void Transfer::change_groups(State& state, const Summary& summary) {
                     {Symbol::Kind::opaque, side_by_side(effect_, node_), 10U << 8U, change.group});
                 value.parts.push_back({left, origin});
             }
-            std::ranges::sort(value.parts, {},
-                              [](const ModalPart& p) { return std::pair(p.symbol, p.origin); });
-            value.parts.cut_off(std::ranges::unique(value.parts).begin());
-            write_group(state, {channel, change.group}, std::move(value));
-        });
-    }
+            value.put_in_order();
+            now = written(state, of, states_.remember(std::move(value)));
+        }
+        states_.write_groups(state, channel, written_groups_);
+    });
 }
 
 void Transfer::havoc_shared(State& state) {

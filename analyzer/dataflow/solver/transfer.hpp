@@ -90,6 +90,7 @@ class Transfer {
     void set_modal(State& state, const SetModal& set);
     void set_group(State& state, GroupId group, const Value& value);
     void set_code(State& state, GroupId group, double code, OriginId origin);
+    [[nodiscard]] ModalId written(const State& state, ChannelGroup of, ModalId value);
     void write_group(State& state, ChannelGroup of, ModalValue value);
     void havoc_groups(State& state, std::optional<char> letter);
     void call(State& state, const Call& call);
@@ -117,8 +118,9 @@ class Transfer {
     IndexReaches index_reaches_;
     std::optional<GroupId> modal_call_group_;
     FactLists* facts_ = nullptr;
-    std::vector<SymbolId> constants_; ///< of the literals met so far; 0: not met
-    std::vector<OriginId> origins_;   ///< of the effects met so far; 0: not met
+    std::vector<ModalId> written_groups_; ///< of one channel, while they are collected
+    std::vector<SymbolId> constants_;     ///< of the literals met so far; 0: not met
+    std::vector<OriginId> origins_;       ///< of the effects met so far; 0: not met
     flow::NodeId node_ = 0;
     flow::NodeChannels channels_{}; ///< of the node
     EffectId effect_ = 0;
