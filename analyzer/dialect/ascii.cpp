@@ -1,6 +1,8 @@
 //! Capitals, edit distance, names of files.
 #include "analyzer/dialect/ascii.hpp"
 
+#include "analyzer/dialect/characters.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -10,8 +12,7 @@ namespace maclint {
 
 std::string in_capitals(std::string_view text) {
     std::string capitals(text);
-    for (char& c : capitals)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    for (char& c : capitals) c = to_capital(c);
     return capitals;
 }
 

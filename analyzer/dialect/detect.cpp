@@ -1,5 +1,6 @@
 //! Tells which dialect a file is written in, or what it is instead, by its extension and the beginning of its
 //! text.
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/detect/control_marks.hpp"
 #include "analyzer/dialect/detect/first_program.hpp"
 #include "analyzer/dialect/detect/line.hpp"
@@ -39,7 +40,7 @@ std::string extension_of(std::string_view path) {
 
 /// `%O9601(NAME)`: NCT puts mark and number on one line; others do so at times.
 bool has_nct_head(std::string_view first) {
-    return first.size() > 2 && first[0] == '%' && first[1] == 'O' && detect::is_digit(first[2]);
+    return first.size() > 2 && first[0] == '%' && first[1] == 'O' && is_digit(first[2]);
 }
 
 /// `ZI#23`, `COS#150`: only NCT writes so.
@@ -47,7 +48,7 @@ bool has_nct_form(std::string_view code) {
     constexpr std::string_view axes = "XYZUVWABCR";
     for (std::size_t at = code.find('I'); at != std::string_view::npos; at = code.find('I', at + 1)) {
         if (at == 0 || at + 1 == code.size() || axes.find(code[at - 1]) == std::string_view::npos) continue;
-        if (at >= 2 && detect::is_capital(code[at - 2])) continue;
+        if (at >= 2 && is_capital(code[at - 2])) continue;
         if (code[at + 1] == '#' || code[at + 1] == '[' || code[at + 1] == '-') return true;
     }
     static constexpr std::string_view calls[] = {"COS#", "SIN#", "ABS#", "COS #", "SIN #", "ABS #"};
@@ -137,7 +138,7 @@ constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "n
 
 /// O9100, and with words behind the number: O9010_TORUS.
 bool is_program_name(std::string_view name) {
-    if (name.size() < 2 || detect::upper(name[0]) != 'O' || !detect::is_digit(name[1])) return false;
+    if (name.size() < 2 || to_capital(name[0]) != 'O' || !is_digit(name[1])) return false;
     const std::size_t end = std::min(name.find_first_not_of("0123456789", 1), name.size());
     return end == name.size() || std::string_view("_- (").find(name[end]) != std::string_view::npos;
 }
@@ -145,9 +146,8 @@ bool is_program_name(std::string_view name) {
 /// 1234, nc40: programs that other files may be named like, too.
 bool is_number_name(std::string_view name) {
     constexpr std::size_t most_digits = 8;
-    if (name.size() > 2 && detect::upper(name[0]) == 'N' && detect::upper(name[1]) == 'C')
-        name.remove_prefix(2);
-    return !name.empty() && name.size() <= most_digits && std::ranges::all_of(name, detect::is_digit);
+    if (name.size() > 2 && to_capital(name[0]) == 'N' && to_capital(name[1]) == 'C') name.remove_prefix(2);
+    return !name.empty() && name.size() <= most_digits && std::ranges::all_of(name, is_digit);
 }
 
 } // namespace

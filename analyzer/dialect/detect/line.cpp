@@ -28,7 +28,7 @@ std::string_view after_number(std::string_view line) {
 void Line::read(std::string_view text) {
     as_written_ = trim(text);
     whole_.assign(as_written_);
-    std::ranges::transform(whole_, whole_.begin(), [](char c) { return upper(c); });
+    std::ranges::transform(whole_, whole_.begin(), [](char c) { return to_capital(c); });
     characters_ = characters_of(whole_);
     split();
     read_words();

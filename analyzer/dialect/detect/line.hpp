@@ -1,6 +1,8 @@
 //! A line of a text of unknown language, cut into what the signatures of languages look at.
 #pragma once
 
+#include "analyzer/dialect/characters.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -12,10 +14,7 @@
 
 namespace maclint::detect {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
-constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// Which characters a text holds, as bits of their last six bits: what a text lacks it does not hold, and
 /// that is cheap to ask. Capitals, digits and signs differ in these bits.

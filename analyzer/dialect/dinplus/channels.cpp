@@ -1,10 +1,10 @@
 //! Slides of heads, ASSIGNMENT and blocks.
 #include "analyzer/dialect/dinplus/channels.hpp"
 
+#include "analyzer/dialect/characters.hpp"
+
 namespace maclint::dinplus {
 namespace {
-
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Of the entry `#SLIDE $1$2`, whatever language its name is in: no other entry has a slide as its value.
 Channels channels_of_head(const Program& program) {

@@ -2,6 +2,7 @@
 //! looks through it: splitter, diagnosis, parse cache, plausibility, the search for section words.
 #pragma once
 
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/source/span.hpp"
 
 #include <cstdint>
@@ -12,8 +13,6 @@
 
 namespace maclint::dinplus {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 /// Bytes that are not ASCII count: files in Latin-1 come undecoded.
 constexpr bool is_letter(char c) {
     return is_capital(c) || (c >= 'a' && c <= 'z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;

@@ -2,6 +2,7 @@
 #include "analyzer/dialect/dinplus/sections.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/source/encoding.hpp"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 constexpr bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
-constexpr char to_capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// Asked before anything is copied: most lines of most texts begin like no section word.
 bool may_begin_section(char c) {

@@ -2,6 +2,7 @@
 //! looks through it: splitter, diagnosis, parse cache, plausibility, the search for a lathe's words.
 #pragma once
 
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/source/span.hpp"
 
 #include <cstdint>
@@ -12,13 +13,11 @@
 
 namespace maclint::fanuc {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
 /// NUL is blank tape.
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0'; }
 constexpr bool is_line_break(char c) { return c == '\n' || c == '\r'; }
 constexpr bool ends_block(char c) { return c == ';' || is_line_break(c); }
-constexpr char to_capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// After the comment that opens at `open`: after its ')', or at its line's end where that is missing.
 [[nodiscard]] Offset after_comment(std::string_view text, Offset open);
