@@ -7,7 +7,6 @@
 #include <cctype>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace maclint::queries {
 namespace {
@@ -124,7 +123,7 @@ std::vector<EqualBranches> find_equal_branches(const ProgramAnalysis& analysis) 
     const Search search(analysis);
     for (const flow::NodeId node : analysis.graph().with_effects)
         if (analysis.data().reached(node))
-            if (auto equal = search.at(node)) found.push_back(*std::move(equal));
+            if (const auto equal = search.at(node)) found.push_back(*equal);
     return found;
 }
 

@@ -66,8 +66,10 @@ TEST(FeasiblePaths, ALoopThatAJumpEntersInItsMiddleIsGoneRound) {
     // Two ways lead into the loop, to N10 and to N20, of which the first sets #5. The second comes to N20
     // seven times before that lets go.
     const std::string loop = "N10 G0X1.\nN20 IF[#1EQ7]GOTO30\n#1=#1+1\nIF[#1LT9]GOTO10\n#5=1\nN30 ";
-    for (const std::string start : {"IF[#501EQ1]GOTO20\n#5=1\n", "IF[#501EQ1]GOTO5\nGOTO20\nN5 #5=1\n"})
-        EXPECT_TRUE(reaches_uninitialised("#1=0\n" + start + loop + "G0Z#5\n", 5)) << start;
+    const std::string rest = loop + "G0Z#5\n";
+    for (const std::string start :
+         {"#1=0\nIF[#501EQ1]GOTO20\n#5=1\n", "#1=0\nIF[#501EQ1]GOTO5\nGOTO20\nN5 #5=1\n"})
+        EXPECT_TRUE(reaches_uninitialised(start + rest, 5)) << start;
     // What no round changes is known in the middle, too.
     EXPECT_FALSE(reaches_uninitialised("#1=0\nIF[#503EQ1]THEN #5=1\nIF[#501EQ1]GOTO20\n#5=1\n" + loop +
                                            "IF[#503NE1]GOTO40\nG0Z#5\nN40\n",
