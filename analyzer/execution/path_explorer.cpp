@@ -17,12 +17,21 @@ constexpr std::size_t most_legs = 8;
 /// look at all of them.
 constexpr std::size_t most_work = 40'000'000;
 constexpr std::size_t work_of_a_visit = 100; ///< as long as measuring so many nodes
-/// Where ways meet it is asked whether one has failed. Where they only part it is asked after so many nodes.
-constexpr std::uint32_t most_unasked = 16;
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
 
 bool is_barred(std::span<const flow::NodeId> barred, flow::NodeId node) {
     return std::ranges::binary_search(barred, node);
+}
+
+/// Of every node, whether two ways may meet there, or begin as one: elsewhere nothing is the same again that
+/// was not the same one node earlier.
+std::vector<bool> where_ways_meet(const flow::Graph& graph) {
+    std::vector<bool> meet(graph.nodes.size());
+    for (flow::NodeId node = 0; node < meet.size(); ++node) {
+        const auto& in = graph.in[node];
+        meet[node] = in.size() != 1 || graph.out[graph.edges[in.front()].from].size() != 1;
+    }
+    return meet;
 }
 
 } // namespace
@@ -31,7 +40,8 @@ PathExplorer::PathExplorer(const ProgramAnalysis& analysis)
     : analysis_(analysis)
     , graph_(analysis.graph())
     , run_(analysis)
-    , rounds_(analysis) {}
+    , rounds_(analysis)
+    , ways_meet_(where_ways_meet(graph_)) {}
 
 PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits) {
     assert(!legs.empty() && legs.size() <= most_legs);
@@ -119,14 +129,10 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
     // Blocks that run once more make other values of the same symbols.
     if (back_on_path) PathRun::forget_assumptions(point);
     std::uint64_t fingerprint = 0;
-    std::uint32_t unasked = places_.empty() ? 0 : places_.back().unasked + 1;
-    if (ahead_ != nullptr && (graph_.in[node].size() != 1 || unasked >= most_unasked)) {
-        if (failed_before(node, leg, point, fingerprint)) return false;
-        unasked = 0;
-    }
+    if (ahead_ != nullptr && ways_meet_[node] && failed_before(node, leg, point, fingerprint)) return false;
     ++visits_;
     on_path_[node] = static_cast<std::uint8_t>(on_path_[node] | 1U << leg);
-    places_.push_back({node, leg, run_.run(node, point), ways_.size(), {}, fingerprint, unasked});
+    places_.push_back({node, leg, run_.run(node, point), ways_.size(), {}, fingerprint});
     add_ways_from(node, leg);
     return false;
 }

@@ -46,7 +46,6 @@ class PathExplorer {
         std::size_t ways; ///< so many of all `ways_` are those of nodes before
         std::optional<flow::EdgeId> taken;
         std::uint64_t fingerprint; ///< of the point before the node; 0: not asked for
-        std::uint32_t unasked;     ///< so many nodes ago it was
     };
 
     void measure(std::span<const Leg> legs);
@@ -71,6 +70,7 @@ class PathExplorer {
     std::span<const Leg> legs_;
     std::vector<std::vector<std::uint32_t>> distance_; ///< edges to the end of each leg, of every node
     std::vector<std::uint8_t> on_path_;                ///< of every node, a bit for each leg
+    std::vector<bool> ways_meet_;                      ///< of every node: see ways_meet
     std::vector<Place> places_;
     std::vector<flow::EdgeId> ways_; ///< not tried yet, of each place in turn, the next one last
     /// What the decisions on the way to a goal depend on.

@@ -40,11 +40,6 @@ Rounds::Rounds(const ProgramAnalysis& analysis)
     , graph_(analysis.graph()) {}
 
 const Rounds::Cycle& Rounds::headed_by(flow::NodeId head) {
-    static const Cycle none;
-    const auto leads_back = [&](flow::EdgeId id) {
-        return dataflow::leads_back(graph_, analysis_.data(), id);
-    };
-    if (std::ranges::none_of(graph_.in[head], leads_back)) return none; // as at most nodes
     const auto [found, fresh] = by_head_.try_emplace(head);
     Cycle& cycle = found->second;
     if (!fresh) return cycle;
