@@ -14,6 +14,9 @@ namespace {
 
 /// Loops inside so many others are taken for entered aside: that is asked again on each path.
 constexpr int most_depth = 16;
+/// Cycles are looked for on each path where nodes entered aside, times all nodes, are no more. Beyond that,
+/// in jumps without any order, loops are taken for entered at their heads, and some paths are not found.
+constexpr std::size_t most_asked = 4'000'000;
 
 /// What is left of the graph when the nodes are taken out; nothing where no edge leads back in it.
 std::optional<flow::Adjacency> without(const flow::Graph& graph, const flow::Adjacency& adjacency,
@@ -78,7 +81,11 @@ const Rounds::Cycle& Rounds::through(flow::NodeId node) {
 }
 
 bool Rounds::entered_aside(flow::NodeId node) {
-    if (!entered_aside_) entered_aside_ = nodes_entered_aside();
+    if (!entered_aside_) {
+        entered_aside_ = nodes_entered_aside();
+        const auto count = static_cast<std::size_t>(std::ranges::count(*entered_aside_, true));
+        if (count * graph_.nodes.size() > most_asked) entered_aside_->clear();
+    }
     return !entered_aside_->empty() && (*entered_aside_)[node];
 }
 

@@ -2,10 +2,12 @@
 #include "analyzer/queries/dead_stores.hpp"
 
 #include "analyzer/dataflow/domain/read_set.hpp"
+#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/flow/walk.hpp"
 
 #include <algorithm>
 #include <set>
+#include <unordered_set>
 #include <utility>
 
 namespace maclint::queries {
@@ -25,24 +27,23 @@ class Reads {
         std::set<ExpressionId> reached;
         for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
             reached.insert(read.expression);
-            read_.push_back(read.variable);
+            read_.insert(dataflow::key_of(read.variable));
         }
         const auto& expressions = analysis.program().expressions;
         for (ExpressionId id = 0; id < expressions.size(); ++id) {
             const auto* load = std::get_if<Load>(&expressions[id].node);
-            if (load != nullptr && !reached.contains(id)) unreached_.push_back(load->variable);
+            if (load != nullptr && !reached.contains(id)) unreached_.insert(dataflow::key_of(load->variable));
         }
     }
     /// Some block reads the variable.
-    [[nodiscard]] bool hold(Variable variable) const { return holds(read_, variable); }
+    [[nodiscard]] bool hold(Variable variable) const { return read_.contains(dataflow::key_of(variable)); }
     /// Some block does to which no path leads.
-    [[nodiscard]] bool hold_unreached(Variable variable) const { return holds(unreached_, variable); }
+    [[nodiscard]] bool hold_unreached(Variable variable) const {
+        return unreached_.contains(dataflow::key_of(variable));
+    }
 
   private:
-    static bool holds(const std::vector<Variable>& all, Variable variable) {
-        return std::ranges::find(all, variable) != all.end();
-    }
-    std::vector<Variable> read_, unreached_;
+    std::unordered_set<dataflow::Key> read_, unreached_;
 };
 
 /// Looks from one store on.

@@ -1,6 +1,7 @@
 //! Looks for a path from the test for a number to the read, around all assignments.
 #include "analyzer/queries/stale_reads.hpp"
 
+#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
@@ -10,7 +11,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace maclint::queries {
 namespace {
@@ -32,8 +36,14 @@ class Search {
     explicit Search(const ProgramAnalysis& analysis)
         : analysis_(analysis)
         , graph_(analysis.graph()) {
-        for (const Comparison& test : analysis.facts().all<Comparison>())
-            if (const auto tested = case_of(test)) cases_.push_back(*tested);
+        for (const Comparison& test : analysis.facts().all<Comparison>()) {
+            const auto tested = case_of(test);
+            if (!tested) continue;
+            case_of_.try_emplace(tested->begins, cases_.size());
+            cases_.push_back(*tested);
+        }
+        for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
+            stores_[dataflow::key_of(store.variable)].push_back(store.node);
     }
 
     std::optional<StaleRead> of(Variable variable) {
@@ -99,9 +109,8 @@ class Search {
     /// One for each number, of one subject.
     [[nodiscard]] std::vector<Case> cases_that_set(Variable variable) const {
         std::vector<Case> found;
-        for (const dataflow::Store& store : analysis_.facts().all<dataflow::Store>()) {
-            if (store.variable != variable) continue;
-            const Case* decides = case_before(store.node);
+        for (const flow::NodeId node : stores_.at(dataflow::key_of(variable))) {
+            const Case* decides = case_before(node);
             if (decides == nullptr) continue;
             const bool known = std::ranges::any_of(found, [&](const Case& one) {
                 return !asks_for_same(one, *decides) || value(one.number) == value(decides->number);
@@ -114,10 +123,10 @@ class Search {
     /// The test that has to be true for the program to come to the node.
     [[nodiscard]] const Case* case_before(flow::NodeId node) const {
         for (int i = 0; i < most_blocks; ++i) {
-            const auto begins = std::ranges::find(cases_, node, &Case::begins);
             const auto in = graph_.in[node];
             if (in.size() != 1) return nullptr;
-            if (begins != cases_.end()) return &*begins;
+            if (const auto begins = case_of_.find(node); begins != case_of_.end())
+                return &cases_[begins->second];
             node = graph_.edges[in.front()].from;
         }
         return nullptr;
@@ -156,9 +165,7 @@ class Search {
     }
 
     [[nodiscard]] std::vector<flow::NodeId> nodes_that_set(Variable variable) const {
-        std::vector<flow::NodeId> nodes;
-        for (const dataflow::Store& store : analysis_.facts().all<dataflow::Store>())
-            if (store.variable == variable) nodes.push_back(store.node);
+        std::vector<flow::NodeId> nodes = stores_.at(dataflow::key_of(variable));
         for (const dataflow::Clobber& clobber : analysis_.facts().all<dataflow::Clobber>())
             if (clobber.may_change(variable)) nodes.push_back(clobber.node);
         std::ranges::sort(nodes);
@@ -171,6 +178,8 @@ class Search {
     const flow::Graph& graph_;
     execution::PathSearch search_{analysis_};
     std::vector<Case> cases_;
+    std::unordered_map<flow::NodeId, std::size_t> case_of_; ///< the first that begins at the node
+    std::unordered_map<dataflow::Key, std::vector<flow::NodeId>> stores_; ///< where each variable is set
 };
 
 /// Whether the program stores in the variable.
@@ -199,13 +208,12 @@ bool callers_set(const ProgramAnalysis& analysis, Variable variable) {
 
 std::vector<StaleRead> find_stale_reads(const ProgramAnalysis& analysis) {
     std::vector<StaleRead> found;
-    std::vector<Variable> seen;
+    std::unordered_set<dataflow::Key> seen;
     std::optional<Search> search;
     for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
         if (analysis.control().spaces[store.variable.space].scope != Scope::shared ||
-            std::ranges::find(seen, store.variable) != seen.end())
+            !seen.insert(dataflow::key_of(store.variable)).second)
             continue;
-        seen.push_back(store.variable);
         if (!search) search.emplace(analysis);
         if (!search->has_cases()) break;
         if (callers_set(analysis, store.variable)) continue;
