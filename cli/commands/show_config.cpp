@@ -6,6 +6,8 @@
 #include "cli/suggest.hpp"
 
 #include <map>
+#include <string>
+#include <vector>
 
 namespace maclint::cli {
 namespace {
@@ -28,6 +30,18 @@ std::string control_line(const SnapshotFile& file, const ReadFile& read) {
                                                         : "assumed for the dialect";
     if (&control != read.control) reason += "; the text is written for a lathe";
     return line("control", with_reason(control.name + ", " + control.description, reason));
+}
+
+/// Nothing where the configuration does not say which functions stop look-ahead.
+std::string look_ahead_line(const MachineFunctions& functions) {
+    if (!functions.stopping) return "";
+    std::vector<std::string> words;
+    for (const auto& [first, last] : *functions.stopping) {
+        const auto word = [&](int number) { return std::string(functions.address) + std::to_string(number); };
+        words.push_back(first == last ? word(first) : word(first) + "-" + word(last));
+    }
+    const std::string list = words.empty() ? "no others" : enumerate(words);
+    return line("look-ahead", "stopped by the words of the language, and " + list);
 }
 
 /// Rules whose state is not the one they come with, by reason.
@@ -71,6 +85,7 @@ std::string paragraph(const SnapshotFile& file, const ReadFile& read) {
         return out + line("dialect", with_reason("none, not linted", read.dialect_reason));
     out += line("dialect", with_reason(read.dialect->name, read.dialect_reason));
     out += control_line(file, read);
+    out += look_ahead_line(read.file->control->functions);
     if (!file.settings.baseline.empty()) out += line("baseline", shown(file.settings.baseline));
     out += line("encoding", read.source->encoding() == Encoding::utf8 ? "utf-8" : "windows-1252");
     return out + rules_lines(*file.settings.rules);

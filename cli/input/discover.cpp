@@ -185,6 +185,7 @@ class Walk {
         ++wanted_;
         const fs::path below = folder / entry.path.filename();
         if (!seen_.insert(entry.is_link ? identity(entry.path) : platform::text_of(below)).second) return;
+        // Asking for a size takes a call of the system a file: only where sizes are bounded.
         if (bounds_.bytes != Bounds{}.bytes) bytes_ += platform::size_of(entry.path);
         if (found_.files.size() >= bounds_.files || bytes_ > bounds_.bytes) {
             full_ = true;

@@ -99,6 +99,8 @@ TEST_F(Executable, OnlyTheMCodesThatAShopNamesStopLookAheadOnItsControl) {
     folder.write(".maclint.json", R"({
         "controls": {"mill 1": {"model": "fanuc-30i", "stops-look-ahead": ["M25", "M40-M49"]}},
         "files": [{"glob": "*", "control": "mill 1"}]})");
+    EXPECT_THAT(run({"--show-config", "M8.nc"}).out,
+                HasSubstr("look-ahead     stopped by the words of the language, and M25 and M40-M49\n"));
     const std::string said = concise({"--select", "MAC605", "."});
     EXPECT_THAT(said, HasSubstr("BEHIND.nc:5:"));
     for (const char* name : {"M8", "M39", "M50"})
