@@ -16,7 +16,10 @@ constexpr std::size_t most_legs = 8;
 /// So much work is done for one program: thousands of findings in thousands of blocks are not each worth a
 /// look at all of them.
 constexpr std::size_t most_work = 40'000'000;
-constexpr std::size_t work_of_a_visit = 100; ///< as long as measuring so many nodes
+constexpr std::size_t work_of_a_visit = 100;    ///< as long as measuring so many nodes
+constexpr std::size_t work_of_a_cycles_node = 4; ///< likewise
+/// So many nodes of what decisions depend on are kept for the next search.
+constexpr std::size_t most_kept = 1'000'000;
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
 
 bool is_barred(std::span<const flow::NodeId> barred, flow::NodeId node) {
@@ -45,7 +48,7 @@ PathExplorer::PathExplorer(const ProgramAnalysis& analysis)
 
 PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits) {
     assert(!legs.empty() && legs.size() <= most_legs);
-    if (work_ > most_work) return {.path = {}, .ends = {}, .visits = 0, .gave_up = true};
+    if (is_spent()) return {.path = {}, .ends = {}, .visits = 0, .gave_up = true};
     legs_ = legs;
     measure(legs);
     work_ += legs.size() * graph_.nodes.size();
@@ -61,7 +64,7 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
         if (distance_[each][from] == no_way) return found;
     bool arrived = arrive(0, 0, run_.at_start());
     while (!arrived && !places_.empty()) {
-        if (visits_ > most_visits) {
+        if (visits_ > most_visits || is_spent()) {
             found.gave_up = true;
             break;
         }
@@ -82,6 +85,10 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     if (arrived) found = path_gone();
     found.visits = visits_;
     return found;
+}
+
+bool PathExplorer::is_spent() const {
+    return work_ + rounds_.measured() * work_of_a_cycles_node > most_work;
 }
 
 PathFound PathExplorer::path_gone() const {
@@ -162,6 +169,7 @@ void PathExplorer::go_back() {
 PathExplorer::Deciding& PathExplorer::deciding_on_the_way_to(flow::NodeId goal) {
     const auto known = deciding_.find(goal);
     if (known != deciding_.end()) return known->second;
+    if ((deciding_.size() + 1) * graph_.nodes.size() > most_kept) deciding_.clear();
     const dataflow::Callees& callees = analysis_.data().callees();
     auto decisions = dataflow::Liveness::of_decisions(analysis_.program(), graph_, callees, goal);
     return deciding_.emplace(goal, Deciding{std::move(decisions), {}}).first->second;

@@ -53,6 +53,8 @@ class PathExplorer {
     /// Whether all legs have been gone.
     [[nodiscard]] bool arrive(flow::NodeId node, std::uint32_t leg, Point point);
     void go_back();
+    /// Whether all the work that is allowed for the program has been done.
+    [[nodiscard]] bool is_spent() const;
     [[nodiscard]] PathFound path_gone() const;
     struct Deciding;
     [[nodiscard]] Deciding& deciding_on_the_way_to(flow::NodeId goal);

@@ -52,13 +52,13 @@ const Rounds::Cycle& Rounds::headed_by(flow::NodeId head) {
         cycle.nodes.push_back(from);
         return from == head ? flow::Step::end : flow::Step::go_on;
     });
-    std::ranges::sort(cycle.nodes);
     find_changes(cycle, head);
     return cycle;
 }
 
 const Rounds::Cycle& Rounds::through(flow::NodeId node) {
     std::vector<bool> ahead(graph_.nodes.size(), false);
+    measured_ += graph_.nodes.size();
     flow::walk<flow::Direction::forward>(graph_, {node}, [&](flow::EdgeId edge, flow::NodeId to) {
         if (passed_[to] || !analysis_.data().passable(edge)) return flow::Step::refuse;
         ahead[to] = true;
@@ -137,6 +137,7 @@ bool Rounds::is_entered_aside(const Loop& loop, const flow::Components& componen
 
 const Changes* Rounds::changes_of(const Cycle& cycle, std::span<const flow::NodeId> barred) {
     const auto is_barred = [&](flow::NodeId node) { return std::ranges::binary_search(barred, node); };
+    if (!barred.empty()) measured_ += cycle.nodes.size();
     return cycle.nodes.empty() || std::ranges::any_of(cycle.nodes, is_barred) ? nullptr : &cycle.changes;
 }
 
@@ -144,6 +145,7 @@ void Rounds::find_changes(Cycle& cycle, flow::NodeId at) {
     Changes& changes = cycle.changes;
     changes.id = static_cast<std::uint32_t>(by_head_.size() + by_nodes_.size());
     changes.at = at;
+    measured_ += cycle.nodes.size();
     for (const flow::NodeId node : cycle.nodes) {
         for (const dataflow::Store& store : analysis_.facts().in<dataflow::Store>(node))
             changes.variables.push_back(store.variable);
@@ -158,6 +160,8 @@ void Rounds::find_changes(Cycle& cycle, flow::NodeId at) {
     std::ranges::sort(changes.variables, {}, key);
     const auto twice = std::ranges::unique(changes.variables);
     changes.variables.erase(twice.begin(), twice.end());
+    std::ranges::sort(changes.spaces);
+    changes.spaces.erase(std::ranges::unique(changes.spaces).begin(), changes.spaces.end());
 }
 
 } // namespace maclint::execution

@@ -33,10 +33,12 @@ class Rounds {
         for (flow::NodeId each = 0; each < passed_.size(); ++each) passed_[each] = is_passed(each);
         return changes_of(through(node), barred);
     }
+    /// How many nodes were looked at so far.
+    [[nodiscard]] std::size_t measured() const { return measured_; }
 
   private:
     struct Cycle {
-        std::vector<flow::NodeId> nodes; ///< sorted; empty: no edge leads back
+        std::vector<flow::NodeId> nodes; ///< empty: no edge leads back
         Changes changes;
     };
 
@@ -54,7 +56,7 @@ class Rounds {
     };
     [[nodiscard]] std::vector<Loop> loops_of(const dataflow::Cycles& cycles) const;
     [[nodiscard]] bool is_entered_aside(const Loop& loop, const flow::Components& components) const;
-    [[nodiscard]] static const Changes* changes_of(const Cycle& cycle, std::span<const flow::NodeId> barred);
+    [[nodiscard]] const Changes* changes_of(const Cycle& cycle, std::span<const flow::NodeId> barred);
     void find_changes(Cycle& cycle, flow::NodeId at);
 
     const ProgramAnalysis& analysis_;
@@ -64,6 +66,7 @@ class Rounds {
         by_nodes_;                                   ///< and the node they lead to
     std::optional<std::vector<bool>> entered_aside_; ///< of every node; found out when asked for
     std::vector<bool> passed_;                       ///< kept for its memory
+    std::size_t measured_ = 0;
 };
 
 } // namespace maclint::execution

@@ -124,6 +124,8 @@ class Solver : Walked<direction> {
     using Walked<direction>::graph_, Walked<direction>::edges_to, Walked<direction>::edges_from,
         Walked<direction>::target, Walked<direction>::in_turn;
 
+    static constexpr std::size_t most_in_a_row = 32;
+
     /// In every cycle an edge leads back in the text.
     void collect_heads() {
         head_.assign(graph_.nodes.size(), false);
@@ -132,9 +134,20 @@ class Solver : Walked<direction> {
     }
 
     /// All paths that lead to the node, and those that begin there.
-    [[nodiscard]] State incoming(NodeId node, State state) {
-        for (const EdgeId edge : edges_to(node)) state = domain_.join(std::move(state), along_[edge], node);
+    [[nodiscard]] State incoming(NodeId node, State begin) {
+        const auto in = edges_to(node);
+        return in.size() <= most_in_a_row ? joined(std::move(begin), in, node)
+                                          : domain_.join(begin, in_halves(in, node), node);
+    }
+    [[nodiscard]] State joined(State state, std::span<const EdgeId> edges, NodeId node) {
+        for (const EdgeId edge : edges) state = domain_.join(std::move(state), along_[edge], node);
         return state;
+    }
+    /// What one edge says that no other does is not looked at again for each that follows.
+    [[nodiscard]] State in_halves(std::span<const EdgeId> edges, NodeId node) {
+        if (edges.size() <= most_in_a_row) return joined({}, edges, node);
+        const auto half = edges.size() / 2;
+        return domain_.join(in_halves(edges.first(half), node), in_halves(edges.subspan(half), node), node);
     }
 
     /// Whether the state in front of the node has changed.

@@ -29,6 +29,7 @@ constexpr std::uint64_t side_by_side(std::uint32_t a, std::uint32_t b) {
 template<class T>
 class Interner {
   public:
+    /// The number of the thing, which may be one of those that are stored.
     std::uint32_t operator()(const T& thing) {
         if (2 * things_.size() >= slots_.size()) grow();
         std::uint32_t& slot = slots_[slot_of(thing)];
@@ -71,7 +72,6 @@ class Interner {
     void grow() {
         constexpr std::size_t fewest = 64;
         slots_.assign(std::max(fewest, std::bit_ceil(4 * things_.size())), 0);
-        things_.reserve(slots_.size() / 2);
         for (std::size_t i = 0; i < things_.size(); ++i)
             slots_[slot_of(things_[i])] = static_cast<std::uint32_t>(i + 1);
     }

@@ -113,6 +113,8 @@ using HavocId = std::uint32_t; ///< 0: nothing is forgotten
 
 constexpr std::uint64_t hash_local(const Symbol& s) {
     if (s.kind == Symbol::Kind::constant) return mix(0, s.a);
+    // Of a few variables at very many nodes, and the other way round.
+    if (s.kind == Symbol::Kind::joined) return mix(0, s.b) + s.a;
     return s.a + 4 * (std::uint64_t{s.b} + s.c) + static_cast<std::uint64_t>(s.kind);
 }
 constexpr std::uint64_t hash_mixed(const Symbol& s) {
