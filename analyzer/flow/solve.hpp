@@ -2,9 +2,11 @@
 //! flow apart from what is calculated.
 #pragma once
 
+#include "analyzer/flow/components.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/flow/worklist.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <span>
@@ -56,6 +58,14 @@ concept Gathering = requires(const D domain, NodeId node, typename D::State& set
     { domain.run(node, set) } -> std::same_as<void>;
 };
 
+/// A domain that wants to know of every node when the state in front of it changes no more.
+template<class D>
+concept Settling = Domain<D> && requires(D domain, NodeId node, const typename D::State& state) {
+    /// The state after the node, as `run` says; asked once of each node that is reached, of a node that
+    /// follows another after that one.
+    { domain.run_settled(node, state) } -> std::same_as<typename D::State>;
+};
+
 /// The states of a solution, and the memory for the next one.
 template<class State>
 struct Solution {
@@ -89,6 +99,7 @@ class Walked {
     static constexpr bool forward = direction == Direction::forward;
 };
 
+/// Solves one loop after the other: what follows a loop is not looked at before the loop has settled.
 template<Domain D, Direction direction>
 class Solver : Walked<direction> {
   public:
@@ -103,26 +114,19 @@ class Solver : Walked<direction> {
         before_.assign(graph.nodes.size(), {});
         along_.assign(graph.edges.size(), {});
         visits_.assign(graph.nodes.size(), 0);
-        collect_heads();
     }
 
     void run() {
-        Worklist waiting(graph_.nodes.size());
-        const auto add = [&](NodeId node) { waiting.add(in_turn(node)); };
-        for (NodeId node = 0; node < graph_.nodes.size(); ++node)
-            if (domain_.is_reached(domain_.at_begin(node))) add(node);
-        while (const auto next = waiting.take()) {
-            const NodeId node = in_turn(*next);
-            const std::uint32_t visit = visits_[node]++;
-            if (!update(node, visit)) continue;
-            if (domain_.is_reached(before_[node])) propagate(node, add);
-        }
-        if constexpr (Widening<D>) narrow();
+        collect_heads();
+        if (leads_back_)
+            run_components();
+        else
+            for (NodeId turn = 0; turn < size(); ++turn) pass(in_turn(turn));
     }
 
   private:
-    using Walked<direction>::graph_, Walked<direction>::edges_to, Walked<direction>::edges_from,
-        Walked<direction>::target, Walked<direction>::in_turn;
+    using Walked<direction>::graph_, Walked<direction>::size, Walked<direction>::edges_to,
+        Walked<direction>::edges_from, Walked<direction>::target, Walked<direction>::in_turn;
 
     static constexpr std::size_t most_in_a_row = 32;
 
@@ -130,7 +134,77 @@ class Solver : Walked<direction> {
     void collect_heads() {
         head_.assign(graph_.nodes.size(), false);
         for (const Edge& edge : graph_.edges)
-            if (edge.to <= edge.from) head_[target(edge)] = true;
+            if (edge.to <= edge.from) head_[target(edge)] = leads_back_ = true;
+    }
+
+    void run_components() {
+        Adjacency adjacency;
+        adjacency.reserve(graph_.nodes.size(), graph_.edges.size());
+        for (NodeId node = 0; node < graph_.nodes.size(); ++node) {
+            for (const EdgeId edge : edges_from(node)) adjacency.add(target(graph_.edges[edge]));
+            adjacency.end_list();
+        }
+        components_ = find_components(adjacency);
+        place_.resize(graph_.nodes.size());
+        for (std::size_t each = components_.members.size(); each-- > 0;) {
+            const auto members = components_.members[each];
+            const auto follow = adjacency[members.front()];
+            if (members.size() > 1 || std::ranges::find(follow, members.front()) != follow.end())
+                settle(members);
+            else
+                pass(members.front());
+        }
+    }
+
+    /// A node that no path comes to twice; all in front of it have settled.
+    void pass(NodeId node) {
+        const auto in = edges_to(node);
+        State begin = domain_.at_begin(node);
+        if (in.size() == 1 && !domain_.is_reached(begin))
+            before_[node] = along_[in.front()];
+        else
+            before_[node] = incoming(node, std::move(begin));
+        if (!domain_.is_reached(before_[node])) return;
+        const State after = run_settled(node);
+        for (const EdgeId edge : edges_from(node)) along_[edge] = domain_.along(graph_.edges[edge], after);
+    }
+
+    /// Nodes that lead to each other, in text order; what leads to them from elsewhere has settled.
+    void settle(std::span<const NodeId> members) {
+        const auto count = static_cast<NodeId>(members.size());
+        const auto at = [&](NodeId turn) {
+            return members[direction == Direction::forward ? turn : count - 1 - turn];
+        };
+        for (NodeId turn = 0; turn < count; ++turn) place_[at(turn)] = turn;
+        Worklist waiting(count);
+        const std::uint32_t component = components_.of[members.front()];
+        const auto add = [&](NodeId node) {
+            if (components_.of[node] == component) waiting.add(place_[node]);
+        };
+        for (const NodeId node : members)
+            if (is_led_to(node)) add(node);
+        while (const auto next = waiting.take()) {
+            const NodeId node = at(*next);
+            const std::uint32_t visit = visits_[node]++;
+            if (update(node, visit) && domain_.is_reached(before_[node])) propagate(node, add);
+        }
+        if constexpr (Widening<D>) narrow(count, at, component);
+        if constexpr (Settling<D>)
+            for (NodeId turn = 0; turn < count; ++turn)
+                if (domain_.is_reached(before_[at(turn)])) (void)run_settled(at(turn));
+    }
+
+    [[nodiscard]] bool is_led_to(NodeId node) {
+        return domain_.is_reached(domain_.at_begin(node)) ||
+               std::ranges::any_of(edges_to(node),
+                                   [&](EdgeId edge) { return domain_.is_reached(along_[edge]); });
+    }
+
+    [[nodiscard]] State run_settled(NodeId node) {
+        if constexpr (Settling<D>)
+            return domain_.run_settled(node, before_[node]);
+        else
+            return domain_.run(node, before_[node]);
     }
 
     /// All paths that lead to the node, and those that begin there.
@@ -184,21 +258,25 @@ class Solver : Walked<direction> {
 
     /// One sweep without widening wins back what widening gave away; a solution stays a solution. Only what
     /// was widened, and what follows from it, can change.
-    void narrow() requires Widening<D> {
-        std::vector<bool> may_change(graph_.nodes.size(), false);
+    template<class At>
+    void narrow(NodeId count, const At& at, std::uint32_t component) requires Widening<D> {
+        std::vector<bool> may_change(count, false);
         bool any = false;
-        for (NodeId node = 0; node < graph_.nodes.size(); ++node) {
-            may_change[node] = visits_[node] > 0 && domain_.widens(head_[node], visits_[node] - 1);
-            any = any || may_change[node];
+        for (NodeId turn = 0; turn < count; ++turn) {
+            const NodeId node = at(turn);
+            may_change[turn] = visits_[node] > 0 && domain_.widens(head_[node], visits_[node] - 1);
+            any = any || may_change[turn];
         }
         if (!any) return;
-        for (NodeId turn = 0; turn < graph_.nodes.size(); ++turn) {
-            const NodeId node = in_turn(turn);
-            if (!may_change[node] || !domain_.is_reached(before_[node])) continue;
+        for (NodeId turn = 0; turn < count; ++turn) {
+            const NodeId node = at(turn);
+            if (!may_change[turn] || !domain_.is_reached(before_[node])) continue;
             State state = incoming(node, domain_.at_begin(node));
             if (domain_.equal(state, before_[node])) continue;
             before_[node] = std::move(state);
-            propagate(node, [&](NodeId next) { may_change[next] = true; });
+            propagate(node, [&](NodeId next) {
+                if (components_.of[next] == component) may_change[place_[next]] = true;
+            });
         }
     }
 
@@ -207,6 +285,9 @@ class Solver : Walked<direction> {
     std::vector<State>& along_;
     std::vector<std::uint32_t>& visits_;
     std::vector<bool> head_;
+    bool leads_back_ = false;   ///< an edge does, in the text
+    Components components_;     ///< of the graph in the direction; only where an edge leads back
+    std::vector<NodeId> place_; ///< of a node among those of its component
 };
 
 template<Gathering D, Direction direction>

@@ -16,6 +16,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <iterator>
@@ -46,6 +47,14 @@ class ListsOf {
     template<class T>
     [[nodiscard]] const std::vector<T>& of() const {
         return std::get<std::vector<T>>(lists_);
+    }
+    /// Sorts them by node; those of one node stay as they were added.
+    void put_in_order() {
+        const auto sort = []<class T>(std::vector<T>& list) {
+            if constexpr (requires { &T::node; })
+                if (!std::ranges::is_sorted(list, {}, &T::node)) std::ranges::stable_sort(list, {}, &T::node);
+        };
+        (sort(of<Types>()), ...);
     }
     /// Moves the facts of the types that are `wanted` out, into no more memory than they need, and drops the
     /// others; the memory here stays for other programs, unless a list has more than `worth_keeping` bytes.

@@ -1,4 +1,4 @@
-//! The states of a program are solved, then one pass writes the facts down.
+//! The states of a program are solved; facts are written down as soon as those of a node change no more.
 #include "analyzer/dataflow/solver/analysis.hpp"
 
 #include "analyzer/dataflow/facts/fact_lists.hpp"
@@ -9,7 +9,10 @@
 #include "analyzer/source/platform/kept_by_thread.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace maclint::dataflow {
 namespace {
@@ -25,6 +28,39 @@ struct WorkingLists {
     void release() {
         if (solution.along.capacity() * sizeof(State) > worth_keeping) *this = {};
     }
+};
+
+/// Writes the facts of each node down when the state in front of it changes no more.
+class RecordingDomain : public StateDomain {
+  public:
+    RecordingDomain(const Program& program, const flow::Graph& graph, States& states, Transfer& transfer,
+                    FactLists& facts)
+        : StateDomain(program, states, transfer)
+        , transfer_(transfer)
+        , facts_(facts)
+        , leaves_(graph.nodes.size(), false) {
+        for (const flow::Exit& exit : graph.exits) leaves_[exit.node] = true;
+    }
+
+    [[nodiscard]] State run_settled(flow::NodeId node, const State& state) {
+        transfer_.record_in(&facts_);
+        State after = transfer_.run(node, state);
+        transfer_.record_in(nullptr);
+        if (leaves_[node] && after.reached) left_.emplace(node, after);
+        return after;
+    }
+
+    /// After the node; nothing where the program is not left there.
+    [[nodiscard]] std::optional<State> left_at(flow::NodeId node) const {
+        const auto found = left_.find(node);
+        return found == left_.end() ? std::nullopt : std::optional(found->second);
+    }
+
+  private:
+    Transfer& transfer_;
+    FactLists& facts_;
+    std::vector<bool> leaves_; ///< of every node, whether the program may end there
+    std::unordered_map<flow::NodeId, State> left_;
 };
 
 } // namespace
@@ -43,43 +79,22 @@ class AnalysisBuilder {
         , wanted_(wanted)
         , facts_(lists.facts) {
         facts_.record_only(wanted | facts_of_summaries);
-        StateDomain domain(program, states_, transfer_);
+        RecordingDomain domain(program, graph, states_, transfer_, facts_);
         flow::solve<flow::Direction::forward>(graph, domain, lists.solution);
+        facts_.put_in_order();
+        for (const flow::Exit& exit : graph.exits)
+            if (const auto state = domain.left_at(exit.node)) facts_.add(ExitState{exit, *state});
     }
 
     void run() {
-        result_.reached_.assign(graph_.nodes.size(), false);
-        result_.passable_.assign(graph_.edges.size(), false);
-        record();
+        for (const State& state : before_) result_.reached_.push_back(state.reached);
+        for (const State& state : along_) result_.passable_.push_back(state.reached);
         result_.summary_ =
             summarise(*result_.program_, graph_, result_.callees_, states_, facts_, result_.reached_);
         keep_what_is_wanted();
     }
 
   private:
-    void record() {
-        transfer_.record_in(&facts_);
-        std::vector<bool> leaves(graph_.nodes.size(), false);
-        for (const flow::Exit& exit : graph_.exits) leaves[exit.node] = true;
-        std::vector<std::pair<flow::NodeId, State>> left;
-        left.reserve(graph_.exits.size());
-        for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node) {
-            if (!before_[node].reached) continue;
-            result_.reached_[node] = true;
-            const State state = transfer_.run(node, before_[node]);
-            if (leaves[node] && state.reached) left.emplace_back(node, state);
-        }
-        transfer_.record_in(nullptr);
-        for (flow::EdgeId edge = 0; edge < graph_.edges.size(); ++edge)
-            result_.passable_[edge] = along_[edge].reached;
-        for (const flow::Exit& exit : graph_.exits) {
-            const auto after =
-                std::ranges::lower_bound(left, exit.node, {}, &decltype(left)::value_type::first);
-            if (after == left.end() || after->first != exit.node) continue;
-            facts_.add(ExitState{exit, after->second});
-        }
-    }
-
     void keep_what_is_wanted() {
         std::vector<State*> asked;
         for (PointState& point : facts_.of<BeforeToolChange>()) asked.push_back(&point.state);

@@ -97,15 +97,11 @@ void Transfer::apply(State& state, const Effect& effect) {
                    [&](const Call& what) { call(state, what); },
                    [&](const Guarded& what) {
                        if (facts_ == nullptr) return;
-                       const Truth truth = evaluate_condition(state, what.condition);
-                       if (records<Condition>())
-                           facts_->add(Condition{node_, effect_, what.condition, truth});
+                       judge(state, what.condition);
                    },
                    [&](const RegionMark& what) {
                        if (facts_ == nullptr || !what.condition) return;
-                       const Truth truth = evaluate_condition(state, *what.condition);
-                       if (records<Condition>())
-                           facts_->add(Condition{node_, effect_, *what.condition, truth});
+                       judge(state, *what.condition);
                    },
                    [&](const Jump& what) {
                        if (facts_ == nullptr) return;
@@ -133,6 +129,14 @@ void Transfer::apply(State& state, const Effect& effect) {
                    [](const auto&) {},
                },
                effect.what);
+}
+
+/// Writes the condition down; where no effect of the node follows, its edges need not ask again.
+void Transfer::judge(const State& state, ExpressionId condition) {
+    const Truth truth = evaluate_condition(state, condition);
+    if (records<Condition>()) facts_->add(Condition{node_, effect_, condition, truth});
+    const Slice& effects = graph_.nodes[node_].effects;
+    if (effect_ + 1 == effects.first + effects.count) evaluated_.emplace(condition, truth);
 }
 
 // ---- stores ----

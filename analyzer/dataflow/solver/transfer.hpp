@@ -78,6 +78,7 @@ class Transfer {
     [[nodiscard]] Value record_read(const State& state, Variable variable, ExpressionId id, Use use);
 
     void apply(State& state, const Effect& effect);
+    void judge(const State& state, ExpressionId condition);
     void assign(State& state, const Assign& assign);
     [[nodiscard]] std::optional<Step> step_of(const State& state, Variable variable, ExpressionId value);
     void store(State& state, Variable variable, Value value, ExpressionId expression);
