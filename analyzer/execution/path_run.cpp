@@ -166,37 +166,48 @@ PathRun::Point PathRun::change(const Changes& changes, Point point) {
 
 // ---- what makes a difference
 
-/// Whether a decision can come upon the value again, which sees what the `seen` (sorted) are and the machine.
-bool PathRun::can_be_seen(SymbolId id, std::span<const SymbolId> seen) const {
+void PathRun::see(SymbolId id) {
+    if (id >= seen_in_.size()) seen_in_.resize(std::max<std::size_t>(id + 1, 2 * seen_in_.size()), 0);
+    seen_in_[id] = fingerprints_;
+}
+
+/// Whether a decision can come upon the value again that sees what this fingerprint counts and the machine.
+bool PathRun::can_be_seen(SymbolId id) const {
     const Symbol& symbol = states_.table().symbols[id];
     switch (symbol.kind) {
     case Symbol::Kind::constant:
     case Symbol::Kind::vacant:
     case Symbol::Kind::machine: return true;
     case Symbol::Kind::result:
-        if (can_be_seen(symbol.b, seen) && can_be_seen(symbol.c, seen)) return true;
+        if (can_be_seen(symbol.b) && can_be_seen(symbol.c)) return true;
         break;
     default: break;
     }
-    return id == 0 || std::ranges::binary_search(seen, id); // 0: a result of one operand has no other
+    // 0: a result of one operand has no other.
+    return id == 0 || (id < seen_in_.size() && seen_in_[id] == fingerprints_);
 }
 
-/// Of a value counts what a decision can ask of it: how large it is and whether it is vacant. Which value it
-/// is counts only where something is assumed of it.
+/// How large it is and whether it is vacant; which value it is counts only where something is assumed of it.
+std::uint64_t PathRun::print_of(std::uint32_t value) {
+    if (value >= prints_.size()) prints_.resize(std::max<std::size_t>(value + 1, 2 * prints_.size()), 0);
+    std::uint64_t& print = prints_[value];
+    if (print != 0) return print;
+    const Value& of = states_.table().values[value];
+    print = dataflow::mix(static_cast<std::uint64_t>(of.vacancy), std::bit_cast<std::uint64_t>(of.low));
+    return print = dataflow::mix(print, std::bit_cast<std::uint64_t>(of.high)) | 1U;
+}
+
 std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable> deciding) {
     std::uint64_t print = 0;
-    seen_.clear();
+    ++fingerprints_;
     for (const Variable variable : deciding) {
-        const Value value = states_.read(point.state, variable);
-        print = dataflow::mix(print, static_cast<std::uint64_t>(value.vacancy));
-        print = dataflow::mix(print, std::bit_cast<std::uint64_t>(value.low));
-        print = dataflow::mix(print, std::bit_cast<std::uint64_t>(value.high));
-        seen_.push_back(value.symbol);
+        const std::uint32_t value = states_.id_of(point.state, variable);
+        print = dataflow::mix(print, print_of(value));
+        see(states_.table().values[value].symbol);
     }
-    std::ranges::sort(seen_);
     for (Assumptions::Id id = point.assumed; id != Assumptions::none; id = assumptions_[id].earlier) {
         const Assumptions::Assumption& assumption = assumptions_[id];
-        if (!can_be_seen(assumption.subject, seen_) || !can_be_seen(assumption.other, seen_)) continue;
+        if (!can_be_seen(assumption.subject) || !can_be_seen(assumption.other)) continue;
         print = dataflow::mix(print, dataflow::side_by_side(assumption.subject, assumption.other));
         print = dataflow::mix(print, std::bit_cast<std::uint64_t>(assumption.number));
         print = dataflow::mix(print, static_cast<std::uint64_t>(assumption.operation));

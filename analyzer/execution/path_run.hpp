@@ -78,7 +78,10 @@ class PathRun {
                               bool holds);
     [[nodiscard]] bool assume_one(Point& point, const dataflow::State& before, const Apply& apply,
                                   bool holds);
-    [[nodiscard]] bool can_be_seen(dataflow::SymbolId id, std::span<const dataflow::SymbolId> seen) const;
+    /// What a decision can ask of the value with this number in the table.
+    [[nodiscard]] std::uint64_t print_of(std::uint32_t value);
+    void see(dataflow::SymbolId id);
+    [[nodiscard]] bool can_be_seen(dataflow::SymbolId id) const;
 
     const Program& program_;
     const flow::Graph& graph_;
@@ -89,7 +92,9 @@ class PathRun {
     std::vector<std::optional<Point>> after_;                   ///< of each step
     std::unordered_map<std::uint32_t, dataflow::Root> unknown_; ///< by id of changes, see unknown_after
     bool reads_modal_state_;                                    ///< somewhere in the program
-    std::vector<dataflow::SymbolId> seen_;                      ///< kept for its memory
+    std::vector<std::uint64_t> prints_;                         ///< of values, see print_of; 0: not asked for
+    std::vector<std::uint32_t> seen_in_; ///< of each symbol: the last fingerprint that counts it
+    std::uint32_t fingerprints_ = 0;     ///< so many were asked for
 };
 
 } // namespace maclint::execution

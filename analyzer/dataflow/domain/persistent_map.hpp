@@ -28,18 +28,14 @@ class PersistentMap {
         : nodes_(1) {}
 
     [[nodiscard]] std::optional<std::uint32_t> find(Root root, Key key) const {
+        if (root == 0) return std::nullopt;
         const Key place = key / row;
-        while (root != 0) {
-            const Node& node = nodes_[root];
-            if (node.bit == 0) {
-                if (node.place != place) return std::nullopt;
-                const std::uint32_t value = rows_[node.left][key % row];
-                return value == absent ? std::nullopt : std::optional(value);
-            }
-            if (!matches(place, node)) return std::nullopt;
-            root = (place & node.bit) == 0 ? node.left : node.right;
-        }
-        return std::nullopt;
+        const Node* node = &nodes_[root];
+        // Where the branches have other places the leaf has another, too.
+        while (node->bit != 0) node = &nodes_[(place & node->bit) == 0 ? node->left : node->right];
+        if (node->place != place) return std::nullopt;
+        const std::uint32_t value = rows_[node->left][key % row];
+        return value == absent ? std::nullopt : std::optional(value);
     }
 
     [[nodiscard]] Root set(Root root, Key key, std::uint32_t value) {

@@ -133,16 +133,19 @@ Value States::entry_value(Variable variable) {
 }
 
 Value States::absent(const State& state, Key key) {
-    const Variable variable = variable_of(key);
-    if (const SymbolId site = table_.havoc(state.havoc).by_space[variable.space]; site != 0) {
-        Value value;
-        value.symbol = table_.symbols({Symbol::Kind::opaque, key, site, 1});
-        return value;
-    }
-    if (const auto known = maps_.find(entry_values_, key)) return table_.values[*known];
-    const Value value = entry_value(variable);
-    entry_values_ = maps_.set(entry_values_, key, table_.values(value));
+    const SymbolId site = table_.havoc(state.havoc).by_space[variable_of(key).space];
+    if (site == 0) return table_.values[entry_id(key)];
+    Value value;
+    value.symbol = table_.symbols({Symbol::Kind::opaque, key, site, 1});
     return value;
+}
+
+/// The number of the value at the program's start.
+std::uint32_t States::entry_id(Key key) {
+    if (const auto known = maps_.find(entry_values_, key)) return *known;
+    const std::uint32_t id = table_.values(entry_value(variable_of(key)));
+    entry_values_ = maps_.set(entry_values_, key, id);
+    return id;
 }
 
 ModalId States::absent_modal(Key key) const { return entry_modals_[group_of(key).group]; }
@@ -150,6 +153,13 @@ ModalId States::absent_modal(Key key) const { return entry_modals_[group_of(key)
 Value States::read(const State& state, Variable variable) {
     const auto found = maps_.find(state.root, key_of(variable));
     return found ? table_.values[*found] : absent(state, key_of(variable));
+}
+
+std::uint32_t States::id_of(const State& state, Variable variable) {
+    const Key key = key_of(variable);
+    if (const auto found = maps_.find(state.root, key)) return *found;
+    const bool forgotten = table_.havoc(state.havoc).by_space[variable.space] != 0;
+    return forgotten ? table_.values(absent(state, key)) : entry_id(key);
 }
 
 const ModalValue& States::read(const State& state, ChannelGroup of) const {

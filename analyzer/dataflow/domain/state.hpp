@@ -96,6 +96,8 @@ class States {
     /// The program shares its callers' local variables, and no known caller sets this one.
     [[nodiscard]] bool is_set_by_no_caller(Variable variable) const;
     [[nodiscard]] Value read(const State& state, Variable variable);
+    /// The number of that value in the table.
+    [[nodiscard]] std::uint32_t id_of(const State& state, Variable variable);
     [[nodiscard]] const ModalValue& read(const State& state, ChannelGroup of) const;
     [[nodiscard]] ModalId id_of(const State& state, ChannelGroup of) const;
     /// All that the group can be in any of the channels.
@@ -145,6 +147,7 @@ class States {
     [[nodiscard]] bool may_be_handed_down(Variable variable) const;
     /// The value of a variable that a state does not hold.
     [[nodiscard]] Value absent(const State& state, Key key);
+    [[nodiscard]] std::uint32_t entry_id(Key key);
     [[nodiscard]] ModalId absent_modal(Key key) const;
     [[nodiscard]] bool is_entry_of(OriginId vacancy_origin, Key key) const;
     [[nodiscard]] ModalId join_modals(ModalId a, ModalId b);
