@@ -1,8 +1,9 @@
-"""`./dev bench growth`: time and memory on programs made to hurt, at n and 2n.
+"""`./dev bench growth`: how time and memory grow with programs made to hurt.
 
-Each row makes one kind of program, doubles it until a run takes half a second or the text is long enough, doubles it
-once more and prints how time and memory have grown. A ratio of 2 is linear; the run fails above 2.2, but not where
-the longest text is done before half a second of processor time.
+Each row makes one kind of program and doubles it until a run takes half a second of processor time, then measures
+that size and the next three, each of them the least of three runs. Printed are what the largest took, the three
+ratios from one size to the next, the ratio that would give the same growth each time, and that of the memory. A
+ratio of 2 is linear; the run fails where the even one is above 2.2.
 """
 import argparse
 import os
@@ -14,7 +15,8 @@ import tempfile
 
 LIMIT = 2.2
 ENOUGH = 0.5           # seconds of processor time
-MOST_BYTES = 2_000_000
+SIZES = 4
+RUNS = 3               # of each size; the least counts
 MOST_SECONDS = 60
 
 
@@ -81,23 +83,43 @@ def limits():
     resource.setrlimit(resource.RLIMIT_CPU, (MOST_SECONDS, MOST_SECONDS + 1))
 
 
-def run(maclint, made, form):
-    """Seconds of processor time, megabytes, bytes of text."""
+def run(maclint, folder, name, form):
+    """Seconds of processor time and megabytes."""
+    command = [maclint, 'check', '--isolated', '--jobs', '1', '--format', form]
+    command += ['--dialect', 'dinplus' if name == 'x.ncs' else 'fanuc', '.']
+    process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               preexec_fn=limits)
+    _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode not in (0, 1):
+        raise RuntimeError(f'maclint ended with {process.returncode}')
+    return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
+
+
+def measure(maclint, made, form):
+    """The least of some runs: seconds of processor time, megabytes, bytes of text. One run is enough to see that a
+    size is too small."""
     files = made if isinstance(made, dict) else {'x.ncs' if made.startswith('MACHINING') else 'x.nc': made}
     with tempfile.TemporaryDirectory() as folder:
         os.mkdir(os.path.join(folder, '.git'))  # nothing outside is read
         for name, text in files.items():
             with open(os.path.join(folder, name), 'w', encoding='latin-1', newline='') as file:
                 file.write(text)
-        command = [maclint, 'check', '--isolated', '--jobs', '1', '--format', form]
-        command += ['--dialect', 'dinplus' if 'x.ncs' in files else 'fanuc', '.']
-        process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                   preexec_fn=limits)
-        _, status, used = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode not in (0, 1):
-        raise RuntimeError(f'maclint ended with {process.returncode}')
-    return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, sum(map(len, files.values()))
+        first = run(maclint, folder, next(iter(files)), form)
+        more = RUNS - 1 if first[0] >= ENOUGH else 0
+        runs = [first] + [run(maclint, folder, next(iter(files)), form) for _ in range(more)]
+    return min(runs) + (sum(map(len, files.values())),)
+
+
+def sizes_of(maclint, n, make, form):
+    """What is measured of so many sizes, each twice the one before."""
+    found = []
+    while len(found) < SIZES:
+        now = measure(maclint, make(n), form)
+        if found or now[0] >= ENOUGH:
+            found.append(now)
+        n *= 2
+    return found
 
 
 def main():
@@ -107,26 +129,23 @@ def main():
     chosen = options.parse_args()
     maclint = os.path.abspath(chosen.maclint)
     too_steep = 0
-    print(f'{"":38}{"kB":>7}{"s":>8}{"MB":>7}   time and memory from n to 2n')
+    print(f'{"":38}{"kB":>7}{"s":>8}{"MB":>7}   time from size to size   even  memory')
     for name, n, form, make in KINDS:
         if chosen.only not in name:
             continue
         try:
-            before = run(maclint, make(n), form)
-            while True:
-                n *= 2
-                now = run(maclint, make(n), form)
-                if before[0] >= ENOUGH or now[2] >= MOST_BYTES:
-                    break
-                before = now
+            sizes = sizes_of(maclint, n, make, form)
         except RuntimeError as error:
-            print(f'{name:38}{error}, n = {n}')
+            print(f'{name:38}{error}')
             too_steep += 1
             continue
-        grown = now[0] / before[0], now[1] / before[1]
-        steep = now[0] >= ENOUGH and grown[0] > LIMIT
+        steps = len(sizes) - 1
+        ratios = '  '.join(f'{sizes[i + 1][0] / sizes[i][0]:.2f}' for i in range(steps))
+        even, memory = ((sizes[-1][part] / sizes[0][part]) ** (1 / steps) for part in (0, 1))
+        steep = even > LIMIT
         too_steep += steep
-        print(f'{name:38}{now[2] / 1e3:7.0f}{now[0]:8.2f}{now[1]:7.0f}   {grown[0]:.2f}  {grown[1]:.2f}'
+        seconds, megabytes, text = sizes[-1]
+        print(f'{name:38}{text / 1e3:7.0f}{seconds:8.2f}{megabytes:7.0f}   {ratios:24}{even:.2f}  {memory:.2f}'
               f'{"  TOO STEEP" if steep else ""}', flush=True)
     return 1 if too_steep else 0
 

@@ -16,7 +16,7 @@ constexpr std::size_t most_legs = 8;
 /// So much work is done for one program: thousands of findings in thousands of blocks are not each worth a
 /// look at all of them.
 constexpr std::size_t most_work = 40'000'000;
-constexpr std::size_t work_of_a_visit = 100;    ///< as long as measuring so many nodes
+constexpr std::size_t work_of_a_visit = 100;     ///< as long as measuring so many nodes
 constexpr std::size_t work_of_a_cycles_node = 4; ///< likewise
 /// So many nodes of what decisions depend on are kept for the next search.
 constexpr std::size_t most_kept = 1'000'000;
@@ -87,9 +87,7 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     return found;
 }
 
-bool PathExplorer::is_spent() const {
-    return work_ + rounds_.measured() * work_of_a_cycles_node > most_work;
-}
+bool PathExplorer::is_spent() const { return work_ + rounds_.measured() * work_of_a_cycles_node > most_work; }
 
 PathFound PathExplorer::path_gone() const {
     PathFound found;

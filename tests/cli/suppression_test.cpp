@@ -57,6 +57,22 @@ TEST(Suppression, AloneIsForTheNextBlock) {
     EXPECT_THAT(codes_of(program("", "", "(MACLINT ALLOW MAC301)")), ElementsAre("MAC301", "MAC001"));
 }
 
+TEST(Suppression, LeavesTheOtherPlacesOfTheSameCause) {
+    const auto lines_told = [](const std::string& comment) {
+        const auto result = lint_text("O1\nQQ" + comment + "\nX1\nQQ\nX2\nQQ\nM30\n");
+        std::vector<std::uint32_t> lines;
+        for (const auto& [finding, suppressed] : result.findings) {
+            if (finding.rule->code == "MAC001" || suppressed) continue;
+            lines.push_back(finding.source->position(finding.span.begin).line);
+            for (const RelatedLocation& place : finding.repeats)
+                lines.push_back(place.source->position(place.span.begin).line);
+        }
+        return lines;
+    };
+    EXPECT_THAT(lines_told(""), ElementsAre(2, 4, 6));
+    EXPECT_THAT(lines_told(" (MACLINT ALLOW MAC121)"), ElementsAre(4, 6));
+}
+
 TEST(Suppression, OnlyTheFirstUnknownWordsGetProposals) {
     std::string words;
     for (int i = 0; i < 12; ++i) words += " MAC30l";

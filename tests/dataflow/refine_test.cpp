@@ -184,6 +184,18 @@ TEST(Refine, WhatIsNotZeroButPerhapsVacantMayStillCountAsZero) {
         last_read("#1=#1000*10\nIF[#501LT0]GOTO9\nIF[#501GT0]GOTO9\nIF[#1EQ#501]GOTO9\nX#1\nN9M30\n"), 0, 10);
 }
 
+TEST(Refine, OneOfAFewNumbersThatMayBeVacantIsNotKnownToBeSet) {
+    // 0 or vacant, or 4.
+    const std::string zero_or_4 = "IF[#500EQ1]GOTO1\nIF[#100LT0]GOTO9\nIF[#100GT0]GOTO9\nGOTO2\nN1#100=4\n";
+    const dataflow::Value zero = last_read(zero_or_4 + "N2IF[#100GT2]GOTO9\nX#100\nN9M30\n");
+    EXPECT_RANGE(zero, 0, 0);
+    EXPECT_EQ(zero.vacancy, Vacancy::unknown);
+    EXPECT_EQ(zero.choices, 0U);
+    const dataflow::Value four = last_read(zero_or_4 + "N2IF[#100LT2]GOTO9\nX#100\nN9M30\n");
+    EXPECT_EQ(four.constant(), 4);
+    EXPECT_EQ(four.vacancy, Vacancy::set);
+}
+
 TEST(Refine, NobodyComesWhereNoNumberIsLeft) {
     const auto reads_of = [](const std::string& conditions) {
         const auto workspace = test::analyse_fanuc("O0001\n#1=#1000*10\n" + conditions + "X#1\nN9M30\n");

@@ -35,6 +35,31 @@ TEST(Solver, WinsBackTheBoundThatWideningGaveAway) {
     EXPECT_EQ(after.high, 10);
 }
 
+TEST(Solver, OfManyPathsThatMeetEachCounts) {
+    constexpr int paths = 101;
+    std::string text;
+    for (int i = 1; i <= paths; ++i)
+        text += "#1=" + std::to_string(i) + "\nIF[#500EQ" + std::to_string(i) + "]GOTO9\n";
+    const Value met = last_read(text + "#1=50\nN9X#1\nM30\n");
+    EXPECT_EQ(met.low, 1);
+    EXPECT_EQ(met.high, paths);
+    EXPECT_TRUE(met.integer);
+}
+
+TEST(Solver, FactsAreInTheOrderOfTheText) {
+    // The loop settles before what is written inside of it and leads out.
+    const auto workspace =
+        test::analyse_fanuc("O0001\n#1=0\nN1#1=#1+1\nIF[#500EQ1]GOTO5\nGOTO6\nN5#2=#1\nGOTO9\n"
+                            "N6IF[#1LT5]GOTO1\nN9X#1\nM30\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    EXPECT_TRUE(std::ranges::is_sorted(analysis.facts().all<dataflow::Read>(), {}, &dataflow::Read::node));
+    const auto& reads = analysis.facts().all<dataflow::Read>();
+    const auto copied = std::ranges::find(reads, dataflow::Use::copy, &dataflow::Read::use);
+    ASSERT_NE(copied, reads.end());
+    EXPECT_EQ(copied->value.low, 1); // #2=#1
+    EXPECT_EQ(copied->value.high, 5);
+}
+
 TEST(Solver, AnUnknownCallMayChangeCommonsAndModalGroupsAndNotTheCallersLocals) {
     EXPECT_FALSE(last_read("#100=5\nG65 P77\nX#100\nM30\n").constant());
     EXPECT_EQ(last_read("#100=5\nG65 P77\nX#100\nM30\n").vacancy, Vacancy::unknown);
@@ -140,6 +165,16 @@ TEST(Solver, AReturnToANumberIsFollowedWhereProgramsCallEachOther) {
     const auto nine = std::ranges::find(labels, Label(std::int64_t{9}), &flow::LabelledBlock::label);
     ASSERT_NE(nine, labels.end());
     EXPECT_TRUE(callee.data().reached(nine->node));
+}
+
+TEST(Solver, ACallThatMayComeBackElsewhereDecidesWhetherItsCallerStops) {
+    const auto workspace = test::analyse_files({{"O1.nc", "O0001\nG65 P2\nM30\n"},
+                                                {"O2.nc", "O0002\nM98 P3\nM99\nN9#3000=1(STOP)\nM99\n"},
+                                                {"O3.nc", "O0003\nIF[#500EQ1]GOTO1\nM99\nN1M99 P9\n"}},
+                                               {.complete = true, .jobs = 1});
+    const dataflow::Summary& summary = workspace->programs()[1].data().summary();
+    EXPECT_TRUE(summary.may_stop);
+    EXPECT_TRUE(summary.stop_reasons.anything);
 }
 
 TEST(Solver, WhatAProgramFurtherUpHandsDownMayBeChangedByACall) {

@@ -164,6 +164,20 @@ TEST(FeasiblePaths, NotEveryOneOfThousandsIsLookedForInALongProgram) {
     EXPECT_LT(searches, 5000);
 }
 
+TEST(FeasiblePaths, ThousandsOfLoopsInLoopsAreNotLookedAtForEveryOne) {
+    // Each N leads back to the first: its loop holds all that stand in front of it.
+    std::string text = "O1\nIF[#500EQ1]GOTO5\n#1=1\nN5\n";
+    for (int i = 10; i < 6'010; ++i)
+        text += "N" + std::to_string(i) + "#2=#501\nIF[#502EQ" + std::to_string(i) + "]GOTO10\n";
+    const auto workspace = test::analyse_fanuc(text + "X#1\nM30\n");
+    const ProgramAnalysis& program = workspace->programs().front();
+    const auto last = static_cast<flow::NodeId>(program.graph().nodes.size() - 1);
+    EXPECT_TRUE(queries::path_on_from(program, 0, 1).path.has_value());
+    int searches = 1;
+    while (!queries::path_on_from(program, 0, last).gave_up && searches < 2000) ++searches;
+    EXPECT_LT(searches, 200);
+}
+
 /// 1-based lines of the nodes to which a path leads without an assignment to the variable.
 std::vector<std::uint32_t> lines_without_assignment(const ProgramAnalysis& program,
                                                     queries::WithoutAssignment& paths, Variable variable) {

@@ -65,7 +65,9 @@ ChoicesId ValueTable::either(const Value& a, const Value& b) {
 }
 
 void ValueTable::narrow(Value& value, std::span<const double> numbers) {
-    if (numbers.size() == 1) {
+    // What may be vacant counts as 0, and is not known to be a number when only that is left.
+    const bool is_number = numbers.front() != 0 || value.vacancy == Vacancy::set;
+    if (numbers.size() == 1 && is_number) {
         const OriginId origin = value.origin;
         value = number_value(*this, numbers.front());
         value.origin = origin;
@@ -73,7 +75,7 @@ void ValueTable::narrow(Value& value, std::span<const double> numbers) {
     }
     Choices left;
     for (const double number : numbers) add(left, number);
-    value.choices = choice_sets(left) + 1;
+    value.choices = numbers.size() == 1 ? 0 : choice_sets(left) + 1;
     value.low = numbers.front();
     value.high = numbers.back();
 }

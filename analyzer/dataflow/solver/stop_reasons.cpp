@@ -60,7 +60,12 @@ class StopReasonSearch {
         for (const flow::EdgeId id : graph_.out[node]) {
             const flow::Edge& edge = graph_.edges[id];
             if (edge.condition) add_reads(*edge.condition);
-            if (edge.jump) add_reads(std::get<Jump>(program_.effects[*edge.jump].what).target);
+            if (!edge.jump) continue;
+            const auto* jump = std::get_if<Jump>(&program_.effects[*edge.jump].what);
+            if (jump != nullptr)
+                add_reads(jump->target);
+            else
+                reasons_.anything = true; // the called program decides where it comes back
         }
     }
 
