@@ -7,6 +7,9 @@
 namespace maclint::queries {
 namespace {
 
+/// No control has a variable beyond; any number may stand in a program.
+constexpr double largest_number = 1e9;
+
 bool is_offset(const ProgramAnalysis& analysis, FamilyId family, std::int64_t number) {
     const VariableRange* range = analysis.control().families[family].find(number);
     return range != nullptr && range->meaning == Meaning::machine && range->on_write == OnWrite::store &&
@@ -17,7 +20,8 @@ bool leads_to_offset(const ProgramAnalysis& analysis, FamilyId family, Expressio
     const Program& program = analysis.program();
     const auto& node = program.expressions[index].node;
     if (const auto* literal = std::get_if<Literal>(&node))
-        return literal->value > 0 && is_offset(analysis, family, static_cast<std::int64_t>(literal->value));
+        return literal->value > 0 && literal->value < largest_number &&
+               is_offset(analysis, family, static_cast<std::int64_t>(literal->value));
     const auto* apply = std::get_if<Apply>(&node);
     return apply != nullptr && std::ranges::any_of(program.operands_of(*apply), [&](ExpressionId operand) {
                return leads_to_offset(analysis, family, operand);

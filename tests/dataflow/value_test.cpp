@@ -31,6 +31,18 @@ TEST(ValueTable, TellsWhatASymbolStandsFor) {
     EXPECT_EQ(table.entry_group_of(group), GroupId{3});
 }
 
+TEST(Interner, MayBeAskedForAThingThatItHolds) {
+    // Also when there is no room left: under a sanitizer, whoever moves the things first is found out.
+    Interner<Value> values;
+    for (std::uint32_t id = 0; id < 1000; ++id) {
+        Value value;
+        value.symbol = id;
+        EXPECT_EQ(values(value), id);
+        EXPECT_EQ(values(values[id / 2]), id / 2);
+        EXPECT_EQ(values[0].symbol, 0U);
+    }
+}
+
 TEST(Values, OfNumbersAreSetAndExact) {
     ValueTable table;
     for (const double number : {-3.0, 0.0, 2.5}) {

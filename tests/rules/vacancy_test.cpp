@@ -332,6 +332,9 @@ TEST(OffsetNumber, ThatNothingChecksIsANote) {
     EXPECT_THAT(judged("MAC225", "O9001\n#30=#[13000+#7]\nX#30\nM99\n"), ElementsAre("note 2"));
     EXPECT_THAT(judged("MAC225", "O9001\n#[2000+#7]=1.\nM99\n"), ElementsAre("note 2"));
     EXPECT_THAT(judged("MAC225", "O9001\n#30=#[100+#7]\nX#30\nM99\n"), IsEmpty()); // no offset
+    // Nor is a number that no integer holds; a sanitizer would say so.
+    const std::string huge(99, '9');
+    EXPECT_THAT(judged("MAC225", "O9001\n#[" + huge + "+#7]=1.\nM99\n"), IsEmpty());
     EXPECT_THAT(judged("MAC225", "O9001\nIF[#7GT99]GOTO9\n#30=#[13000+#7]\nX#30\nN9M99\n"), IsEmpty());
     EXPECT_THAT(judged("MAC225", "O9001\nIF[#7EQ#0]THEN#7=1\n#30=#[13000+#7]\nX#30\nM99\n"), IsEmpty());
 }
