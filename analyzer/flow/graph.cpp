@@ -615,7 +615,7 @@ EdgesByNode::EdgesByNode(std::size_t nodes, std::span<const Edge> edges, NodeId 
     , begin_(nodes + 1, 0) {
     for (const Edge& edge : edges) ++begin_[edge.*node_of + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    std::vector<EdgeId> next(begin_.begin(), begin_.end() - 1);
+    std::vector<EdgeId> next = begin_;
     for (EdgeId id = 0; id < edges.size(); ++id) ids_[next[edges[id].*node_of]++] = id;
 }
 

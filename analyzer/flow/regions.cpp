@@ -142,10 +142,9 @@ class Pairing {
 
     /// Units stand one after the other.
     void check_units() {
-        std::vector<std::optional<RegionId>> unit_around(result_.all.size());
-        for (RegionId id = 0; id < result_.all.size(); ++id) {
-            const Region& region = result_.all[id];
-            auto& around = unit_around[id];
+        std::vector<std::optional<RegionId>> unit_around; // of each region
+        for (const Region& region : result_.all) {
+            auto& around = unit_around.emplace_back();
             if (region.parent) {
                 const Region& outer = result_.all[*region.parent];
                 const bool is_unit = outer.region_kind == RegionKind::unit && outer.close;

@@ -83,7 +83,7 @@ bool is_power_of_two(double number) {
 
 /// A number written with decimals that binary arithmetic cannot hold: 0.1.
 bool is_inexact_constant(const AbstractValue& value) {
-    return value.low == value.high && !is_dyadic(value.low);
+    return value.low == value.high && !value.integer && !is_dyadic(value.low);
 }
 
 Exactness of_quotient(const AbstractValue& dividend, const AbstractValue& divisor) {
@@ -97,7 +97,6 @@ Exactness of_quotient(const AbstractValue& dividend, const AbstractValue& diviso
 
 Exactness of_sum_or_product(const AbstractValue& a, const AbstractValue& b) {
     const Exactness operands = std::max(a.exactness, b.exactness);
-    if (operands == Exactness::rounded || (a.integer && b.integer)) return operands;
     if (is_inexact_constant(a) || is_inexact_constant(b)) return Exactness::rounded;
     const auto is_on_grid = [](const AbstractValue& value) {
         return value.integer || (value.low == value.high && is_dyadic(value.low));

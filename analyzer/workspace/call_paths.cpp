@@ -9,8 +9,8 @@
 namespace maclint {
 namespace {
 
-/// The searches that are kept have no more steps than so many that go through all programs.
-constexpr std::size_t most_kept = 4;
+/// Searches that are kept.
+constexpr std::size_t most_searches = 64;
 
 /// A search goes to about so many programs: where thousands call each other in circles, each circle has its
 /// own. How often they call each other does not count.
@@ -23,10 +23,7 @@ constexpr std::size_t half = CallPath::most / 2;
 CallPath CallPaths::between(ProgramIndex from, ProgramIndex to) {
     if (from == to) return {};
     const std::scoped_lock lock(mutex_);
-    if (kept_ > most_kept * programs_.size()) {
-        searches_.clear();
-        kept_ = 0;
-    }
+    if (searches_.size() > most_searches) searches_.clear();
     Search& search = searches_[from];
     const Step* step = reach(search, from, to);
     if (step == nullptr) return {};
@@ -51,7 +48,6 @@ const CallPaths::Step* CallPaths::reach(Search& search, ProgramIndex from, Progr
             if (!search.reached.try_emplace(*site.target, step).second) continue;
             search.pending.push_back(*site.target);
             ++search.looked_at;
-            ++kept_;
         }
         found = search.reached.find(to);
     }

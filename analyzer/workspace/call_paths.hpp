@@ -55,8 +55,7 @@ class CallPaths {
 
     const std::deque<ProgramAnalysis>& programs_;
     std::mutex mutex_;
-    std::unordered_map<std::uint32_t, Search> searches_;
-    std::size_t kept_ = 0; ///< steps of all searches
+    std::unordered_map<std::uint32_t, Search> searches_; ///< by the program where they begin
 };
 
 } // namespace maclint

@@ -41,6 +41,15 @@ TEST(CallersCode, IsKnownFromASavedCopyToo) {
     expect_truth(last_comparison("#1=#4003\nIF[#1GT90]GOTO9\nIF[#4003EQ90]GOTO9\n"), true, true);
 }
 
+TEST(CallersCode, IsTheSavedOneWhetherItWasPutBackOrNeverChanged) {
+    // Put back where it is known to be 90, and not touched where it is not.
+    expect_truth(last_comparison("#1=#4003\nIF[#4003NE90]GOTO1\nG91\nG90\nN1IF[#4003EQ#1]GOTO9\n"), true,
+                 false);
+    expect_truth(last_comparison("#1=#4003\nIF[#500EQ1]GOTO1\nG90\nIF[#1NE90]GOTO9\nN1IF[#4003EQ#1]GOTO9\n"),
+                 true, false);
+    expect_truth(last_comparison("#1=#4003\nIF[#500EQ1]GOTO1\nG90\nN1IF[#4003EQ#1]GOTO9\n"), true, true);
+}
+
 /// Whether the group is the caller's at every end of the program.
 bool puts_back(const std::string& text) {
     const auto workspace = test::analyse_fanuc("O9001\n" + text);

@@ -159,6 +159,20 @@ TEST(Channels, NothingIsKnownOfAVariableThatOnlySomeSlidesStoreIn) {
     EXPECT_EQ(reads[1].value.constant(), 7);
 }
 
+TEST(Channels, WhatACalledProgramSwitchesOnForOneSlideIsOnInThatOne) {
+    const std::string sub = "SUBPROGRAM \"on\"\n$1 N100 G42\n$2 N101 G0 X1\nRETURN\nEND\n";
+    const std::string main = "MACHINING\n$1 N1 G40\n$2 N2 G40\nN3 L\"on\"\n";
+    const auto in_first = at_tool_change(main + "$1 N4 T2\nN5 M30\n" + sub);
+    const auto in_second = at_tool_change(main + "$2 N4 T2\nN5 M30\n" + sub);
+    EXPECT_FALSE(in_first.unknown);
+    EXPECT_FALSE(in_second.unknown);
+    EXPECT_EQ(in_first.parts.size(), 1U);
+    EXPECT_EQ(in_second.parts.size(), 1U);
+    EXPECT_NE(in_first.parts, in_second.parts);
+    // A caller that names no slide may be the one.
+    EXPECT_TRUE(at_tool_change("MACHINING\nN1 G40\nN2 L\"on\"\nN3 T2\nN4 M30\n" + sub).unknown);
+}
+
 TEST(Channels, ACallOfOneSlideChangesNothingForAnother) {
     const std::string sub = "SUBPROGRAM \"on\"\nN100 G42\nRETURN\n";
     EXPECT_THAT(still_compensated("MACHINING\n$1 N1 L\"on\"\n$2 N2 T2\n$1 N3 G40\nN4 M30\n" + sub + "END\n"),

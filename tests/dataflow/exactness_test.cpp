@@ -49,6 +49,16 @@ TEST_F(ExactResults, RoundingTouchesWhatBinaryNumbersCannotHold) {
     EXPECT_FALSE(is_inexact(number(0.25)));
 }
 
+TEST_F(ExactResults, OfLargeWholeNumbersAreExactToo) {
+    for (const double large : {1e9, 2e9, 123456789012.0}) {
+        EXPECT_FALSE(is_inexact(number(large))) << large;
+        EXPECT_EQ(apply(Operation::add, number(large), whole(0, 9)).exactness, Exactness::exact) << large;
+        EXPECT_EQ(apply(Operation::multiply, whole(0, 9), number(large)).exactness, Exactness::exact)
+            << large;
+    }
+    EXPECT_TRUE(is_inexact(number(1e9 + 0.1)));
+}
+
 TEST_F(ExactResults, LogicAndRoundingGiveExactWholeNumbersOfWhateverTheyTake) {
     using enum Operation;
     const Value inexact = with(Exactness::rounded, range(0, 9));

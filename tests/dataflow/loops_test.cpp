@@ -126,6 +126,19 @@ TEST(Loops, CanStopWhereTheProgramOrAProgramCalledMayStop) {
     EXPECT_EQ(traits("", "#2=[[\n").second, true); // a block that nobody can read
 }
 
+TEST(Loops, CanStopWhereTheNumberThatDecidesIsMadeByTooManyAssignments) {
+    // Each round makes #10 anew and the others of it: what the call passes is always the same.
+    const auto made_by = [](int assignments) {
+        std::string body = "#10=5\n";
+        for (int i = 1; i < assignments; ++i)
+            body += "#" + std::to_string(10 + i) + "=#" + std::to_string(9 + i) + "\n";
+        return traits("", body + "G65P2A#" + std::to_string(9 + assignments) + "\n",
+                      "O2\nIF[#1EQ#500]THEN#3000=1\nM99\n");
+    };
+    EXPECT_FALSE(made_by(3).first);
+    EXPECT_TRUE(made_by(12).first); // nobody follows so many
+}
+
 /// `count` jumps back, each to a block before that of the last: loops around loops.
 std::string nested(int count, int blocks_inside) {
     std::string text = "O1\n";
@@ -145,6 +158,15 @@ TEST(Loops, AreCutOffWhereListingThemWouldTakeTooLong) {
     const auto found = loops_of(nested(150, 2000)); // 150 times more than 2000 blocks
     EXPECT_LT(found.size(), 150U);
     EXPECT_GE(found.size(), 8U);
+}
+
+TEST(Loops, AreCutOffWhereEachIsLeftByTooManyJumps) {
+    // Computed jumps, so many that they share a node; from it each loop is left for all labels but its own.
+    std::string text = "O1\n";
+    for (int i = 1; i <= 200; ++i) text += "N" + std::to_string(i) + "#1=#1+1\nGOTO#500\n";
+    const auto found = loops_of(text);
+    EXPECT_LT(found.size(), 150U);
+    EXPECT_GE(found.size(), 50U);
 }
 
 // ---- cycles that nothing ends ----

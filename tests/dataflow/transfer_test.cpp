@@ -116,8 +116,9 @@ struct AtEnd {
     bool unknown;              ///< or any other
 };
 
-AtEnd at_end(const std::string& text, ModalRole role) {
-    const auto workspace = test::analyse_fanuc("O0001\n" + text + "M30\n");
+/// Of the first program; the others can be called.
+AtEnd at_end(const std::string& text, ModalRole role, const std::string& others = "") {
+    const auto workspace = test::analyse_fanuc("O0001\n" + text + "M30\n" + others);
     const ProgramAnalysis& analysis = workspace->programs().front();
     const auto value = analysis.data().modal(analysis.facts().all<dataflow::ExitState>()[0],
                                              *analysis.control().group_with(role));
@@ -151,6 +152,28 @@ TEST(Codes, OfAnUnknownNumberMayBeOfAnyGroupOfTheirLetter) {
     EXPECT_TRUE(at_end("G90\nG40\nG#500\n", ModalRole::cutter_compensation).unknown);
     EXPECT_FALSE(at_end("G90\nF100\nG#500\n", ModalRole::feed).unknown);
     EXPECT_FALSE(at_end("G90\nG#0\n", ModalRole::distance).unknown); // a vacant word is ignored
+}
+
+TEST(Codes, AreThoseThatACalledProgramLeaves) {
+    const auto after = [](const std::string& called) {
+        return at_end("G90\nG65P2\n", ModalRole::distance, "O0002\n" + called + "M99\n");
+    };
+    EXPECT_THAT(after("G91\n").codes, testing::ElementsAre(91));
+    EXPECT_FALSE(after("G91\n").unknown);
+    EXPECT_THAT(after("IF[#500EQ1]THENG91\n").codes, testing::UnorderedElementsAre(90, 91));
+    EXPECT_THAT(after("#1=#4003\nG91\nG#1\n").codes, testing::ElementsAre(90));
+    EXPECT_TRUE(after("G#500\n").unknown);
+    const AtEnd feed = at_end("F100\nG65P2\n", ModalRole::feed, "O0002\nF#500\nM99\n");
+    EXPECT_THAT(feed.codes, testing::IsEmpty());
+    EXPECT_TRUE(feed.unknown);
+}
+
+TEST(Codes, OfAModalCallStayUntilTheyAreCancelled) {
+    const std::string others = "O0002\nM99\nO0003\nM99\n";
+    EXPECT_THAT(at_end("G66P2\n", ModalRole::macro_call, others).codes, testing::ElementsAre(66));
+    EXPECT_THAT(at_end("G66P2\nG65P3\n", ModalRole::macro_call, others).codes, testing::ElementsAre(66));
+    EXPECT_THAT(at_end("G66P2\nM98P3\n", ModalRole::macro_call, others).codes, testing::ElementsAre(66));
+    EXPECT_THAT(at_end("G66P2\nG67\n", ModalRole::macro_call, others).codes, testing::ElementsAre(67));
 }
 
 TEST(Codes, AreWatchedInTheGroupsThatRulesAskFor) {

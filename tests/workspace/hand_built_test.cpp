@@ -371,6 +371,30 @@ TEST(SharedNames, ANameMeansTheSameVariableInEveryProgram) {
     EXPECT_EQ(after_call("DEPTH", "WIDTH").constant(), 1);
 }
 
+TEST(SharedNames, AnAlarmThatAVariableOfSuchANameDecidesMayEndALoop) {
+    // MAIN calls S in a loop that changes R1 alone; S ends in an alarm where R5, or LIMIT, is above 3.
+    const auto can_stop = [](bool by_name) {
+        HandBuilt sub("S.SPF", "IF LIMIT>3 SETAL\nRET\n");
+        const Variable limit = by_name ? sub.variable(rows::shared, "LIMIT") : Variable{rows::r, 5};
+        sub.block({Step(sub.apply(Operation::greater, {sub.load(limit), sub.number(3)}),
+                        Stop{Stop::Kind::alarm, std::nullopt})});
+        sub.block({Return{}});
+        HandBuilt main("MAIN.MPF", "WHILE R1<9\nR1=R1+1\nS\nENDWHILE\nM30\n");
+        const Variable r1{rows::r, 1};
+        main.block(
+            {open(RegionKind::while_loop, main.apply(Operation::less, {main.load(r1), main.number(9)}))});
+        main.block({Assign{r1, main.apply(Operation::add, {main.load(r1), main.number(1)})}});
+        main.block({main.call("S", {})});
+        main.block({close(RegionKind::while_loop)});
+        main.block({Stop{Stop::Kind::end, std::nullopt}});
+        const auto workspace = analyse({main.finish(), sub.finish()});
+        return program(*workspace, "MAIN").loops().at(0).can_stop;
+    };
+    EXPECT_TRUE(
+        can_stop(true)); // each program has numbers of its own for its names: which it is is not known
+    EXPECT_FALSE(can_stop(false));
+}
+
 TEST(SharedNames, NothingIsKnownOfNamesThatMeetInOneNumber) {
     std::map<std::int32_t, std::string> seen;
     for (int i = 0; i < 1'000'000; ++i) {

@@ -68,8 +68,7 @@ class Summariser {
         std::vector<std::string> written;
         if (std::ranges::none_of(spaces, &VariableSpace::handed_down)) return written;
         const auto add = [&](Variable variable) {
-            const VariableSpace& space = spaces[variable.space];
-            if (space.handed_down && !space.written_once) written.push_back(program_.spell(variable));
+            if (spaces[variable.space].handed_down) written.push_back(program_.spell(variable));
         };
         for (const Store& store : facts_.of<Store>()) add(store.variable);
         for (const Clobber& clobber : facts_.of<Clobber>()) {

@@ -55,7 +55,7 @@ State Transfer::run(flow::NodeId node, State state) {
 }
 
 State Transfer::along(const flow::Edge& edge, State after) {
-    if (!after.reached) return after;
+    if (!after.reached) return {};
     enter(edge.from);
     if (channels_.running != graph_.all_channels) {
         using Kind = flow::EdgeKind;
@@ -66,10 +66,8 @@ State Transfer::along(const flow::Edge& edge, State after) {
     }
     // A condition that not all channels ask does not decide for the others.
     if (edge.condition && channels_.running == graph_.all_channels) {
-        if (!evaluated_ || evaluated_->first != *edge.condition)
-            evaluated_.emplace(*edge.condition, evaluate_condition(after, *edge.condition));
-        const Truth truth = evaluated_->second;
-        if (edge.holds ? !truth.can_hold : !truth.can_fail) return {};
+        if (!judged_) judged_ = evaluate_condition(after, *edge.condition);
+        if (edge.holds ? !judged_->can_hold : !judged_->can_fail) return {};
         refine(after, *edge.condition, edge.holds);
     } else if (edge.label) {
         const auto* number = std::get_if<std::int64_t>(&graph_.labels[*edge.label].label);
@@ -112,11 +110,11 @@ void Transfer::apply(State& state, const Effect& effect) {
                    [&](const Exchange& what) {
                        if (facts_ != nullptr)
                            for (const ExpressionId out : what.out) (void)evaluate(state, out, Use::word);
-                       for (const Variable in : what.in) clobber(state, in, opaque_variable(in, 4));
+                       for (const Variable in : what.in) clobber(state, in, opaque_variable(in));
                    },
                    [&](const UnreadableBlock& what) {
                        for (const Variable variable : what.may_write)
-                           clobber(state, variable, opaque_variable(variable, 4));
+                           clobber(state, variable, opaque_variable(variable));
                        if (what.may_call_or_return) havoc_shared(state);
                    },
                    [&](const ToolChange&) {
@@ -131,12 +129,10 @@ void Transfer::apply(State& state, const Effect& effect) {
                effect.what);
 }
 
-/// Writes the condition down; where no effect of the node follows, its edges need not ask again.
+/// Writes the condition down. It is the last effect of its node, whose edges need not ask again.
 void Transfer::judge(const State& state, ExpressionId condition) {
-    const Truth truth = evaluate_condition(state, condition);
-    if (records<Condition>()) facts_->add(Condition{node_, effect_, condition, truth});
-    const Slice& effects = graph_.nodes[node_].effects;
-    if (effect_ + 1 == effects.first + effects.count) evaluated_.emplace(condition, truth);
+    judged_ = evaluate_condition(state, condition);
+    if (records<Condition>()) facts_->add(Condition{node_, effect_, condition, *judged_});
 }
 
 // ---- stores ----
@@ -154,7 +150,7 @@ void Transfer::assign(State& state, const Assign& assign) {
 void Transfer::store(State& state, Variable variable, Value value, ExpressionId expression) {
     // Channels have variables of their own, and run at the same time.
     if (channels_.running != graph_.all_channels || is_ambiguous(variable))
-        return clobber(state, variable, opaque_variable(variable, 8));
+        return clobber(state, variable, opaque_variable(variable));
     value = states_.typed(value, variable);
     if (records<Store>())
         facts_->add(Store{node_, effect_, variable, expression, value, states_.read(state, variable),
@@ -204,7 +200,7 @@ void Transfer::clobber_numbers(State& state, const VariableRange& range, const I
     for (auto number = static_cast<std::int32_t>(std::lround(first)); number <= std::lround(last); ++number) {
         const Variable variable{range.space, number};
         if (std::ranges::find(spared, variable) == spared.end())
-            clobber(state, variable, opaque_variable(variable, 5));
+            clobber(state, variable, opaque_variable(variable));
     }
 }
 
@@ -380,7 +376,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         if (visible(space)) havoc(state, space);
     const auto change_variable = [&](Variable variable, const VariableChange& change) {
         Value value;
-        value.symbol = opaque_variable(variable, 6).symbol;
+        value.symbol = opaque_variable(variable).symbol;
         value.vacancy = change.vacancy;
         value.vacancy_origin =
             change.vacancy == Vacancy::maybe || change.vacancy == Vacancy::vacant ? here() : 0;
@@ -406,7 +402,7 @@ void Transfer::clobber_passed(State& state, const Call& call) {
         if (argument.passing == Passing::by_value) continue;
         const auto& node = program_.expressions[argument.value].node;
         if (const auto* load = std::get_if<Load>(&node))
-            clobber(state, load->variable, opaque_variable(load->variable, 9));
+            clobber(state, load->variable, opaque_variable(load->variable));
         else if (const auto* indexed = std::get_if<LoadAt>(&node))
             clobber_indexed(state, indexed->family, indexed->index,
                             evaluate(state, indexed->index, Use::index));
@@ -423,12 +419,12 @@ void Transfer::change_handed_down(State& state, const Summary& summary) {
     for (const Variable variable : program_.handed_down) {
         if (!may_be_written(variable)) continue;
         const Variable meant = program_.meant_by(variable);
-        clobber(state, meant, opaque_variable(meant, 7));
+        clobber(state, meant, opaque_variable(meant));
     }
     for (const Variable variable : states_.handed_down()) {
         const auto& own = program_.handed_down;
         if (may_be_written(variable) && std::ranges::find(own, variable) == own.end())
-            clobber(state, variable, opaque_variable(variable, 7));
+            clobber(state, variable, opaque_variable(variable));
     }
 }
 
@@ -480,12 +476,13 @@ void Transfer::clobber(State& state, Variable variable, const Value& value) {
     states_.write(state, variable, value);
 }
 
-/// A value of which nothing is known; `what_for` keeps it apart from others that the effect makes.
-Value Transfer::opaque_variable(Variable variable, std::uint32_t what_for) {
+/// A value of which nothing is known, the one that the effect leaves in the variable.
+Value Transfer::opaque_variable(Variable variable) {
+    constexpr std::uint32_t left = 1U << 8U;
     Value value;
-    value.symbol = states_.table().symbols({Symbol::Kind::opaque, side_by_side(effect_, node_),
-                                            what_for << 8U | variable.space,
-                                            static_cast<std::uint32_t>(variable.number)});
+    value.symbol =
+        states_.table().symbols({Symbol::Kind::opaque, side_by_side(effect_, node_), left | variable.space,
+                                 static_cast<std::uint32_t>(variable.number)});
     return value;
 }
 

@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -46,7 +45,7 @@ class Transfer {
     [[nodiscard]] State run(flow::NodeId node, State state);
     /// The next edge is one of another node, or of another state, than were run last.
     void turn_back() {
-        evaluated_.reset();
+        judged_.reset();
         compared_.reset();
     }
     /// The state on an edge of the node that was run last, given the state after it; not reached when the
@@ -66,7 +65,7 @@ class Transfer {
     [[nodiscard]] Value opaque(ExpressionId id);
     [[nodiscard]] Value machine_value(FamilyId family, std::int32_t number, ExpressionId id);
     [[nodiscard]] Value indexed_value(FamilyId family, const Value& index, ExpressionId id);
-    [[nodiscard]] Value opaque_variable(Variable variable, std::uint32_t what_for);
+    [[nodiscard]] Value opaque_variable(Variable variable);
     [[nodiscard]] Truth evaluate_condition(const State& state, ExpressionId id);
     [[nodiscard]] Truth evaluate_chain(const State& state, std::span<const ExpressionId> operands, bool all);
     void refine(State& state, ExpressionId id, bool holds);
@@ -125,8 +124,7 @@ class Transfer {
     flow::NodeId node_ = 0;
     flow::NodeChannels channels_{}; ///< of the node
     EffectId effect_ = 0;
-    /// The node's condition, the same on all edges of a branch.
-    std::optional<std::pair<ExpressionId, Truth>> evaluated_;
+    std::optional<Truth> judged_; ///< of the node's condition, the same on all edges of a branch
     /// The comparison judged last in the state that is asked about, and its sides there.
     struct Compared {
         ExpressionId expression;

@@ -1,0 +1,90 @@
+//! Calls that end in an alarm for what they are given, and those that are taken to come back.
+#include "tests/support/analysed.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+/// Whether the main program, which makes the call, comes to its end. Nothing else is on the control.
+bool comes_back(const std::string& call, const std::string& called) {
+    const auto workspace =
+        test::analyse_files({{"O0001.nc", "O0001\n" + call + "\nM30\n"}, {"O0002.nc", "O0002\n" + called}},
+                            {.complete = true, .jobs = 1});
+    const ProgramAnalysis& main = workspace->programs().front();
+    return main.data().reached(static_cast<flow::NodeId>(main.graph().nodes.size() - 1));
+}
+
+const std::string alarm = "#3000=1(WRONG)\n";
+
+TEST(KnownCalls, EndInAnAlarmForANumberThatTheCalledProgramSees) {
+    const std::string common = "IF[#149NE260]GOTO9\n" + alarm + "N9M99\n";
+    EXPECT_FALSE(comes_back("#149=260\nG65P2", common));
+    EXPECT_FALSE(comes_back("#149=260\nM98P2", common));
+    EXPECT_TRUE(comes_back("#149=261\nG65P2", common));
+    EXPECT_TRUE(comes_back("#149=#500\nG65P2", common));
+    EXPECT_TRUE(comes_back("#148=260\nG65P2", common));
+    const std::string local = "IF[#8NE260]GOTO9\n" + alarm + "N9M99\n";
+    EXPECT_FALSE(comes_back("G65P2E260", local));
+    EXPECT_TRUE(comes_back("G65P2E261", local));
+    EXPECT_FALSE(comes_back("#8=260\nM98P2", local)); // a subprogram has the locals of its caller
+    EXPECT_TRUE(comes_back("#8=260\nG65P2", local));  // a macro has its own
+    EXPECT_TRUE(comes_back("#8=260\nG65P2E5", local));
+}
+
+TEST(KnownCalls, EndInAnAlarmForAVacantVariable) {
+    const std::string called = "IF[#149NE#0]GOTO9\n" + alarm + "N9M99\n";
+    EXPECT_FALSE(comes_back("#149=#0\nG65P2", called));
+    EXPECT_TRUE(comes_back("#149=0\nG65P2", called));
+    EXPECT_TRUE(comes_back("#149=#500\nG65P2", called));
+    const std::string local = "IF[#8NE#0]GOTO9\n" + alarm + "N9M99\n";
+    EXPECT_FALSE(comes_back("G65P2E#0", local));
+    EXPECT_TRUE(comes_back("G65P2E1.", local));
+    EXPECT_FALSE(comes_back("G65P2", local));
+    // Where others pass E, a call that leaves it out is no reason to look: that it does is reported.
+    EXPECT_TRUE(comes_back("G65P2", local + "O0003\nG65P2E1.\nM30\n"));
+}
+
+TEST(KnownCalls, ComeBackWhereverTheCalledProgramIsLeftWithoutAnAlarm) {
+    EXPECT_FALSE(comes_back("#149=260\nG65P2", "IF[#149NE260]GOTO9\n" + alarm + "N9X1.\n"));
+    EXPECT_TRUE(comes_back("#149=5\nG65P2", "IF[#149NE260]GOTO9\n" + alarm + "N9X1.\n")); // runs off its end
+    EXPECT_TRUE(comes_back("#149=5\nG65P2", "IF[#149EQ260]THEN" + alarm + "M99\n"));
+}
+
+TEST(KnownCalls, AreFollowedThroughLoops) {
+    const std::string ten = "#33=0\nWHILE[#33LT20]DO1\n#33=#33+1\nEND1\n";
+    const std::string called = ten + "IF[#149EQ260]THEN" + alarm + "M99\n";
+    EXPECT_FALSE(comes_back("#149=260\nG65P2", called));
+    EXPECT_TRUE(comes_back("#149=5\nG65P2", called));
+    // Only after many rounds does it come to its M99.
+    const std::string late = "IF[#149EQ260]THEN" + alarm +
+                             "#33=0\nN1#33=#33+1\nIF[#33LT#500]GOTO1\n"
+                             "IF[#33LT30]GOTO1\nM99\n";
+    EXPECT_TRUE(comes_back("#149=5\nG65P2", late));
+    EXPECT_FALSE(comes_back("#149=260\nG65P2", late));
+}
+
+/// So many calls, each with a number of its own, before one for which the program ends in an alarm.
+std::string after_other_calls(int count) {
+    std::string calls;
+    for (int i = 0; i < count; ++i) calls += "#149=" + std::to_string(1000 + i) + "\nG65P2\n";
+    return calls + "#149=260\nG65P2";
+}
+
+TEST(KnownCalls, AreTakenToComeBackWhereFollowingThemWouldTakeTooLong) {
+    const std::string called = "IF[#149NE260]GOTO9\n" + alarm + "N9M99\n";
+    EXPECT_FALSE(comes_back(after_other_calls(40), called));
+    EXPECT_TRUE(comes_back(after_other_calls(100), called));
+    const auto longer = [&](int blocks) {
+        std::string text;
+        for (int i = 0; i < blocks; ++i) text += "#150=#500\n";
+        return text + called;
+    };
+    EXPECT_FALSE(comes_back("#149=260\nG65P2", longer(500)));
+    EXPECT_TRUE(comes_back("#149=260\nG65P2", longer(3000)));
+}
+
+} // namespace
+} // namespace maclint
