@@ -115,7 +115,7 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
     std::unordered_set<const Source*> asked;
     for (const ProgramFile* file : files) asked.insert(file->source.get());
     std::erase_if(findings, [&](const Finding& finding) { return !asked.contains(finding.source.get()); });
-    std::ranges::stable_sort(findings, comes_before);
+    put_in_order(findings);
     return findings;
 }
 

@@ -18,8 +18,8 @@ constexpr std::size_t most_legs = 8;
 constexpr std::size_t most_work = 40'000'000;
 constexpr std::size_t work_of_a_visit = 100;     ///< as long as measuring so many nodes
 constexpr std::size_t work_of_a_cycles_node = 4; ///< likewise
-/// So many nodes of what decisions depend on are kept for the next search.
-constexpr std::size_t most_kept = 1'000'000;
+/// Of so many sets of reasons each is asked; where there are more, one of all their variables.
+constexpr std::size_t most_sets = 4;
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
 
 bool is_barred(std::span<const flow::NodeId> barred, flow::NodeId node) {
@@ -56,7 +56,6 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     places_.clear();
     ways_.clear();
     failed_.clear();
-    ahead_ = nullptr;
     visits_ = 0;
     PathFound found;
     flow::NodeId from = 0;
@@ -77,7 +76,10 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
         ways_.pop_back();
         // The run stands at the node that was run last: after going back that is another one.
         const auto next = run_.along(way, place.after);
-        if (!next) continue;
+        if (!next) {
+            note_closed(place, graph_.edges[way]);
+            continue;
+        }
         place.taken = way;
         arrived = arrive(graph_.edges[way].to, place.leg, *next);
     }
@@ -133,11 +135,13 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
         point = run_.after_changes(*changes, point);
     // Blocks that run once more make other values of the same symbols.
     if (back_on_path) PathRun::forget_assumptions(point);
-    std::uint64_t fingerprint = 0;
-    if (ahead_ != nullptr && ways_meet_[node] && failed_before(node, leg, point, fingerprint)) return false;
+    if (const VariableSet* why = failed_before(node, leg, point)) {
+        if (!places_.empty()) add_reasons(places_.back(), *why);
+        return false;
+    }
     ++visits_;
     on_path_[node] = static_cast<std::uint8_t>(on_path_[node] | 1U << leg);
-    places_.push_back({node, leg, run_.run(node, point), ways_.size(), {}, fingerprint});
+    places_.push_back({node, leg, point, run_.run(node, point), ways_.size()});
     add_ways_from(node, leg);
     return false;
 }
@@ -156,30 +160,65 @@ void PathExplorer::add_ways_from(flow::NodeId node, std::uint32_t leg) {
 }
 
 void PathExplorer::go_back() {
-    if (ahead_ == nullptr) ahead_ = &deciding_on_the_way_to(legs_.back().to);
-    const Place& place = places_.back();
-    if (place.fingerprint != 0) failed_.insert(place.fingerprint);
-    on_path_[place.node] = static_cast<std::uint8_t>(on_path_[place.node] & ~(1U << place.leg));
+    const Place place = std::move(places_.back());
     places_.pop_back();
-    if (!places_.empty()) places_.back().taken.reset();
+    on_path_[place.node] = static_cast<std::uint8_t>(on_path_[place.node] & ~(1U << place.leg));
+    VariableSet why = place.reasons.empty() ? reasons().none() : place.reasons;
+    reasons().go_back_over(place.node, why);
+    if (ways_meet_[place.node]) remember_failure(place, why);
+    if (places_.empty()) return;
+    add_reasons(places_.back(), why);
+    places_.back().taken.reset();
 }
 
-PathExplorer::Deciding& PathExplorer::deciding_on_the_way_to(flow::NodeId goal) {
-    const auto known = deciding_.find(goal);
-    if (known != deciding_.end()) return known->second;
-    if ((deciding_.size() + 1) * graph_.nodes.size() > most_kept) deciding_.clear();
-    const dataflow::Callees& callees = analysis_.data().callees();
-    auto decisions = dataflow::Liveness::of_decisions(analysis_.program(), graph_, callees, goal);
-    return deciding_.emplace(goal, Deciding{std::move(decisions), {}}).first->second;
+const FailureReasons& PathExplorer::reasons() {
+    if (!reasons_) reasons_.emplace(analysis_.program(), graph_, analysis_.data().callees());
+    return *reasons_;
 }
 
-bool PathExplorer::failed_before(flow::NodeId node, std::uint32_t leg, const Point& point,
-                                 std::uint64_t& fingerprint) {
-    const auto [deciding, fresh] = ahead_->before.try_emplace(node);
-    if (fresh) deciding->second = ahead_->decisions.live_before(node);
-    fingerprint =
-        dataflow::mix(run_.fingerprint(point, deciding->second), dataflow::side_by_side(node, leg)) | 1U;
-    return failed_.contains(fingerprint);
+/// The way that was taken from the place has failed. What was decided there counts where it says something of
+/// a value on which the failure depends.
+void PathExplorer::add_reasons(Place& place, const VariableSet& more) {
+    if (place.reasons.empty()) place.reasons = reasons().none();
+    dataflow::VariableSets::add_all(place.reasons, more);
+    const flow::Edge& way = graph_.edges[*place.taken];
+    if (!way.condition && !way.label) return;
+    VariableSet decided = reasons().none();
+    reasons().add_decision(way, decided);
+    if (run_.share_a_value(place.after, reasons().members(decided), reasons().members(more)))
+        dataflow::VariableSets::add_all(place.reasons, decided);
+}
+
+void PathExplorer::note_closed(Place& place, const flow::Edge& way) {
+    if (place.reasons.empty()) place.reasons = reasons().none();
+    if (place.after.state.reached)
+        reasons().add_decision(way, place.reasons);
+    else
+        reasons().add_returns(place.node, place.reasons);
+}
+
+void PathExplorer::remember_failure(const Place& place, const VariableSet& why) {
+    std::vector<Failure>& failures = failed_[dataflow::side_by_side(place.node, place.leg)];
+    auto failure = std::ranges::find(failures, why, &Failure::why);
+    if (failure == failures.end()) {
+        VariableSet all = why;
+        if (failures.size() == most_sets) {
+            for (const Failure& other : failures) dataflow::VariableSets::add_all(all, other.why);
+            failures.clear();
+        }
+        failures.push_back({all, reasons().members(all), {}});
+        failure = std::prev(failures.end());
+    }
+    failure->fingerprints.insert(run_.fingerprint(place.before, failure->variables));
+}
+
+const VariableSet* PathExplorer::failed_before(flow::NodeId node, std::uint32_t leg, const Point& point) {
+    if (failed_.empty() || !ways_meet_[node]) return nullptr;
+    const auto failures = failed_.find(dataflow::side_by_side(node, leg));
+    if (failures == failed_.end()) return nullptr;
+    for (const Failure& failure : failures->second)
+        if (failure.fingerprints.contains(run_.fingerprint(point, failure.variables))) return &failure.why;
+    return nullptr;
 }
 
 } // namespace maclint::execution

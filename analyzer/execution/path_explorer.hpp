@@ -2,7 +2,7 @@
 //! can turn out otherwise where it cannot go on.
 #pragma once
 
-#include "analyzer/dataflow/solver/liveness.hpp"
+#include "analyzer/execution/failure_reasons.hpp"
 #include "analyzer/execution/path_run.hpp"
 #include "analyzer/execution/rounds.hpp"
 
@@ -42,10 +42,11 @@ class PathExplorer {
     struct Place {
         flow::NodeId node;
         std::uint32_t leg;
-        Point after;
+        Point before, after;
         std::size_t ways; ///< so many of all `ways_` are those of nodes before
-        std::optional<flow::EdgeId> taken;
-        std::uint64_t fingerprint; ///< of the point before the node; 0: not asked for
+        std::optional<flow::EdgeId> taken = {};
+        VariableSet reasons =
+            {}; ///< why ways that were tried do not lead on, after the node; empty: none was
     };
 
     void measure(std::span<const Leg> legs);
@@ -56,10 +57,12 @@ class PathExplorer {
     /// Whether all the work that is allowed for the program has been done.
     [[nodiscard]] bool is_spent() const;
     [[nodiscard]] PathFound path_gone() const;
-    struct Deciding;
-    [[nodiscard]] Deciding& deciding_on_the_way_to(flow::NodeId goal);
-    [[nodiscard]] bool failed_before(flow::NodeId node, std::uint32_t leg, const Point& point,
-                                     std::uint64_t& fingerprint);
+    [[nodiscard]] const FailureReasons& reasons();
+    void add_reasons(Place& place, const VariableSet& more);
+    void note_closed(Place& place, const flow::Edge& way);
+    void remember_failure(const Place& place, const VariableSet& why);
+    /// Why no way led on from there where all that this depends on was the same; nullptr: it was not.
+    [[nodiscard]] const VariableSet* failed_before(flow::NodeId node, std::uint32_t leg, const Point& point);
     void add_ways_from(flow::NodeId node, std::uint32_t leg);
     [[nodiscard]] bool is_on_path(flow::NodeId node, std::uint32_t leg) const {
         return (on_path_[node] >> leg & 1U) != 0;
@@ -74,15 +77,15 @@ class PathExplorer {
     std::vector<std::uint8_t> on_path_;                ///< of every node, a bit for each leg
     std::vector<bool> ways_meet_;                      ///< of every node: see ways_meet
     std::vector<Place> places_;
-    std::vector<flow::EdgeId> ways_; ///< not tried yet, of each place in turn, the next one last
-    /// What the decisions on the way to a goal depend on.
-    struct Deciding {
-        dataflow::Liveness decisions;
-        std::unordered_map<flow::NodeId, std::vector<Variable>> before; ///< nodes asked about so far
+    std::vector<flow::EdgeId> ways_;        ///< not tried yet, of each place in turn, the next one last
+    std::optional<FailureReasons> reasons_; ///< nothing: no way has failed in any search
+    /// No way leads on from points that agree in the variables.
+    struct Failure {
+        VariableSet why;
+        std::vector<Variable> variables;                ///< those of `why`
+        std::unordered_set<std::uint64_t> fingerprints; ///< of the points so far
     };
-    std::unordered_map<flow::NodeId, Deciding> deciding_; ///< of goals that some way failed to reach
-    Deciding* ahead_ = nullptr;                           ///< in this search; nullptr: no way has failed
-    std::unordered_set<std::uint64_t> failed_;            ///< fingerprints from which no way leads on
+    std::unordered_map<std::uint64_t, std::vector<Failure>> failed_; ///< in this search, by node and leg
     std::size_t visits_ = 0;
     std::size_t work_ = 0; ///< of all searches: nodes that were measured or visited
 };

@@ -31,10 +31,11 @@ PathRun::PathRun(const ProgramAnalysis& analysis)
     : program_(analysis.program())
     , graph_(analysis.graph())
     , states_(program_, analysis.data().knowledge())
-    , transfer_(program_, graph_, states_, analysis.data().callees())
-    , reads_modal_state_(std::ranges::any_of(program_.expressions, [](const Expression& expression) {
-        return std::holds_alternative<LoadModal>(expression.node);
-    })) {
+    , transfer_(program_, graph_, states_, analysis.data().callees()) {
+    for (const Expression& expression : program_.expressions)
+        if (const auto* load = std::get_if<LoadModal>(&expression.node)) asked_groups_.push_back(load->group);
+    std::ranges::sort(asked_groups_);
+    asked_groups_.erase(std::ranges::unique(asked_groups_).begin(), asked_groups_.end());
     transfer_.follow_one_path();
 }
 
@@ -184,7 +185,7 @@ bool PathRun::can_be_seen(SymbolId id) const {
     default: break;
     }
     // 0: a result of one operand has no other.
-    return id == 0 || (id < seen_in_.size() && seen_in_[id] == fingerprints_);
+    return id == 0 || is_seen(id);
 }
 
 /// How large it is and whether it is vacant; which value it is counts only where something is assumed of it.
@@ -195,6 +196,20 @@ std::uint64_t PathRun::print_of(std::uint32_t value) {
     const Value& of = states_.table().values[value];
     print = dataflow::mix(static_cast<std::uint64_t>(of.vacancy), std::bit_cast<std::uint64_t>(of.low));
     return print = dataflow::mix(print, std::bit_cast<std::uint64_t>(of.high)) | 1U;
+}
+
+bool PathRun::share_a_value(const Point& point, std::span<const Variable> some,
+                            std::span<const Variable> others) {
+    if (some.empty() || others.empty()) return false;
+    ++fingerprints_;
+    const auto symbol_of = [&](Variable variable) {
+        return states_.table().values[states_.id_of(point.state, variable)].symbol;
+    };
+    for (const Variable variable : others) see(symbol_of(variable));
+    return std::ranges::any_of(some, [&](Variable variable) {
+        const SymbolId symbol = symbol_of(variable);
+        return is_seen(symbol) && states_.table().symbols[symbol].kind != Symbol::Kind::constant;
+    });
 }
 
 std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable> deciding) {
@@ -212,15 +227,13 @@ std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable>
         print = dataflow::mix(print, std::bit_cast<std::uint64_t>(assumption.number));
         print = dataflow::mix(print, static_cast<std::uint64_t>(assumption.operation));
     }
-    if (!reads_modal_state_) return print;
-    for (std::size_t i = 0; i < program_.control->groups.size(); ++i) {
+    for (const GroupId group : asked_groups_)
         dataflow::for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
             const dataflow::ModalValue& value =
-                states_.read(point.state, dataflow::ChannelGroup{channel, static_cast<GroupId>(i)});
+                states_.read(point.state, dataflow::ChannelGroup{channel, group});
             for (const dataflow::ModalPart& part : value.parts) print = dataflow::mix(print, part.symbol);
             print = dataflow::mix(print, value.unknown ? 1 : 0);
         });
-    }
     return print;
 }
 

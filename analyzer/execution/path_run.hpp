@@ -51,6 +51,9 @@ class PathRun {
     /// What makes a difference later, when only decisions on these variables come: two points that agree in
     /// it can go the same ways.
     [[nodiscard]] std::uint64_t fingerprint(const Point& point, std::span<const Variable> deciding);
+    /// Whether some variable of one list has the same value as one of the other, and that is no known number.
+    [[nodiscard]] bool share_a_value(const Point& point, std::span<const Variable> some,
+                                     std::span<const Variable> others);
 
   private:
     /// A step that was taken: the node, edge or changes, and the point before it.
@@ -81,6 +84,9 @@ class PathRun {
     /// What a decision can ask of the value with this number in the table.
     [[nodiscard]] std::uint64_t print_of(std::uint32_t value);
     void see(dataflow::SymbolId id);
+    [[nodiscard]] bool is_seen(dataflow::SymbolId id) const {
+        return id < seen_in_.size() && seen_in_[id] == fingerprints_;
+    }
     [[nodiscard]] bool can_be_seen(dataflow::SymbolId id) const;
 
     const Program& program_;
@@ -91,7 +97,7 @@ class PathRun {
     dataflow::Interner<Step> steps_;
     std::vector<std::optional<Point>> after_;                   ///< of each step
     std::unordered_map<std::uint32_t, dataflow::Root> unknown_; ///< by id of changes, see unknown_after
-    bool reads_modal_state_;                                    ///< somewhere in the program
+    std::vector<GroupId> asked_groups_;                         ///< that the program reads somewhere
     std::vector<std::uint64_t> prints_;                         ///< of values, see print_of; 0: not asked for
     std::vector<std::uint32_t> seen_in_; ///< of each symbol: the last fingerprint that counts it
     std::uint32_t fingerprints_ = 0;     ///< so many were asked for

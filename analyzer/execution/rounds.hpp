@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/cycles.hpp"
 #include "analyzer/execution/path_run.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -28,7 +29,7 @@ class Rounds {
     template<class IsPassed>
     [[nodiscard]] const Changes* at(flow::NodeId node, std::span<const flow::NodeId> barred,
                                     const IsPassed& is_passed) {
-        if (!entered_aside(node)) return changes_of(headed_by(node), barred);
+        if (!entered_aside(node)) return leads_back_to(node) ? changes_of(headed_by(node), barred) : nullptr;
         passed_.assign(graph_.nodes.size(), false);
         for (flow::NodeId each = 0; each < passed_.size(); ++each) passed_[each] = is_passed(each);
         return changes_of(through(node), barred);
@@ -42,6 +43,12 @@ class Rounds {
         Changes changes;
     };
 
+    /// Whether an edge does, in the order of the graph.
+    [[nodiscard]] bool leads_back_to(flow::NodeId node) const {
+        return std::ranges::any_of(graph_.in[node], [&](flow::EdgeId edge) {
+            return graph_.order[graph_.edges[edge].from] >= graph_.order[node];
+        });
+    }
     /// The nodes that lead back to the node and come after it in the order of the graph: all that its cycles
     /// hold when a path can come to these nodes by way of it alone.
     [[nodiscard]] const Cycle& headed_by(flow::NodeId head);

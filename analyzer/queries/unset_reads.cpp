@@ -144,6 +144,14 @@ Unset kind_of(const ProgramAnalysis& analysis, const dataflow::Read& read, SetSo
     return formal && !analysis.is_main() ? Unset::as_argument : Unset::always;
 }
 
+/// A path to the read; on none of its nodes is the variable set where it is as it was at the start.
+execution::PathFound path_to(execution::PathSearch& search, const ProgramAnalysis& analysis,
+                             const dataflow::Read& read) {
+    if (is_as_at_entry(analysis, read))
+        return path_without_assignment(search, analysis, read.variable, read.node);
+    return search.find(std::array{execution::Leg{read.node, {}}});
+}
+
 /// Puts the read to those that go back to the same mistake.
 void add_to(std::vector<UnsetReads>& groups, const ProgramAnalysis& analysis, Unset kind, UnsetRead found) {
     MissingCase missing;
@@ -213,14 +221,13 @@ std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
         if (tried.some_failed && !without_assignment.leads_to(read.variable, read.node)) continue;
         ++tried.searches;
         if (!search) search.emplace(analysis);
-        execution::PathFound found = is_as_at_entry(analysis, read)
-                                         ? path_to_use(*search, analysis, read)
-                                         : search->find(std::array{execution::Leg{read.node, {}}});
-        // A path to a word has to lead on to an exit.
-        if (!found.path && !found.gave_up && read.use != dataflow::Use::word) {
+        execution::PathFound found = path_to(*search, analysis, read);
+        if (!found.path && !found.gave_up) {
             without_assignment.exclude(read.variable, read.node);
             tried.some_failed = true;
         }
+        if (found.path && read.use == dataflow::Use::word && is_as_at_entry(analysis, read))
+            found = path_past_word(*search, analysis, read);
         if (!found.path) continue;
         tried.searches = most_attempts; // once a variable
         add_to(groups, analysis, kind_of(analysis, read, set), {&read, *std::move(found.path)});

@@ -81,10 +81,8 @@ bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     return is_used(analysis, read, seen);
 }
 
-execution::PathFound path_to_use(execution::PathSearch& search, const ProgramAnalysis& analysis,
-                                 const dataflow::Read& read) {
-    if (read.use != dataflow::Use::word)
-        return path_without_assignment(search, analysis, read.variable, read.node);
+execution::PathFound path_past_word(execution::PathSearch& search, const ProgramAnalysis& analysis,
+                                    const dataflow::Read& read) {
     execution::PathFound found;
     for (const flow::Exit& exit : analysis.graph().exits) {
         if (exit.kind == flow::ExitKind::alarm || !analysis.data().reached(exit.node)) continue;

@@ -12,10 +12,10 @@ namespace maclint::queries {
 /// reads in turn, and where what it calculates is replaced before it is read.
 [[nodiscard]] bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read);
 
-/// A path to the read on which nothing sets the variable, and after which the program can go on as if nothing
-/// was wrong: a word that is ignored does no harm on the way to an alarm. `search` is one of the same
-/// program.
-[[nodiscard]] execution::PathFound path_to_use(execution::PathSearch& search, const ProgramAnalysis& analysis,
-                                               const dataflow::Read& read);
+/// A path to the word that reads a variable, on which nothing sets the variable, and after which the program
+/// can go on as if nothing was wrong: a word that is ignored does no harm on the way to an alarm. `search` is
+/// one of the same program.
+[[nodiscard]] execution::PathFound
+path_past_word(execution::PathSearch& search, const ProgramAnalysis& analysis, const dataflow::Read& read);
 
 } // namespace maclint::queries

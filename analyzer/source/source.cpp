@@ -1,9 +1,10 @@
 //! Source: bytes that stay in place, and a line index built when the first position is asked for.
 #include "analyzer/source/source.hpp"
 
+#include "analyzer/source/made_once.hpp"
+
 #include <cassert>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -16,15 +17,13 @@ struct Source::Contents {
         , encoding(given_encoding ? *given_encoding : detect_encoding(bytes)) {}
 
     const LineIndex& lines() const {
-        std::call_once(indexed, [this] { index.emplace(bytes, encoding); });
-        return *index;
+        return index.get([this] { return LineIndex(bytes, encoding); });
     }
 
     const std::string path;
     const std::string bytes;
     const Encoding encoding;
-    mutable std::once_flag indexed;
-    mutable std::optional<LineIndex> index;
+    mutable MadeOnce<LineIndex> index;
 };
 
 Source::Source(std::shared_ptr<const Contents> contents)

@@ -6,19 +6,18 @@
 namespace maclint {
 
 std::optional<std::vector<flow::EdgeId>> ProgramAnalysis::path_from_start(flow::NodeId node) const {
-    std::call_once(shortest_paths_once_, [this] {
-        paths_.emplace(graph_, [this](flow::EdgeId id) { return data_->passable(id); });
+    const flow::ShortestPaths& paths = paths_.get([this] {
+        return flow::ShortestPaths(graph_, [this](flow::EdgeId id) { return data_->passable(id); });
     });
-    return paths_->to(graph_, node);
+    return paths.to(graph_, node);
 }
 
 const dataflow::Liveness& ProgramAnalysis::liveness() const {
-    std::call_once(liveness_once_, [this] {
+    return liveness_.get([this] {
         using Locals = dataflow::Liveness::Locals;
         const bool own = (is_main() || is_macro_) && !locals_are_callers_;
-        liveness_.emplace(*program_, graph_, own ? Locals::end_with_it : Locals::outlive_it);
+        return dataflow::Liveness(*program_, graph_, own ? Locals::end_with_it : Locals::outlive_it);
     });
-    return *liveness_;
 }
 
 std::vector<flow::LabelledBlock> ProgramAnalysis::targets_of(const flow::ResolvedJump& jump) const {

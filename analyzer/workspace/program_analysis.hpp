@@ -8,13 +8,13 @@
 #include "analyzer/flow/regions.hpp"
 #include "analyzer/flow/shortest_paths.hpp"
 #include "analyzer/program/model.hpp"
+#include "analyzer/source/made_once.hpp"
 #include "analyzer/workspace/call_paths.hpp"
 #include "analyzer/workspace/resolve.hpp"
 #include "analyzer/workspace/search_memory.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -126,10 +126,8 @@ class ProgramAnalysis {
     flow::Graph graph_;
     std::optional<dataflow::Analysis> data_;
     std::vector<dataflow::Loop> loops_, inescapable_cycles_;
-    mutable std::once_flag shortest_paths_once_; ///< most programs have no finding
-    mutable std::optional<flow::ShortestPaths> paths_;
-    mutable std::once_flag liveness_once_;
-    mutable std::optional<dataflow::Liveness> liveness_;
+    mutable MadeOnce<flow::ShortestPaths> paths_; ///< most programs have no finding
+    mutable MadeOnce<dataflow::Liveness> liveness_;
     mutable SearchMemory search_memory_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;

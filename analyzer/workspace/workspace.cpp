@@ -501,11 +501,13 @@ Workspace::~Workspace() = default;
 const std::deque<ProgramAnalysis>& Workspace::programs() const { return *programs_; }
 
 std::size_t Workspace::count_named(std::string_view name) const {
-    std::call_once(named_once_, [this] {
-        for (const ProgramAnalysis& analysis : *programs_) ++named_[analysis.program().name];
+    const auto& counts = named_.get([this] {
+        std::unordered_map<std::string_view, std::size_t> all;
+        for (const ProgramAnalysis& analysis : *programs_) ++all[analysis.program().name];
+        return all;
     });
-    const auto known = named_.find(name);
-    return known == named_.end() ? 0 : known->second;
+    const auto known = counts.find(name);
+    return known == counts.end() ? 0 : known->second;
 }
 
 std::unique_ptr<Workspace> Workspace::analyse(std::vector<WorkspaceFile> files,

@@ -3,11 +3,11 @@
 
 #include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/program/model.hpp"
+#include "analyzer/source/made_once.hpp"
 
 #include <cstddef>
 #include <deque>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <string_view>
 #include <unordered_map>
@@ -59,8 +59,7 @@ class Workspace {
     std::vector<WorkspaceFile> files_;
     std::unique_ptr<std::deque<ProgramAnalysis>> programs_;
     std::unique_ptr<CallPaths> call_paths_;
-    mutable std::once_flag named_once_;
-    mutable std::unordered_map<std::string_view, std::size_t> named_;
+    mutable MadeOnce<std::unordered_map<std::string_view, std::size_t>> named_;
     std::vector<std::int32_t> ambiguous_names_; ///< numbers that several shared names have; sorted
 };
 

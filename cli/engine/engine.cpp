@@ -61,7 +61,7 @@ class Run {
         if (stop_.stop_requested()) return Result{.cancelled = true};
         check_groups(groups_asked_for());
         if (stop_.stop_requested()) return Result{.cancelled = true};
-        std::ranges::stable_sort(result_.findings, comes_before, &FilteredFinding::finding);
+        put_in_order(result_.findings, &FilteredFinding::finding);
         for (auto notice : {bounds_.searches(), bounds_.jumps()})
             if (notice) result_.notices.push_back(*std::move(notice));
         result_.timing = watches_.times();

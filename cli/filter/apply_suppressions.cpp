@@ -197,7 +197,7 @@ class FileSuppressions {
     }
 
     void take(std::vector<Finding> findings) {
-        std::ranges::stable_sort(findings, comes_before);
+        put_in_order(findings);
         evaluated_.reserve(evaluated_.size() + findings.size());
         for (Finding& finding : findings) {
             std::optional<Suppression> suppressed;
@@ -296,7 +296,7 @@ std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings,
         else
             std::ranges::move(judged, std::back_inserter(filtered));
     }
-    std::ranges::stable_sort(filtered, comes_before, &FilteredFinding::finding);
+    put_in_order(filtered, &FilteredFinding::finding);
     return filtered;
 }
 

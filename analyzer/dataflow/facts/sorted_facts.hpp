@@ -1,8 +1,9 @@
 //! Facts in another order than that of their list, for those who look for some of many.
 #pragma once
 
+#include "analyzer/source/made_once.hpp"
+
 #include <algorithm>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -18,18 +19,19 @@ class SortedFacts {
     [[nodiscard]] std::span<const T* const> with(std::span<const T> facts, const Key& key,
                                                  const KeyOf& key_of) const {
         const auto key_at = [&](const T* fact) { return key_of(*fact); };
-        std::call_once(once_, [&] {
-            sorted_.reserve(facts.size());
-            for (const T& fact : facts) sorted_.push_back(&fact);
-            std::ranges::stable_sort(sorted_, {}, key_at);
+        const std::vector<const T*>& sorted = sorted_.get([&] {
+            std::vector<const T*> all;
+            all.reserve(facts.size());
+            for (const T& fact : facts) all.push_back(&fact);
+            std::ranges::stable_sort(all, {}, key_at);
+            return all;
         });
-        const auto found = std::ranges::equal_range(sorted_, key, {}, key_at);
+        const auto found = std::ranges::equal_range(sorted, key, {}, key_at);
         return {found.begin(), found.end()};
     }
 
   private:
-    mutable std::once_flag once_;
-    mutable std::vector<const T*> sorted_;
+    mutable MadeOnce<std::vector<const T*>> sorted_;
 };
 
 } // namespace maclint::dataflow

@@ -1,0 +1,41 @@
+//! What it depends on that no path leads on from a place.
+#pragma once
+
+#include "analyzer/dataflow/solver/summary.hpp"
+#include "analyzer/dataflow/solver/variable_sets.hpp"
+#include "analyzer/flow/graph.hpp"
+
+#include <vector>
+
+namespace maclint::execution {
+
+using dataflow::VariableSet;
+
+/// Variables that a search has asked for in vain: where they hold the same again it need not ask.
+class FailureReasons {
+  public:
+    /// The references must outlive the reasons.
+    FailureReasons(const Program& program, const flow::Graph& graph, const dataflow::Callees& callees)
+        : program_(program)
+        , graph_(graph)
+        , callees_(callees)
+        , sets_(program, graph) {}
+
+    [[nodiscard]] VariableSet none() const { return sets_.none(); }
+    [[nodiscard]] std::vector<Variable> members(const VariableSet& set) const { return sets_.members(set); }
+    /// What is asked at the edge.
+    void add_decision(const flow::Edge& edge, VariableSet& set) const;
+    /// What decides whether the programs that the node calls come back. Arguments seldom differ from path to
+    /// path.
+    void add_returns(flow::NodeId node, VariableSet& set) const;
+    /// From after the node to before it: what a variable holds is asked of what was stored in it.
+    void go_back_over(flow::NodeId node, VariableSet& set) const;
+
+  private:
+    const Program& program_;
+    const flow::Graph& graph_;
+    const dataflow::Callees& callees_;
+    dataflow::VariableSets sets_;
+};
+
+} // namespace maclint::execution
