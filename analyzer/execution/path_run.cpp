@@ -167,9 +167,10 @@ PathRun::Point PathRun::change(const Changes& changes, Point point) {
 
 // ---- what makes a difference
 
-void PathRun::see(SymbolId id) {
-    if (id >= seen_in_.size()) seen_in_.resize(std::max<std::size_t>(id + 1, 2 * seen_in_.size()), 0);
-    seen_in_[id] = fingerprints_;
+std::uint32_t PathRun::see(SymbolId id, std::uint32_t place) {
+    if (id >= seen_.size()) seen_.resize(std::max<std::size_t>(id + 1, 2 * seen_.size()));
+    if (!is_seen(id)) seen_[id] = {fingerprints_, place};
+    return seen_[id].place;
 }
 
 /// Whether a decision can come upon the value again that sees what this fingerprint counts and the machine.
@@ -188,7 +189,8 @@ bool PathRun::can_be_seen(SymbolId id) const {
     return id == 0 || is_seen(id);
 }
 
-/// How large it is and whether it is vacant; which value it is counts only where something is assumed of it.
+/// How large it is and whether it is vacant; which value it is counts only where something is assumed of it,
+/// or another variable has the same.
 std::uint64_t PathRun::print_of(std::uint32_t value) {
     if (value >= prints_.size()) prints_.resize(std::max<std::size_t>(value + 1, 2 * prints_.size()), 0);
     std::uint64_t& print = prints_[value];
@@ -205,7 +207,7 @@ bool PathRun::share_a_value(const Point& point, std::span<const Variable> some,
     const auto symbol_of = [&](Variable variable) {
         return states_.table().values[states_.id_of(point.state, variable)].symbol;
     };
-    for (const Variable variable : others) see(symbol_of(variable));
+    for (const Variable variable : others) see(symbol_of(variable), 0);
     return std::ranges::any_of(some, [&](Variable variable) {
         const SymbolId symbol = symbol_of(variable);
         return is_seen(symbol) && states_.table().symbols[symbol].kind != Symbol::Kind::constant;
@@ -215,10 +217,10 @@ bool PathRun::share_a_value(const Point& point, std::span<const Variable> some,
 std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable> deciding) {
     std::uint64_t print = 0;
     ++fingerprints_;
-    for (const Variable variable : deciding) {
-        const std::uint32_t value = states_.id_of(point.state, variable);
+    for (std::uint32_t place = 0; place < deciding.size(); ++place) {
+        const std::uint32_t value = states_.id_of(point.state, deciding[place]);
         print = dataflow::mix(print, print_of(value));
-        see(states_.table().values[value].symbol);
+        print = dataflow::mix(print, see(states_.table().values[value].symbol, place));
     }
     for (Assumptions::Id id = point.assumed; id != Assumptions::none; id = assumptions_[id].earlier) {
         const Assumptions::Assumption& assumption = assumptions_[id];

@@ -83,9 +83,10 @@ class PathRun {
                                   bool holds);
     /// What a decision can ask of the value with this number in the table.
     [[nodiscard]] std::uint64_t print_of(std::uint32_t value);
-    void see(dataflow::SymbolId id);
+    /// As the value of the variable at that place of a list; returns the place where it was seen first.
+    std::uint32_t see(dataflow::SymbolId id, std::uint32_t place);
     [[nodiscard]] bool is_seen(dataflow::SymbolId id) const {
-        return id < seen_in_.size() && seen_in_[id] == fingerprints_;
+        return id < seen_.size() && seen_[id].in == fingerprints_;
     }
     [[nodiscard]] bool can_be_seen(dataflow::SymbolId id) const;
 
@@ -99,8 +100,12 @@ class PathRun {
     std::unordered_map<std::uint32_t, dataflow::Root> unknown_; ///< by id of changes, see unknown_after
     std::vector<GroupId> asked_groups_;                         ///< that the program reads somewhere
     std::vector<std::uint64_t> prints_;                         ///< of values, see print_of; 0: not asked for
-    std::vector<std::uint32_t> seen_in_; ///< of each symbol: the last fingerprint that counts it
-    std::uint32_t fingerprints_ = 0;     ///< so many were asked for
+    /// The last fingerprint that counts a symbol, and the place of its first variable there.
+    struct Seen {
+        std::uint32_t in = 0, place = 0;
+    };
+    std::vector<Seen> seen_;         ///< of each symbol
+    std::uint32_t fingerprints_ = 0; ///< so many were asked for
 };
 
 } // namespace maclint::execution

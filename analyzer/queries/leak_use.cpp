@@ -251,7 +251,6 @@ class Search {
         const ModalMove move = is_motion() ? modal_move_in(program, block) : ModalMove{true, false};
         if (!move.relies) return true;
         if (!point.inside && !can_follow(program, point.call, point.node)) return true;
-        result_.matters = true;
         const bool own_is_lost = !point.inside && loses_own(program, point.call);
         if (result_.program == nullptr || own_is_lost || move.gives_feed)
             result_ = {true, &program, block, own_is_lost, move.gives_feed};

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/facts/call_made.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/origins.hpp"
@@ -33,7 +34,14 @@ bool may_set(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write,
 
 /// The nodes after which the group may be something else, sorted: words that set it, or may, and calls.
 std::vector<flow::NodeId> changes_of(const ProgramAnalysis& analysis, GroupId group) {
+    const flow::Graph& graph = analysis.graph();
     std::vector<flow::NodeId> nodes;
+    for (flow::NodeId node = 0; node < graph.nodes.size(); ++node)
+        if (graph.nodes[node].is_run)
+            for_each_last_setting(analysis.program(), graph.nodes[node].stretch(),
+                                  [&](const ModalSetting& setting) {
+                                      if (setting.group == group) nodes.push_back(node);
+                                  });
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>())
         if (may_set(analysis, write, group)) nodes.push_back(write.node);
     for (const dataflow::CallMade& call : analysis.facts().all<dataflow::CallMade>()) {

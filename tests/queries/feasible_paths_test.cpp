@@ -133,7 +133,7 @@ execution::PathFound search_for_last_read(const ProgramAnalysis& program, std::i
     return queries::path_without_assignment(search, program, last->variable, last->node);
 }
 
-TEST(FeasiblePaths, WhatOnlyLaterDecisionsAskForMakesNoDifference) {
+TEST(FeasiblePaths, DecisionsThatHaveNoPartInAFailureMakeNoDifference) {
     std::string later;
     for (int i = 10; i < 24; ++i) later += "IF[#" + std::to_string(i) + "EQ1]GOTO99\n";
     // One of the two tests of #501 sets #5 on every path, which only the search of all of them shows.
@@ -143,10 +143,33 @@ TEST(FeasiblePaths, WhatOnlyLaterDecisionsAskForMakesNoDifference) {
     const execution::PathFound found = search_for_last_read(workspace->programs().front(), 5);
     EXPECT_FALSE(found.path.has_value());
     EXPECT_FALSE(found.gave_up);
-    // Asked before the read they do.
+    // Nor where they are asked before the read: none of them decides whether a path leads to it.
     const auto asked = test::analyse_fanuc("O1\nIF[#501EQ1]GOTO20\n#5=1\nN20\n" + many_cases() + later +
                                            "IF[#501NE1]GOTO21\n#5=2\nN21 G0Z#5\nN99 M30\n");
-    EXPECT_TRUE(search_for_last_read(asked->programs().front(), 5).gave_up);
+    const execution::PathFound none = search_for_last_read(asked->programs().front(), 5);
+    EXPECT_FALSE(none.path.has_value());
+    EXPECT_FALSE(none.gave_up);
+}
+
+TEST(FeasiblePaths, AFailureCountsOnlyWhereTheSameVariablesAreEqual) {
+    // #1EQ1 contradicts #2NE1 where both are #501, and does not where one of them is #502.
+    for (const auto& [first, second] : {std::pair("#501", "#502"), std::pair("#502", "#501")}) {
+        const auto workspace = test::analyse_fanuc("O1\nIF[#500EQ1]GOTO10\n#1=" + std::string(first) +
+                                                   "\n#2=#501\nGOTO20\nN10 #1=" + second +
+                                                   "\n#2=#501\nN20 IF[#1EQ1]GOTO30\nGOTO99\n"
+                                                   "N30 IF[#2EQ1]GOTO99\nG0Z#5\nN99 M30\n");
+        EXPECT_TRUE(search_for_last_read(workspace->programs().front(), 5).path.has_value()) << first;
+    }
+}
+
+TEST(FeasiblePaths, AFailureCountsWhereverWhatItDependsOnIsTheSame) {
+    // Each case is another path to the same contradiction: #1 is 1 behind the first test, and not 1 at the
+    // last.
+    const auto workspace =
+        test::analyse_fanuc("O1\nIF[#1NE1]GOTO99\n" + many_cases() + "IF[#1EQ1]GOTO99\nG0Z#5\nN99 M30\n");
+    const execution::PathFound found = search_for_last_read(workspace->programs().front(), 5);
+    EXPECT_FALSE(found.path.has_value());
+    EXPECT_LT(found.visits, 200U);
 }
 
 TEST(FeasiblePaths, NotEveryOneOfThousandsIsLookedForInALongProgram) {

@@ -213,6 +213,13 @@ TEST(LeakUse, ACallerThatLosesItsOwnIsFoundAfterOneThatDoesNot) {
     EXPECT_TRUE(use_of_feed("O3\nG1F9\n" + relying + "O2\nM98P1\nM99\n").own_is_lost); // O2: who knows
 }
 
+TEST(LeakUse, SeveralCallersThatLoseNothingOfTheirOwnRelyOnItAllTheSame) {
+    const std::string relying = "M98P1\nX2.\nM30\n";
+    const queries::LeakUse use = use_of_feed("O3\n" + relying + "O4\n" + relying);
+    EXPECT_TRUE(use.matters);
+    EXPECT_FALSE(use.own_is_lost);
+}
+
 TEST(LeakUse, WhatAnotherCalledProgramMovesUnderIsNotTheCallers) {
     const queries::LeakUse use = use_of_feed("O3\nG1F9\nM98P1\nM98P2\nM30\nO2\nX5.\nM99\n");
     EXPECT_TRUE(use.matters);

@@ -50,6 +50,16 @@ TEST(EndlessCounters, AreNotEndedByAnythingElse) {
     EXPECT_THAT(faults_of("#33=0\nWHILE[#33LT9]DO1\n#33=#33+0\nM98P77\nEND1\n"), IsEmpty());
 }
 
+TEST(EndlessCounters, AreNotAskedOfWhereTheLoopCanStop) {
+    const auto with = [](const std::string& block) {
+        return faults_of("#33=0\nWHILE[#33LT9]DO1\n#33=#33+0\n" + block + "\nEND1\n");
+    };
+    for (const std::string stop : {"M00", "M01", "G65P77", "G65P77A#33"})
+        EXPECT_THAT(with(stop), IsEmpty()) << stop;
+    for (const std::string other : {"G31X5.", "G4X1.", "M8", "X#33"})
+        EXPECT_THAT(with(other), ElementsAre(StepFault::zero)) << other;
+}
+
 TEST(EndlessCounters, AreOneForLoopsThatStepTogether) {
     EXPECT_THAT(faults_of("#33=0\nN1#33=#33+0\nIF[#33LT5]GOTO1\nIF[#33LT9]GOTO1\n"),
                 testing::SizeIs(testing::Le(1U)));

@@ -56,6 +56,49 @@ TEST(Exits, OfWhichOneSideOfATestEndsInAnAlarm) {
     EXPECT_FALSE(ends("IF[#1GT5]GOTO9\nM99\nN9 IF[#2GT5]GOTO8\nM99\nN8 #3000=1\n", true));
 }
 
+/// Whether the true side of the program's first test ends in an alarm.
+bool true_side_ends(const std::string& text) {
+    const auto workspace = test::analyse_fanuc("O9001\n" + text);
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    return ends_in_alarm(analysis, analysis.facts().all<dataflow::Comparison>().front().node, true);
+}
+
+TEST(Exits, ThatAreAlarmsMayBeThoseOfACalledProgram) {
+    const std::string test = "IF[#1GT5]GOTO9\nM99\n";
+    EXPECT_TRUE(true_side_ends(test + "N9 G65P9002\nO9002\n#3000=1\n"));
+    EXPECT_TRUE(true_side_ends(test + "N9 #2=1\nG65P9002\nM99\nO9002\n#3000=1\n"));
+    EXPECT_FALSE(true_side_ends(test + "N9 G65P9002\nM99\nO9002\nX1.\nM99\n"));
+    EXPECT_FALSE(true_side_ends(test + "N9 G65P9002\nM99\n")); // who knows
+    EXPECT_FALSE(true_side_ends(test + "N9 #2=1\n"));          // it runs off its end
+    EXPECT_FALSE(true_side_ends(test + "N9 #2=1\nM30\n"));
+}
+
+TEST(Exits, ThatAreAlarmsAreLookedForSixteenBlocksDeep) {
+    const auto ends_after = [](int blocks) {
+        std::string text = "IF[#1GT5]GOTO9\nM99\nN9";
+        for (int i = 0; i < blocks; ++i) text += "#2=1\n";
+        return true_side_ends(text + "#3000=1\n");
+    };
+    EXPECT_TRUE(ends_after(14)); // the jump and the alarm count as well
+    EXPECT_FALSE(ends_after(15));
+}
+
+/// The last move before the program's first exit; "none" where there is none.
+std::string last_move_of(const std::string& text) {
+    const auto workspace = test::analyse_fanuc("O9001\n" + text);
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    const auto move = last_move_before(analysis, analysis.facts().all<dataflow::ExitState>().front().exit);
+    return move ? test::text_of(analysis, *move) : "none";
+}
+
+TEST(Exits, StandBehindALastMoveThatIsQuotedWithoutItsNumber) {
+    EXPECT_EQ(last_move_of("N1X1.\nN2X2.\nN3M8\nM99\n"), "X2.");
+    EXPECT_EQ(last_move_of("G0X1.\nG1X2.\nM99\n"), "G1X2.");
+    EXPECT_EQ(last_move_of("N1X1.\nN2X#24\n#1=1\nM99\n"), "X#24");
+    EXPECT_EQ(last_move_of("X#24\nN2Z5.\nM9\n#1=1\nM99\n"), "Z5.");
+    EXPECT_EQ(last_move_of("M8\n#1=1\nM99\nX1.\n"), "none");
+}
+
 TEST(Exits, NothingLeadsAroundTheFirstNodeNorAroundWhatAllPathsShare) {
     const auto holds_for_the_store = [](const std::string& text) {
         const auto workspace = test::analyse_fanuc("O9001\n" + text);

@@ -1,5 +1,6 @@
-//! Blocks that no path reaches, arguments that no block reads.
+//! Blocks that no path reaches, what cannot be read among them, arguments that no block reads.
 #include "analyzer/queries/unreached_regions.hpp"
+#include "analyzer/queries/unreached_text.hpp"
 #include "analyzer/queries/unread_arguments.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -36,6 +37,7 @@ TEST(UnreachedRegions, TellWhatStandsInThemAndWhy) {
     EXPECT_THAT(regions_of("O1\nIF[#1EQ2]GOTO8\nM99\nN9 X2.\n"), ElementsAre("N9 X2. moves explained"));
     // The rest of a jump's own block is no block.
     EXPECT_THAT(regions_of("O1\nGOTO9 X2.\nN9 M30\n"), IsEmpty());
+    EXPECT_THAT(regions_of("O1\nGOTO9 X2.\n#1=3\nN9 M30\n"), IsEmpty()); // nor begins what follows it
 }
 
 TEST(UnreachedRegions, AreMeantWhereARemarkJumpsToThem) {
@@ -63,6 +65,30 @@ TEST(UnreachedRegions, AreNamedByOtherTextThanTheirOwn) {
     EXPECT_THAT(named("O1\n(LOW: N801, ELSE n802)\nM99\nN801 #3000=1(N801)\n"), ElementsAre(true));
     EXPECT_THAT(named("O1\n(LOW: N0801)\nM99\nN801 #3000=1\n"), ElementsAre(true));
     EXPECT_THAT(named("O1\n(LOW: N8012)\nM99\nN801 #3000=1(SEE N801)\n"), ElementsAre(false));
+}
+
+/// The blocks that nothing reaches around each piece of text that cannot be read.
+std::vector<std::string> unreached_around(const std::string& text) {
+    const auto workspace = test::analyse_fanuc(text);
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    std::vector<std::string> found;
+    for (const UnreachedText& unreached : unreached_text(analysis))
+        found.emplace_back(analysis.program().slice(unreached.region));
+    return found;
+}
+
+TEST(UnreachedText, StandsAmongAllTheBlocksThatNothingReaches) {
+    EXPECT_THAT(unreached_around("O1\nGOTO5\n#1=1\n------\n#2=2\n#3=3\nN5 X1.\nM30\n"),
+                ElementsAre("#1=1\n------\n#2=2\n#3=3"));
+    EXPECT_THAT(unreached_around("O1\nX1.\nM30\n------\n#2=2\n"), ElementsAre("------\n#2=2"));
+    EXPECT_THAT(unreached_around("O1\nGOTO5\n------\n#1=1\n------\nN5 X1.\nM30\n"),
+                ElementsAre("------\n#1=1\n------", "------\n#1=1\n------"));
+    EXPECT_THAT(unreached_around("O1\nX1.\n------\nM30\n"), IsEmpty());
+    EXPECT_THAT(unreached_around("O1\nGOTO5\n#1=1\nN5 ------\nM30\n"), IsEmpty());
+    // The block begins with the jump, which is reached.
+    EXPECT_THAT(unreached_around("GOTO9 X1. Y\nN9 M30\n"), IsEmpty());
+    // Of another program.
+    EXPECT_THAT(unreached_around("O1\nX1.\nM30\nO2\nGOTO5\n------\nN5 M30\n"), IsEmpty());
 }
 
 TEST(UnreadArguments, TellOfAllCallsThatPassThem) {

@@ -131,6 +131,51 @@ TEST(InexactCounter, HasNoToleranceInWhatIsAStepOrMore) {
     EXPECT_THAT(with("#1+0.1"), ElementsAre(4));
 }
 
+TEST(InexactCounter, HasRoomWhereItsBoundIsBetweenTwoSteps) {
+    const auto of = [](const std::string& start, const std::string& condition, const std::string& step) {
+        return lines_raised("MAC711", "O9001\n#33=" + start + "\nWHILE[#33" + condition + "]DO1\n#33=#33" +
+                                          step + "\nEND1\nM99\n")
+            .size();
+    };
+    EXPECT_EQ(of("1", "GE0", "-0.1"), 1U);
+    EXPECT_EQ(of("1", "GE-0.05", "-0.1"), 0U);
+    EXPECT_EQ(of("1", "GT0.05", "-0.1"), 0U);
+    EXPECT_EQ(of("0.5", "LE1.05", "+0.1"), 0U);
+    EXPECT_EQ(of("0.55", "LE1.05", "+0.1"), 1U);
+    EXPECT_EQ(of("0", "LE1.0005", "+0.1"), 1U); // half a hundredth of a step is no room
+    EXPECT_EQ(of("0", "LE1.002", "+0.1"), 0U);
+    EXPECT_EQ(of("1", "GT[#1-0.05]", "-0.1"), 0U);
+    EXPECT_EQ(of("1", "GT[#1-0.5]", "-0.1"), 1U);
+    EXPECT_EQ(of("0", "LT[0.05+#1]", "+0.1"), 0U);
+    EXPECT_EQ(of("0", "LT[#1+0]", "+0.1"), 1U);
+    EXPECT_EQ(of("0", "LT[#1*0.05]", "+0.1"), 1U);
+}
+
+TEST(InexactCounter, OfAStepThatOnlyTheRunningProgramKnowsMayHaveATolerance) {
+    const auto with = [](const std::string& bound) {
+        return lines_raised("MAC711",
+                            "O9001\n#6=#2/3\n#33=0\nWHILE[#33LT[" + bound + "]]DO1\n#33=#33+#6\nEND1\nM99\n")
+            .size();
+    };
+    EXPECT_EQ(with("#1+0.5"), 0U);
+    EXPECT_EQ(with("#1+1"), 1U); // as long as a step may be
+}
+
+TEST(InexactCounter, IsHarmlessWhereTheLoopGoesOnOnlyAtItsBound) {
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nN1#33=#33+0.1\nIF[#33EQ1]GOTO1\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nN1#33=#33+0.1\nIF[#33NE1]GOTO1\nM99\n"),
+                ElementsAre(3));
+    // Of a step that is read, or that a function gives, nobody knows.
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nN1#33=#33+#2\nIF[#33LE1]GOTO1\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nN1#33=#33+SIN[#2]\nIF[#33LE1]GOTO1\nM99\n"), IsEmpty());
+}
+
+TEST(InexactCounter, OfTwoLoopsIsToldOnce) {
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nN1G0X#33\nN2#33=#33+0.1\nIF[#33LE1]GOTO2\n"
+                                       "IF[#33LE5]GOTO1\nM99\n"),
+                ElementsAre(4));
+}
+
 TEST(LoopStep, NamedByABlockThatCannotBeReadMayHaveBeenTestedThere) {
     EXPECT_THAT(lines_raised("MAC320",
                              "O9001\nOR[#17EQ#0]GOTO5\n#33=0\nWHILE[#33LT9]DO1\n#33=#33+#17\nG0 X#33\nEND1\n"

@@ -113,6 +113,17 @@ TEST(OverwrittenConditional, IsSetBeforeItsGeneralCase) {
     EXPECT_THAT(dead("IF[#1EQ0]THEN#33=#2\n#33=#24\nG0X#33\n"), IsEmpty()); // said once
 }
 
+TEST(OverwrittenConditional, IsDecidedByATestSixtyFourBlocksBeforeAtMost) {
+    const auto behind = [](int blocks) {
+        std::string text = "IF[#1NE0]GOTO5\n";
+        for (int i = 1; i < blocks; ++i) text += "#32=#32+1\n";
+        return lost(text + "#33=#2\nN5#33=#24\nG0X#33Y#32\n").size();
+    };
+    EXPECT_EQ(behind(1), 1U);
+    EXPECT_EQ(behind(64), 1U);
+    EXPECT_EQ(behind(65), 0U);
+}
+
 TEST(OverwrittenConditional, IsNoneWhereTheCaseIsKept) {
     EXPECT_THAT(lost("#33=#24\nIF[#1EQ0]THEN#33=360\nG0X#33\n"), IsEmpty());
     EXPECT_THAT(lost("IF[#1EQ0]THEN#33=360\nIF[#1NE0]THEN#33=#24\nG0X#33\n"), IsEmpty());

@@ -422,6 +422,17 @@ TEST(ModalState, LeftOnThePathWithoutAnUnknownCallIsReported) {
                 IsEmpty());
 }
 
+TEST(ModalState, IsChangedByEveryKindOfBlockAroundAnUnknownCall) {
+    const auto around = [](const std::string& block) {
+        return lines_raised("MAC501", "O9001\nG91 G0 Z5.\nIF[#1EQ#0]GOTO1\nG65 P9726\nGOTO2\nN1 " + block +
+                                          "\nN2 M99\n");
+    };
+    for (const std::string change : {"G90", "X1. G90", "G90 X#2", "G#2", "G65 P9727"})
+        EXPECT_THAT(around(change), IsEmpty()) << change;
+    for (const std::string other : {"X1.", "G17 X1.", "#3=1", "X#2", "M#2", "F#2"})
+        EXPECT_THAT(around(other), ElementsAre(2)) << other;
+}
+
 TEST(SpeedLeak, OfASpindleThatAnotherCalledProgramLeavesStandingHarmsNobody) {
     // O2 stops the spindle, or leaves it as it is: it stands already.
     EXPECT_THAT(judged("MAC503", "O1\nS900 M3\nG65 P9001 X1.\nM98 P2\nG1 X5. F9\nM30\nO9001\nG0 X#24\nM05\n"

@@ -83,6 +83,72 @@ TEST(DivisionByZero, IsNotPreventedByAnotherCheck) {
     EXPECT_THAT(judged("MAC702", "O9001\n#1=4.\nG65P9002\n#5=#2/#1\nM99\n"), IsEmpty());
 }
 
+TEST(DivisionByZero, ByWhatIsZeroWithAnArgumentIsANote) {
+    const auto divided_by = [](const std::string& divisor) {
+        return judged("MAC702", "O9001\n#5=#2/[" + divisor + "]\nM99\n");
+    };
+    for (const std::string zero : {"2*#1", "#1*2", "#1*#3", "#1/3", "-#1", "ABS[#1]", "SIN[#1]", "TAN[#1]",
+                                   "SQRT[#1]", "ROUND[#1]", "FIX[#1]", "FUP[#1]"})
+        EXPECT_THAT(divided_by(zero), ElementsAre("note 2")) << zero;
+    for (const std::string other : {"COS[#1]", "EXP[#1]", "#1+1", "#1+#3", "#1-1", "#1-#3", "4"})
+        EXPECT_THAT(divided_by(other), IsEmpty()) << other;
+}
+
+TEST(DivisionByZero, ByAnArgumentIsFollowedTwelveOperationsBack) {
+    const auto divided_by = [](int operations, const std::string& begin) {
+        std::string text = begin;
+        for (int i = 1; i < operations; ++i) text += "#10=#10/2\n";
+        return judged("MAC702", text + "#5=3/#10\nX#5\nM99\n").size();
+    };
+    for (const std::string begin : {"O9001\n#10=#1/2\n", "O1\nG65P9001A2.B2.\nM30\nO9001\n#10=#1-#2\n"}) {
+        EXPECT_EQ(divided_by(12, begin), 1U) << begin;
+        EXPECT_EQ(divided_by(13, begin), 0U) << begin;
+    }
+}
+
+TEST(DivisionByZero, ByWhatIsComparedTwelveOperationsOnIsNone) {
+    const auto compared_after = [](int operations) {
+        std::string text = "O9001\n#10=#1/2\n";
+        for (int i = 1; i < operations; ++i) text += "#10=#10/2\n";
+        return judged("MAC702", text + "IF[#10GT5]GOTO9\n#5=3/#1\nX#5\nN9M99\n").size();
+    };
+    EXPECT_EQ(compared_after(12), 0U);
+    EXPECT_EQ(compared_after(13), 1U);
+}
+
+TEST(DivisionByZero, ByAnArgumentThatMayHaveADefaultIsANote) {
+    const auto behind = [](const std::string& blocks) {
+        return judged("MAC702", "O9001\n" + blocks + "#5=#2/#1\nM99\n");
+    };
+    EXPECT_THAT(behind("IF[#3EQ5]THEN#1=4.\n"), ElementsAre("note 3"));
+    EXPECT_THAT(behind("IF[#3EQ5]GOTO5\n#1=4.\nN5"), ElementsAre("note 4"));
+    EXPECT_THAT(behind("IF[#3EQ5]THEN#1=#6\n"), IsEmpty()); // nothing is known of what it is then
+    EXPECT_THAT(behind("#1=4.\nIF[#3EQ5]THEN#1=6.\n"), IsEmpty());
+}
+
+TEST(DivisionByZero, IsShownByANumberThatACallCalculates) {
+    const auto with = [](const std::string& arguments) {
+        return judged("MAC702", "O1\nG65P9001" + arguments + "\nM30\nO9001\n#5=#2/#1\nX#5\nM99\n");
+    };
+    for (const std::string zero : {"A0B1.", "A[2.-2.]B1.", "A[0*2]B1.", "A[SIN[0]]B1.", "B1."})
+        EXPECT_THAT(with(zero), ElementsAre("warning 5")) << zero;
+    for (const std::string unknown : {"A#500B1.", "A[#500-#500]B1."})
+        EXPECT_THAT(with(unknown), ElementsAre("note 5")) << unknown;
+}
+
+TEST(DivisionByZero, TellsWhatTheProgramAsksInstead) {
+    const std::string alarm = "\n#5=#2/#1\nM99\nN9 #3000=1\n";
+    EXPECT_THAT(messages_raised("MAC702", "O9001\nIF[#1EQ#0]GOTO9" + alarm),
+                ElementsAre(HasSubstr("#1 (A) is asked for, not whether it is 0")));
+    EXPECT_THAT(messages_raised("MAC702", "O9001\nIF[#1LT0]GOTO9" + alarm),
+                ElementsAre(AllOf(HasSubstr("[#1LT0]"), HasSubstr("#1 (A)"))));
+    EXPECT_THAT(messages_raised("MAC702", "O9001\nIF[#3EQ#0]GOTO9" + alarm),
+                ElementsAre(HasSubstr("checks #3 (C), but not #1 (A)")));
+    // It asks for A, and checks C, too: A is what it divides by.
+    EXPECT_THAT(messages_raised("MAC702", "O9001\nIF[#3EQ#0]GOTO9\nIF[#1EQ#0]THEN#1=4." + alarm),
+                ElementsAre(HasSubstr("#1 (A) is asked for")));
+}
+
 TEST(DomainError, OfANegativeNumberIsAnError) {
     EXPECT_THAT(judged("MAC703", "O9001\n#1=-4.\nX[SQRT[#1]]\nM99\n"), ElementsAre("error 3"));
     EXPECT_THAT(judged("MAC703", "O9001\nX[ACOS[1.5]]\nY[ASIN[1]]\nM99\n"), ElementsAre("error 2"));
@@ -99,6 +165,24 @@ TEST(DomainError, OfADifferenceOfArgumentsThatNothingComparesIsANote) {
     EXPECT_THAT(judged("MAC703", "O9001\n#5=SQRT[#18*#18-#5003]\nM99\n"), IsEmpty());
 }
 
+TEST(DomainError, IsShownByACallOrToldOfWhatAnArgumentMakes) {
+    const auto of = [](const std::string& calculated) {
+        return judged("MAC703", "O9001\n#5=" + calculated + "\nX#5\nM99\n");
+    };
+    for (const std::string argument : {"LN[#1]", "LN[#1*2]", "SQRT[#1-#2]", "SQRT[4-#1]"})
+        EXPECT_THAT(of(argument), ElementsAre("note 2")) << argument;
+    for (const std::string other :
+         {"SQRT[#1]", "SQRT[#1-2]", "SQRT[#1+#2]", "LN[#1+2]", "ACOS[#1]", "ASIN[#1/2]"})
+        EXPECT_THAT(of(other), IsEmpty()) << other;
+    const auto shown = [](const std::string& calculated) {
+        return judged("MAC703", "O1\nG65P9001A-5.B2.\nM30\nO9001\n#5=" + calculated + "\nX#5\nM99\n");
+    };
+    for (const std::string wrong : {"LN[#1]", "SQRT[#1]", "SQRT[#1+#2]", "ACOS[#1]", "ASIN[#1/2]"})
+        EXPECT_THAT(shown(wrong), ElementsAre("warning 5")) << wrong;
+    for (const std::string right : {"LN[#2]", "SQRT[#2-1]", "ACOS[#2/2]", "ASIN[#1/5]"})
+        EXPECT_THAT(shown(right), IsEmpty()) << right;
+}
+
 TEST(TangentOfARightAngle, IsCertainOrOneThatAnArgumentMakes) {
     EXPECT_THAT(judged("MAC704", "O9001\n#1=90.\n#5=TAN[#1]\n#6=TAN[-270]\n#7=TAN[180]\nM99\n"),
                 ElementsAre("warning 3", "warning 4"));
@@ -106,6 +190,16 @@ TEST(TangentOfARightAngle, IsCertainOrOneThatAnArgumentMakes) {
     EXPECT_THAT(judged("MAC704", "O9001\n#5=TAN[45-#1]\n#6=TAN[#1]\nM99\n"), IsEmpty());
     EXPECT_THAT(judged("MAC704", "O1\nG65 P9001 A90.\nM30\nO9001\n#5=TAN[#1]\nM99\n"),
                 ElementsAre("warning 5"));
+}
+
+TEST(TangentOfARightAngle, IsMadeByAnArgumentThatIsZeroBesideIt) {
+    const auto of = [](const std::string& angle) {
+        return judged("MAC704", "O9001\n#5=TAN[" + angle + "]\nX#5\nM99\n");
+    };
+    for (const std::string right : {"90-#1", "90+#1", "#1+90", "#1-90", "#1-270", "90-#1*2"})
+        EXPECT_THAT(of(right), ElementsAre("note 2")) << right;
+    for (const std::string other : {"45+#1", "90*#1", "#1/90", "180-#1", "#1-#2", "#1"})
+        EXPECT_THAT(of(other), IsEmpty()) << other;
 }
 
 TEST(DivisionByZero, OfOneStoreIsOneFinding) {
@@ -230,6 +324,17 @@ TEST(ConstantCondition, OfSettingsIsMeant) {
     EXPECT_THAT(lines_raised("MAC718", decided_by("M98P9750\n#6=#143*2", "#6EQ0")), IsEmpty());
 }
 
+TEST(ConstantCondition, OfWhatIsMadeOfASettingInFewStepsIsMeant) {
+    const auto steps = [](int count) {
+        std::string text = "O9001\n#6=1.(HEIGHT)\n";
+        for (int i = 0; i < count; ++i) text += "#6=#6*2\n";
+        return lines_raised("MAC718", text + "IF[#6EQ0]GOTO6\nG0X1.\nN6#101=#6\n#6=#24\nX#6\nM99\n").size();
+    };
+    EXPECT_EQ(steps(1), 0U);
+    EXPECT_EQ(steps(7), 0U);
+    EXPECT_EQ(steps(8), 1U);
+}
+
 TEST(ConstantCondition, OfWhatATestHasFoundOutIsNone) {
     EXPECT_THAT(messages_raised("MAC718",
                                 "O9001\n#33=#1\nIF[#33NE5]GOTO9\nG0X1.\nIF[#33GT5]GOTO8\nG0X2.\nN8G0X3.\n"
@@ -255,6 +360,15 @@ TEST(ConstantCondition, ThatDoesWhatAnotherDoesIsHarmless) {
     EXPECT_THAT(lines_raised("MAC718", "O9001\nIF[#6LT50]GOTO9\nIF[#6LT40]THEN#31=-2\nIF[#6LT60]THEN#31=-1\n"
                                        "G0X#31\nN9M99\n"),
                 ElementsAre(3));
+}
+
+TEST(ConstantCondition, ThatClampsWhatItComparesIsHarmless) {
+    const auto clamped = [](std::string_view guarded) {
+        return "O9001\nIF[#6GT50]GOTO9\nIF[#6GT60]THEN" + std::string(guarded) + "\nG0X#6Y#7\nN9M99\n";
+    };
+    EXPECT_THAT(lines_raised("MAC718", clamped("#6=60")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC718", clamped("#7=60")), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC718", clamped("#[6]=60")), ElementsAre(3));
 }
 
 TEST(ConstantCondition, OfAGuardThatIsThereTwice) {
@@ -316,10 +430,14 @@ TEST(FloatEquality, WithZeroIsSafeWhereRoundingCannotMakeIt) {
         return "O9001\n#33=" + std::string(expression) + "\nIF[#33EQ0]GOTO9\nG0X[1/#33]\nN9 M99\n";
     };
     for (const std::string_view safe :
-         {"SQRT[#1*#1+#2*#2]", "ABS[#1/3]", "[#1-#2]/3", "SQRT[#1]*#2", "FIX[#1/3]", "-[#1/#2]"})
+         {"SQRT[#1*#1+#2*#2]", "ABS[#1/3]", "[#1-#2]/3", "SQRT[#1]*#2", "FIX[#1/3]", "-[#1/#2]",
+          "ROUND[#1/3]", "FUP[#1/3]", "#1/3*[#2/3]", "ABS[#1/3]+2", "ABS[#1/3]+ABS[#2/3]",
+          "[ABS[#1/3]+ABS[#2/3]]+SQRT[#3]", "SQRT[#3]+[ABS[#1/3]+ABS[#2/3]]", "#1*#1+ABS[#3/3]"})
         EXPECT_THAT(lines_raised("MAC710", asked(safe)), IsEmpty()) << safe;
     for (const std::string_view unsafe :
-         {"ABS[COS[#1]]", "#1/3-#2", "SQRT[#1*#1-#2*#2/3]", "SIN[#1]*#2", "#1*0.1-#2"})
+         {"ABS[COS[#1]]", "#1/3-#2", "SQRT[#1*#1-#2*#2/3]", "SIN[#1]*#2", "#1*0.1-#2", "-[#1/3-#2]",
+          "[#1/3-#2]/3", "[#1/3]*SIN[#1]", "SIN[#1]*[#1/3]", "ABS[#3/3]+#2", "#1/3+2", "#1*#2+ABS[#3/3]",
+          "[ABS[#1/3]-ABS[#2/3]]+ABS[#3]", "[ABS[#1/3]*ABS[#2/3]]+ABS[#3]"})
         EXPECT_THAT(lines_raised("MAC710", asked(unsafe)), ElementsAre(3)) << unsafe;
 }
 
@@ -329,6 +447,45 @@ TEST(FloatEquality, OfADistanceToNothingIsReported) {
     EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[ABS[#18-#5043]LE0.01]GOTO9\nG0X1.\nN9 M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[ABS[#4120-#4111]EQ0]GOTO9\nG0X1.\nN9 M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[ABS[#18]EQ0]GOTO9\nG0X1.\nN9 M99\n"), IsEmpty());
+}
+
+TEST(FloatEquality, OfADistanceToNothingIsToldOnEitherSide) {
+    const auto told = [](const std::string& condition) {
+        return messages_raised("MAC710", "O9001\nIF[" + condition + "]GOTO9\nG0X1.\nN9 M99\n");
+    };
+    for (const std::string condition : {"ABS[#18-#5043]EQ0", "0EQABS[#18-#5043]"})
+        EXPECT_THAT(told(condition), ElementsAre(HasSubstr("Distance of exactly 0: in '[" + condition)));
+    EXPECT_THAT(told("1EQABS[#18-#5043]"), IsEmpty());
+}
+
+TEST(FloatEquality, OfSumsWithZeroIsFollowedSixteenOperationsDeep) {
+    // #10 is rounded on both paths, and by which operation is not known where they meet.
+    const auto asked = [](int operations, const std::string& next) {
+        std::string text = "O9001\nIF[#3EQ1]GOTO5\n#10=#1/3\nGOTO6\nN5#10=#2/3\nN6";
+        for (int i = 0; i < operations; ++i) text += next;
+        return lines_raised("MAC710", text + "IF[#10EQ0]GOTO9\nG0X1.\nN9M99\n").size();
+    };
+    for (const std::string next : {"#10=#10-#7\n", "#10=#7-#10\n", "#10=#10+#7\n", "#10=#7+#10\n"}) {
+        EXPECT_EQ(asked(1, next), 0U) << next;
+        EXPECT_EQ(asked(16, next), 0U) << next;
+        EXPECT_EQ(asked(17, next), 1U) << next;
+    }
+    EXPECT_EQ(asked(0, ""), 1U);
+    EXPECT_EQ(asked(2, "#10=#10-0.1\n"), 1U);
+    EXPECT_EQ(asked(2, "#10=#10-2\n"), 0U);
+    EXPECT_EQ(asked(2, "#10=#10*#7-#7\n"), 1U);
+}
+
+TEST(FloatEquality, OfQuotientsAndProductsWithZeroIsFollowedSixteenOperationsDeep) {
+    const auto asked = [](int operations, const std::string& next) {
+        std::string text = "O9001\n#10=#1/3\n";
+        for (int i = 1; i < operations; ++i) text += next;
+        return lines_raised("MAC710", text + "IF[#10EQ0]GOTO9\nG0X1.\nN9M99\n").size();
+    };
+    for (const std::string next : {"#10=#10/3\n", "#10=#10*#2\n", "#10=#2*#10\n"}) {
+        EXPECT_EQ(asked(16, next), 0U) << next;
+        EXPECT_EQ(asked(17, next), 1U) << next;
+    }
 }
 
 TEST(FloatEquality, WithTheWholePartAsksWhetherAQuotientOfDecimalsIsWhole) {

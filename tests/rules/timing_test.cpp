@@ -59,10 +59,28 @@ TEST(PositionReadAhead, IsOfAnAxisThatMoves) {
     // Touched in X, lifted in Z: X stands still.
     EXPECT_THAT(early("G91G31X-20.F100.\nG90G0Z100.\n#5221=#5021\n"), IsEmpty());
     EXPECT_THAT(early("G91G31X-20.F100.\nG90G0Z100.\n#5223=#5023\n"), ElementsAre(4));
+    EXPECT_THAT(early("G91G31Z-20.F100.\nG90G0X100.\n#5223=#5023\n"), IsEmpty());
+    // The second axis is Y, or Z on a lathe.
+    EXPECT_THAT(early("G91G31Y-20.F100.\nG90G0X100.\n#5222=#5022\n"), IsEmpty());
+    EXPECT_THAT(early("G91G31X-20.F100.\nG90G0Y100.\n#5222=#5022\n"), ElementsAre(4));
+    EXPECT_THAT(early("G91G31X-20.F100.\nG90G0Z100.\n#5222=#5022\n"), ElementsAre(4));
     EXPECT_THAT(early("G91G31X-20.F100.\nG91G0Z#1\n#5221=#5021\n"), IsEmpty());
     EXPECT_THAT(early("G91G0X#2\nG91G0Z#1\n#5221=#5021\n"), ElementsAre(4)); // two moves may wait
     EXPECT_THAT(early("G0U#2\n#5221=#5021\n"), ElementsAre(3));
     EXPECT_THAT(early("G0X#2\n#5226=#5026\n"), ElementsAre(3)); // which axis the sixth is nobody knows
+}
+
+TEST(PositionReadAhead, IsFollowedThroughTwelveOperations) {
+    const auto after = [](int operations, const std::string& operation) {
+        std::string text = "G1X5.F100.\n#1=#5041\n";
+        for (int i = 0; i < operations; ++i) text += operation + "\n";
+        return early(text + "#5221=#1\n").size();
+    };
+    for (const std::string operation : {"#1=#1/2", "#1=#1-#2", "#1=2*#1", "#1=#2-#1"}) {
+        EXPECT_EQ(after(1, operation), 1U) << operation;
+        EXPECT_EQ(after(12, operation), 1U) << operation;
+        EXPECT_EQ(after(13, operation), 0U) << operation;
+    }
 }
 
 TEST(PositionReadAhead, IsNoDifferenceOfTwoCoordinateSystems) {

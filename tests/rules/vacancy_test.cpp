@@ -151,6 +151,26 @@ TEST(UninitialisedLocal, IsToldOnceForAllThatOneCaseLeavesUnset) {
                 IsEmpty());
 }
 
+TEST(UninitialisedLocal, DependsOnMoreThanNumbersWhereAnotherTestDecidesAsWell) {
+    const auto told = [](const std::string& tests) {
+        return messages_raised("MAC209", "O1\n" + tests + "G0 X#31\nM30\n");
+    };
+    EXPECT_THAT(told("IF[#4120EQ12]THEN#31=3\n"), ElementsAre(HasSubstr("set only for #4120 = 12.")));
+    for (const std::string other : {"#500", "#4120GT15", "[#4120EQ11]AND[#500EQ1]", "#4120NE11"})
+        EXPECT_THAT(told("IF[" + other + "]THEN#31=3\nIF[#4120EQ12]THEN#31=3\n"),
+                    ElementsAre(HasSubstr("depending on #4120")))
+            << other;
+    EXPECT_THAT(told("IF[[#4120EQ11]OR[#4120EQ12]]THEN#31=3\n"),
+                ElementsAre(HasSubstr("set only for #4120 = 11 or 12.")));
+    EXPECT_THAT(told("IF[#4120NE12]GOTO5\n#31=3\nN5"), ElementsAre(HasSubstr("set only for #4120 = 12.")));
+}
+
+TEST(UninitialisedLocal, IsFoundBehindAReadToWhichNoPathLeads) {
+    const std::string first = "O1\nIF[#501EQ1]GOTO5\n#10=1\nN5IF[#501EQ1]GOTO6\n#11=#10*2\nX#11\n";
+    EXPECT_THAT(lines_raised("MAC209", first + "N6Y#10\nM30\n"), ElementsAre(7));
+    EXPECT_THAT(lines_raised("MAC209", first + "N6M30\n"), IsEmpty());
+}
+
 TEST(UninitialisedLocal, PassedOnIsNotUsed) {
     EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 Y#25\nG65 P9853 E#14\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC209", "O9001\nG0 Y#25\n#148=#16\nM99\n"), IsEmpty());
@@ -238,6 +258,9 @@ TEST(UninitialisedLocal, ALetterThatIsPassedOnWhereEveryValueIsRefusedIsTold) {
     EXPECT_THAT(lines_raised("MAC209", passed_on("IF[#7EQ#0]GOTO9", "#3000=1(D)")), IsEmpty());
     EXPECT_THAT(lines_raised("MAC209", passed_on("IF[#7NE#0]GOTO9", "M99")), IsEmpty());
     EXPECT_THAT(lines_raised("MAC209", passed_on("IF[#8NE#0]GOTO9", "#3000=1(E)")), IsEmpty());
+    // Not every value is refused.
+    EXPECT_THAT(lines_raised("MAC209", passed_on("IF[#7GT5.]THEN#3000=1(D)\nIF[#7NE#0]GOTO9", "M99")),
+                IsEmpty());
     EXPECT_THAT(lines_raised("MAC209", "O9002\nIF[#7EQ#0]GOTO1\n#3000=1\nN1 G65 P9003 D#7\nM99\n"),
                 ElementsAre(4));
 }
@@ -260,6 +283,30 @@ TEST(ZeroTest, MattersOnlyWhereVacantIsCountedWithAfterwards) {
     // Another program may look after it, and a copy counts as well.
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\nG65P9002A#1\nN9M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n#33=#1\nG0X[#33+1]\nN9M99\n"), ElementsAre(2));
+}
+
+TEST(ZeroTest, FollowsTheVacantVariableThroughOtherTests) {
+    // The variable is used on the next line, or where the test between them leads.
+    const auto on = [](const std::string& between) {
+        return lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n" + between + "\nG0X[#1+1.]\nN8M99\nN9\n")
+            .size();
+    };
+    const auto where_it_leads = [](const std::string& test) {
+        return lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n" + test + "\nM99\nN8G0X[#1+1.]\nM99\nN9\n")
+            .size();
+    };
+    EXPECT_EQ(on("IF[#1EQ#0]GOTO8"), 0U);
+    EXPECT_EQ(on("IF[#1NE5]GOTO8"), 0U);
+    EXPECT_EQ(on("IF[5NE#1]GOTO8"), 0U);
+    EXPECT_EQ(on("IF[#1GT5]GOTO8"), 1U);
+    EXPECT_EQ(on("IF[#2EQ#0]GOTO8"), 1U); // of another variable
+    EXPECT_EQ(where_it_leads("IF[#1NE#0]GOTO8"), 0U);
+    EXPECT_EQ(where_it_leads("IF[#1NE5]GOTO8"), 1U);
+    EXPECT_EQ(where_it_leads("IF[5NE#1]GOTO8"), 1U);
+    EXPECT_EQ(where_it_leads("IF[#2EQ#0]GOTO8"), 1U);
+    EXPECT_EQ(on("#1=3"), 0U);
+    EXPECT_EQ(on("#2=3"), 1U);
+    EXPECT_EQ(on("IF[#2EQ1]THEN#1=3"), 1U);
 }
 
 TEST(ZeroTest, OfAWordMattersWhereTheOtherSideIsAnAlarm) {

@@ -35,7 +35,7 @@ States::States(const Program& program, EntryKnowledge knowledge)
         if (knowledge_.entry == Entry::main && group.reset)
             value.parts = {{table_.constant(*group.reset), 0}};
         else
-            value.parts = {{table_.symbols({Symbol::Kind::entry_group, i, 0, 0}), 0}};
+            value.parts = {{table_.symbols({Symbol::Kind::entry_group, i}), 0}};
         entry_modals_.push_back(table_.modals(value));
     }
 }
@@ -107,7 +107,7 @@ Value States::entry_value(Variable variable) {
     const VariableSpace& space = program_.control->spaces[variable.space];
     const OriginId origin = table_.origins(Origin::at_entry(variable));
     Value value;
-    value.symbol = table_.symbols({Symbol::Kind::entry, key_of(variable), 0, 0});
+    value.symbol = table_.symbols({Symbol::Kind::entry, key_of(variable)});
     const auto known = std::ranges::find(knowledge_.known, variable, &KnownVariable::variable);
     if (known != knowledge_.known.end())
         return known->number ? number_value(table_, *known->number) : vacant_value(table_, origin);
@@ -237,7 +237,7 @@ Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t
     if (a == b) return a;
     Value joined;
     joined.know(semantics::join(a, b));
-    joined.symbol = a.symbol == b.symbol ? a.symbol : table_.symbols({Symbol::Kind::joined, key, node, 0});
+    joined.symbol = a.symbol == b.symbol ? a.symbol : table_.symbols({Symbol::Kind::joined, key, node});
     joined.origin = joined_origin(a, b);
     joined.vacancy_origin =
         a.vacancy_origin != 0 && !is_entry_of(b.vacancy_origin, key) ? a.vacancy_origin : b.vacancy_origin;

@@ -27,7 +27,7 @@ bool ModalValue::includes(const ModalValue& other) const {
 }
 
 ValueTable::ValueTable() {
-    symbols({Symbol::Kind::opaque, 0, 0, 0});
+    symbols({Symbol::Kind::opaque});
     origins({Origin::Kind::none, 0, 0});
 }
 
@@ -82,7 +82,7 @@ void ValueTable::narrow(Value& value, std::span<const double> numbers) {
 
 SymbolId ValueTable::constant(double number) {
     if (number == 0) number = 0; // no negative zero: it is the same number
-    return symbols({Symbol::Kind::constant, std::bit_cast<std::uint64_t>(number), 0, 0});
+    return symbols({Symbol::Kind::constant, std::bit_cast<std::uint64_t>(number)});
 }
 
 std::optional<double> ValueTable::number_of(SymbolId symbol) const {
@@ -112,7 +112,7 @@ Value number_value(SymbolId symbol, double number) {
 Value vacant_value(ValueTable& table, OriginId vacancy_origin) {
     Value value;
     value.know(semantics::of_vacant());
-    value.symbol = table.symbols({Symbol::Kind::vacant, 0, 0, 0});
+    value.symbol = table.symbols({Symbol::Kind::vacant});
     value.vacancy_origin = vacancy_origin;
     return value;
 }

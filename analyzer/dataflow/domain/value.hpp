@@ -59,8 +59,8 @@ struct Symbol {
         result,      ///< a: operation, b, c: operand symbols
         if_set,      ///< of a word: a, or what was in force before where that is vacant; b: effect, c: node
     } kind;
-    std::uint64_t a;
-    std::uint32_t b, c;
+    std::uint64_t a = 0;
+    std::uint32_t b = 0, c = 0;
     friend bool operator==(const Symbol&, const Symbol&) = default;
 };
 

@@ -279,7 +279,7 @@ void Transfer::know_entry_code(State& state, ChannelGroup of, double code) {
     ModalValue value = states_.read(state, of);
     for (ModalPart& part : value.parts)
         if (states_.table().number_of(part.symbol) == code)
-            part.symbol = states_.table().symbols({Symbol::Kind::entry_group, of.group, 0, 0});
+            part.symbol = states_.table().symbols({Symbol::Kind::entry_group, of.group});
     value.put_in_order();
     states_.write(state, of, std::move(value));
 }

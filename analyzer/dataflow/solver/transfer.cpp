@@ -304,7 +304,7 @@ void Transfer::set_code(State& state, GroupId group, double code, OriginId origi
         SymbolId symbol = states_.table().constant(code);
         // On a path where the caller's code is known to be this one, setting it puts the caller's code back.
         if (states_.entry_code(state, {channel, group}) == code)
-            symbol = states_.table().symbols({Symbol::Kind::entry_group, group, 0, 0});
+            symbol = states_.table().symbols({Symbol::Kind::entry_group, group});
         write_group(state, {channel, group}, {{{symbol, origin}}, false});
     });
 }
