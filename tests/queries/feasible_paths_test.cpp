@@ -5,6 +5,7 @@
 #include "analyzer/queries/loop_counter.hpp"
 #include "tests/support/analysed.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -149,6 +150,7 @@ TEST(FeasiblePaths, DecisionsThatHaveNoPartInAFailureMakeNoDifference) {
     const execution::PathFound none = search_for_last_read(asked->programs().front(), 5);
     EXPECT_FALSE(none.path.has_value());
     EXPECT_FALSE(none.gave_up);
+    EXPECT_LT(std::max(found.visits, none.visits), 400U); // of 16,384 paths
 }
 
 TEST(FeasiblePaths, AFailureCountsOnlyWhereTheSameVariablesAreEqual) {
@@ -160,16 +162,6 @@ TEST(FeasiblePaths, AFailureCountsOnlyWhereTheSameVariablesAreEqual) {
                                                    "N30 IF[#2EQ1]GOTO99\nG0Z#5\nN99 M30\n");
         EXPECT_TRUE(search_for_last_read(workspace->programs().front(), 5).path.has_value()) << first;
     }
-}
-
-TEST(FeasiblePaths, AFailureCountsWhereverWhatItDependsOnIsTheSame) {
-    // Each case is another path to the same contradiction: #1 is 1 behind the first test, and not 1 at the
-    // last.
-    const auto workspace =
-        test::analyse_fanuc("O1\nIF[#1NE1]GOTO99\n" + many_cases() + "IF[#1EQ1]GOTO99\nG0Z#5\nN99 M30\n");
-    const execution::PathFound found = search_for_last_read(workspace->programs().front(), 5);
-    EXPECT_FALSE(found.path.has_value());
-    EXPECT_LT(found.visits, 200U);
 }
 
 TEST(FeasiblePaths, NotEveryOneOfThousandsIsLookedForInALongProgram) {
