@@ -570,7 +570,7 @@ class Building {
     std::vector<NodeId> goes_elsewhere_;             ///< jumps that need not find their label, and did
     std::unordered_map<RegionId, Open> open_;
     std::vector<Loose> loose_;
-    ItemId item_ = 0;
+    ItemId item_{};
     Span part_{};
 };
 

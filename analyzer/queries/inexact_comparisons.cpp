@@ -45,17 +45,17 @@ std::optional<InexactSide> inexact_side(const ProgramAnalysis& analysis, const S
     using Why = InexactSide::Why;
     if (!is_decided_exactly(analysis, comparison)) {
         if (is_rounded(comparison.left))
-            return InexactSide{comparison.left_expression, Why::rounded, comparison.left.rounding, nullptr};
+            return InexactSide{comparison.left_expression, Why::rounded, comparison.left.rounding};
         if (is_rounded(comparison.right))
-            return InexactSide{comparison.right_expression, Why::rounded, comparison.right.rounding, nullptr};
+            return InexactSide{comparison.right_expression, Why::rounded, comparison.right.rounding};
         for (const ExpressionId side : {comparison.left_expression, comparison.right_expression})
             if (const dataflow::Store* sum = sum_in(analysis, sums, side))
                 return InexactSide{side, Why::sum, 0, sum};
     }
     if (is_distance_to_nothing(analysis, comparison.left, comparison.right))
-        return InexactSide{comparison.left_expression, Why::distance, 0, nullptr};
+        return InexactSide{comparison.left_expression, Why::distance};
     if (is_distance_to_nothing(analysis, comparison.right, comparison.left))
-        return InexactSide{comparison.right_expression, Why::distance, 0, nullptr};
+        return InexactSide{comparison.right_expression, Why::distance};
     return std::nullopt;
 }
 

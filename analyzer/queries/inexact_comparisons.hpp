@@ -18,8 +18,8 @@ struct InexactSide {
         sum,      ///< of steps that may have decimals
         distance, ///< of measured or passed numbers, as ABS[#1-#2]: nobody knows how exact they are
     } why;
-    dataflow::OriginId rounding;
-    const dataflow::Store* sum; ///< nullptr when it is none
+    dataflow::OriginId rounding = 0;
+    const dataflow::Store* sum = nullptr; ///< nullptr when it is none
 };
 
 /// The first side that was rounded, else the first that is one of the sums, else a distance that is compared

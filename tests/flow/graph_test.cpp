@@ -45,6 +45,11 @@ TEST(Graph, AJumpReachesABlockInsideAPlainRun) {
                 ElementsAre(5));
 }
 
+TEST(Graph, ABlockThatCannotBeReadMayJumpToWhatItNames) {
+    EXPECT_THAT(unreached_in("O1\nG0X1.\nX2.\nIF #1EQ2]GOTO50\nM30\nN50 #2=1\nM30\nN60 #2=2\nM30\n"),
+                ElementsAre(8, 9));
+}
+
 TEST(Graph, AJumpWithinAnotherProgramOfTheTapeIsNotFound) {
     EXPECT_THAT(targets_in("O1\nGOTO10\nM30\nO2\nN10 M99\n"), ElementsAre(0));
 }

@@ -38,6 +38,13 @@ TEST(EndlessCounters, StepByZeroOrAwayFromTheBound) {
     EXPECT_THAT(faults_of("#33=9\nWHILE[#33NE0]DO1\n#33=#33+1\nEND1\n"), IsEmpty()); // it may wrap around
 }
 
+TEST(EndlessCounters, StepAwayFromAllBounds) {
+    // Down it comes to 0, though never to 20.
+    EXPECT_THAT(faults_of("#33=9\nWHILE[#33GT0]DO1\nIF[#33GE20]GOTO99\n#33=#33-1\nEND1\n"), IsEmpty());
+    EXPECT_THAT(faults_of("#33=9\nWHILE[#33LT30]DO1\nIF[#33GE20]GOTO99\n#33=#33-1\nEND1\n"),
+                ElementsAre(StepFault::wrong_sign));
+}
+
 TEST(EndlessCounters, HaveNoStepThatIsRight) {
     EXPECT_THAT(faults_of("#33=0\nWHILE[#33LT9]DO1\n#33=#33+0\n#33=#33+1\nEND1\n"), IsEmpty());
     EXPECT_THAT(faults_of("#33=0\nWHILE[#33LT9]DO1\n#33=#33+0\n#33=#33-1\nEND1\n"),

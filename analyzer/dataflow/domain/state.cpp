@@ -241,7 +241,6 @@ Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t
     joined.origin = joined_origin(a, b);
     joined.vacancy_origin =
         a.vacancy_origin != 0 && !is_entry_of(b.vacancy_origin, key) ? a.vacancy_origin : b.vacancy_origin;
-    if (joined.vacancy_origin == 0) joined.vacancy_origin = a.vacancy_origin;
     joined.rounding = a.rounding != 0 ? a.rounding : b.rounding;
     joined.choices = table_.either(a, b);
     return joined;
