@@ -320,11 +320,15 @@ State States::widen(const State& old, const State& now, std::uint32_t node,
     });
 }
 
-void States::keep_only(std::span<State* const> states) {
+void States::keep_groups_of(std::span<State* const> states) {
     std::vector<Root*> roots;
-    for (State* state : states) roots.push_back(&state->root);
+    for (State* state : states) {
+        state->root = maps_.without(state->root, 0, group_keys - 1);
+        roots.push_back(&state->root);
+    }
     entry_values_ = 0;
     maps_.keep_only(roots);
+    table_.values = {};
     table_.fit();
 }
 

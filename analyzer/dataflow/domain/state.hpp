@@ -122,8 +122,8 @@ class States {
     [[nodiscard]] State widen(const State& old, const State& now, std::uint32_t node,
                               std::span<const double> thresholds);
 
-    /// From now on only these states are asked for; the memory of all others is given back.
-    void keep_only(std::span<State* const> states);
+    /// From now on only the modal groups of these states are asked for; the memory of all else is given back.
+    void keep_groups_of(std::span<State* const> states);
 
     [[nodiscard]] ValueTable& table() { return table_; }
     [[nodiscard]] const ValueTable& table() const { return table_; }

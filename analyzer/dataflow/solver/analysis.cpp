@@ -101,7 +101,7 @@ class AnalysisBuilder {
         for (PointState& point : facts_.of<BeforeWatchedWord>()) asked.push_back(&point.state);
         if (wanted_.has<ExitState>())
             for (ExitState& exit : facts_.of<ExitState>()) asked.push_back(&exit.state);
-        states_.keep_only(asked);
+        states_.keep_groups_of(asked);
         result_.facts_ = facts_.hand_over(wanted_, worth_keeping);
     }
 

@@ -161,25 +161,34 @@ class LiveVariables {
 
 Liveness::Liveness(const Program& program, const flow::Graph& graph, Locals locals)
     : graph_(&graph)
-    , variables_(std::make_unique<const LiveVariables>(program, graph, locals))
-    , after_(flow::solve<flow::Direction::backward>(graph, *variables_)) {}
+    , variables_(std::make_unique<const LiveVariables>(program, graph, locals)) {
+    const std::vector<LiveSet> sets = flow::solve<flow::Direction::backward>(graph, *variables_);
+    if (!sets.empty()) words_ = sets.front().size();
+    after_.reserve(sets.size() * words_);
+    for (const LiveSet& set : sets) after_.insert(after_.end(), set.begin(), set.end());
+}
 
 Liveness::Liveness(Liveness&&) noexcept = default;
 Liveness& Liveness::operator=(Liveness&&) noexcept = default;
 Liveness::~Liveness() = default;
 
+LiveSet Liveness::after(flow::NodeId node) const {
+    LiveSet set(words_, 0);
+    std::copy_n(after_.begin() + static_cast<std::ptrdiff_t>(node * words_), words_, set.begin());
+    return set;
+}
+
 bool Liveness::is_live_after(EffectId effect, Variable variable) const {
     const auto node = graph_->node_of(effect);
     if (!node) return true;
-    LiveSet live = after_[*node];
+    LiveSet live = after(*node);
     const Slice effects = graph_->nodes[*node].effects;
     for (Id i = effects.first + effects.count; i > effect + 1;) variables_->go_back_over(*node, --i, live);
     return variables_->holds(live, variable);
 }
 
 std::vector<Variable> Liveness::live_before(flow::NodeId node) const {
-    if (after_[node].empty()) return {};
-    LiveSet live = after_[node];
+    LiveSet live = after(node);
     variables_->run(node, live);
     return variables_->members(live);
 }

@@ -5,6 +5,7 @@
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/program/model.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -35,9 +36,12 @@ class Liveness {
     [[nodiscard]] std::vector<Variable> live_before(flow::NodeId node) const;
 
   private:
+    [[nodiscard]] LiveSet after(flow::NodeId node) const;
+
     const flow::Graph* graph_;
     std::unique_ptr<const LiveVariables> variables_;
-    std::vector<LiveSet> after_; ///< every node
+    std::size_t words_ = 0;            ///< of a set
+    std::vector<std::uint64_t> after_; ///< the sets of all nodes, one after the other
 };
 
 } // namespace maclint::dataflow
