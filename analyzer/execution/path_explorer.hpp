@@ -45,8 +45,8 @@ class PathExplorer {
         Point before, after;
         std::size_t ways; ///< so many of all `ways_` are those of nodes before
         std::optional<flow::EdgeId> taken = {};
-        VariableSet reasons =
-            {}; ///< why ways that were tried do not lead on, after the node; empty: none was
+        /// Why ways that were tried do not lead on, after the node; empty: none was.
+        VariableSet reasons = {};
     };
 
     void measure(std::span<const Leg> legs);

@@ -398,7 +398,7 @@ class WorkspaceBuilder {
     }
 
     /// Depth-first from the programs that nobody calls: a call of a program still being followed closes a
-    /// cycle. One that is followed again finds nothing new, as all that it calls are done.
+    /// cycle.
     void mark_cycles() {
         enum class Mark : std::uint8_t { fresh, open, done };
         std::vector<Mark> marks(programs_.size(), Mark::fresh);
@@ -407,6 +407,7 @@ class WorkspaceBuilder {
             std::size_t next;
         };
         const auto follow = [&](ProgramIndex root) {
+            if (marks[root] != Mark::fresh) return;
             marks[root] = Mark::open;
             std::vector<Frame> frames{{root, 0}};
             while (!frames.empty()) {

@@ -5,6 +5,7 @@
 #include "rules/rule.hpp"
 #include "tests/support/analysed.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,6 +55,28 @@ TEST(Fix, EditsOfTheSameBytesAreRefused) {
 }
 
 TEST(Fix, OneThatChangesNothingIsNone) { EXPECT_THAT(kept({}), IsEmpty()); }
+
+TEST(Findings, ArePutInTheOrderOfReportsAndEqualOnesStayAsTheyAre) {
+    struct Numbered {
+        Finding finding;
+        int number;
+    };
+    const ProgramFile file{};
+    Reporter reporter(*find_rule("MAC002"));
+    std::vector<Numbered> all;
+    for (const auto& [path, begin] : {std::pair("B.nc", 5), std::pair("A.nc", 7), std::pair("A.nc", 1),
+                                      std::pair("B.nc", 5), std::pair("A.nc", 3), std::pair("C.nc", 0)}) {
+        Finding finding = reporter.report({file, {}}, {}, "unknown", {"X"});
+        finding.source = source(path);
+        finding.span = {static_cast<Offset>(begin), static_cast<Offset>(begin + 1)};
+        all.push_back({std::move(finding), static_cast<int>(all.size())});
+    }
+    put_in_order(all, &Numbered::finding);
+    std::vector<int> order;
+    for (const Numbered& each : all) order.push_back(each.number);
+    EXPECT_THAT(order, ElementsAre(2, 4, 1, 0, 3, 5));
+    EXPECT_TRUE(std::ranges::is_sorted(all, comes_before, &Numbered::finding));
+}
 
 TEST(Message, AnErrorNamesTheAlarmOfItsControlAndTheCureComesLast) {
     const auto message = [](const char* control) {
