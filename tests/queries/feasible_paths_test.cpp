@@ -164,6 +164,16 @@ TEST(FeasiblePaths, AFailureCountsOnlyWhereTheSameVariablesAreEqual) {
     }
 }
 
+TEST(FeasiblePaths, AFailureCountsOnlyWhereWhatIsStoredOnTheWayIsTheSame) {
+    // #2 is made of #1 behind the place where the paths meet, and decided on after that.
+    for (const auto& [first, second] : {std::pair("1", "2"), std::pair("2", "1")}) {
+        const auto workspace = test::analyse_fanuc("O1\nIF[#500EQ1]GOTO10\n#1=" + std::string(first) +
+                                                   "\nGOTO20\nN10 #1=" + second +
+                                                   "\nN20 #2=#1\nIF[#2NE2]GOTO99\nG0Z#5\nN99 M30\n");
+        EXPECT_TRUE(search_for_last_read(workspace->programs().front(), 5).path.has_value()) << first;
+    }
+}
+
 TEST(FeasiblePaths, NotEveryOneOfThousandsIsLookedForInALongProgram) {
     std::string text = "O1\nIF[#500EQ1]GOTO5\n#1=1\nN5\n";
     for (int i = 0; i < 30'000; ++i) text += "#2=#501\n";
