@@ -20,6 +20,8 @@ constexpr std::size_t work_of_a_visit = 100;     ///< as long as measuring so ma
 constexpr std::size_t work_of_a_cycles_node = 4; ///< likewise
 /// Of so many sets of reasons each is asked; where there are more, one of all their variables.
 constexpr std::size_t most_sets = 4;
+/// What took no more visits than this is sooner tried again than remembered.
+constexpr std::size_t few_visits = 16;
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
 
 bool is_barred(std::span<const flow::NodeId> barred, flow::NodeId node) {
@@ -141,7 +143,7 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
     }
     ++visits_;
     on_path_[node] = static_cast<std::uint8_t>(on_path_[node] | 1U << leg);
-    places_.push_back({node, leg, point, run_.run(node, point), ways_.size()});
+    places_.push_back({node, leg, point, run_.run(node, point), ways_.size(), visits_});
     add_ways_from(node, leg);
     return false;
 }
@@ -165,7 +167,7 @@ void PathExplorer::go_back() {
     on_path_[place.node] = static_cast<std::uint8_t>(on_path_[place.node] & ~(1U << place.leg));
     VariableSet why = place.reasons.empty() ? reasons().none() : place.reasons;
     reasons().go_back_over(place.node, why);
-    if (ways_meet_[place.node]) remember_failure(place, why);
+    if (ways_meet_[place.node] && visits_ - place.visits > few_visits) remember_failure(place, why);
     if (places_.empty()) return;
     add_reasons(places_.back(), why);
     places_.back().taken.reset();

@@ -43,7 +43,8 @@ class PathExplorer {
         flow::NodeId node;
         std::uint32_t leg;
         Point before, after;
-        std::size_t ways; ///< so many of all `ways_` are those of nodes before
+        std::size_t ways;   ///< so many of all `ways_` are those of nodes before
+        std::size_t visits; ///< as many as there were with this one
         std::optional<flow::EdgeId> taken = {};
         /// Why ways that were tried do not lead on, after the node; empty: none was.
         VariableSet reasons = {};

@@ -362,9 +362,9 @@ void Stepper::return_to_caller(EffectId id, const Return& what) {
 }
 
 void Stepper::exchange(const Exchange& exchange) {
-    for (const ExpressionId out : exchange.out) (void)evaluate(out);
+    for (const ExpressionId out : text().values_of(exchange)) (void)evaluate(out);
     if (done()) return;
-    for (const Variable in : exchange.in) store(in, environment_.typed_in(text(), in));
+    for (const Variable in : text().variables_of(exchange)) store(in, environment_.typed_in(text(), in));
 }
 
 // ---- variables and groups

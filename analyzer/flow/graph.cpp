@@ -109,7 +109,7 @@ class Building {
                            [this](const Jump& jump) { want(constant_target(program_, jump.target)); },
                            [this](const UnreadableBlock& block) {
                                has_unreadable_ = true;
-                               for (const Label& label : block.may_jump) wanted_.add(label);
+                               for (const Label& label : program_.labels_of(block)) wanted_.add(label);
                            },
                            [this](const Return& back) { // in a program that nobody called, it goes on there
                                if (const auto label = back.resume_label
@@ -446,7 +446,7 @@ class Building {
         for (const Effect& effect : program_.effects_in(graph_.nodes[node].effects)) {
             const auto* block = std::get_if<UnreadableBlock>(&effect.what);
             if (block == nullptr) continue;
-            for (const Label& label : block->may_jump)
+            for (const Label& label : program_.labels_of(*block))
                 if (const LabelledBlock* found = graph_.find_label(label, graph_.nodes[node].part.begin,
                                                                    LabelSearch::forward_then_top))
                     add_edge({node, found->node, EdgeKind::jump, {}, true, {}, {}});

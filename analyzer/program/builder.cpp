@@ -107,6 +107,18 @@ void ProgramBuilder::add_values(std::span<const ExpressionId> values, Span span)
     if (!values.empty()) add_effect({EvaluateWords{add_operands(values)}, span});
 }
 
+void ProgramBuilder::add_exchange(std::span<const ExpressionId> out, std::span<const Variable> in,
+                                  Span span) {
+    add_effect({Exchange{add_operands(out), append(program_.variables, in)}, span});
+}
+
+void ProgramBuilder::add_unreadable(const NamedInBlock& named, Span span) {
+    add_effect({UnreadableBlock{append(program_.variables, named.variables),
+                                append(program_.labels, named.labels), named.may_open_or_close,
+                                named.may_call_or_return},
+                span});
+}
+
 Slice ProgramBuilder::add_arguments(std::span<const Argument> arguments) {
     return append(program_.arguments, arguments);
 }

@@ -13,6 +13,14 @@
 
 namespace maclint {
 
+/// What a block that could not be read names; see UnreadableBlock.
+struct NamedInBlock {
+    std::vector<Variable> variables;
+    std::vector<Label> labels;
+    bool may_open_or_close = false;
+    bool may_call_or_return = false;
+};
+
 /// A program that is being read. One object writes block after block: its lists keep their memory.
 class ProgramBuilder {
   public:
@@ -95,6 +103,9 @@ class ProgramBuilder {
     void add_effect(Effect effect) { effects_.push_back(std::move(effect)); }
     /// Values that are computed and change nothing; none is no effect.
     void add_values(std::span<const ExpressionId> values, Span span);
+    /// Values that are put out and variables that are taken in.
+    void add_exchange(std::span<const ExpressionId> out, std::span<const Variable> in, Span span);
+    void add_unreadable(const NamedInBlock& named, Span span);
     /// For Call::arguments.
     [[nodiscard]] Slice add_arguments(std::span<const Argument> arguments);
     /// The block does nothing after all: it stands in a list for the operator.

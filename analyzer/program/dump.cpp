@@ -75,8 +75,8 @@ std::string describe(const Program& program, const RegionMark& mark) {
 
 std::string describe(const Program& program, const UnreadableBlock& block) {
     std::string out = "unreadable";
-    for (const Variable variable : block.may_write) out += " writes " + program.spell(variable);
-    for (const Label& label : block.may_jump) out += " jumps " + program.spell(label);
+    for (const Variable variable : program.variables_of(block)) out += " writes " + program.spell(variable);
+    for (const Label& label : program.labels_of(block)) out += " jumps " + program.spell(label);
     if (block.may_open_or_close) out += " opens-or-closes";
     if (block.may_call_or_return) out += " calls-or-returns";
     return out;
@@ -233,8 +233,8 @@ std::string describe(const Program& program, const Effect& effect) {
             },
             [&](const Exchange& what) {
                 std::string out = "exchange";
-                for (const ExpressionId id : what.out) out += " out " + describe(program, id);
-                for (const Variable variable : what.in) out += " in " + program.spell(variable);
+                for (const ExpressionId id : program.values_of(what)) out += " out " + describe(program, id);
+                for (const Variable variable : program.variables_of(what)) out += " in " + program.spell(variable);
                 return out;
             },
             [&](const Guarded& what) {

@@ -117,6 +117,22 @@ std::span<const ExpressionId> Program::values_of(const EvaluateWords& values) co
     return std::span(operands).subspan(values.values.first, values.values.count);
 }
 
+std::span<const ExpressionId> Program::values_of(const Exchange& exchange) const {
+    return std::span(operands).subspan(exchange.out.first, exchange.out.count);
+}
+
+std::span<const Variable> Program::variables_of(const Exchange& exchange) const {
+    return std::span(variables).subspan(exchange.in.first, exchange.in.count);
+}
+
+std::span<const Variable> Program::variables_of(const UnreadableBlock& block) const {
+    return std::span(variables).subspan(block.may_write.first, block.may_write.count);
+}
+
+std::span<const Label> Program::labels_of(const UnreadableBlock& block) const {
+    return std::span(labels).subspan(block.may_jump.first, block.may_jump.count);
+}
+
 std::span<const Effect> Program::effects_in(Slice slice) const {
     return std::span(effects).subspan(slice.first, slice.count);
 }
@@ -182,6 +198,8 @@ void Program::fit() {
     effects.shrink_to_fit();
     words.shrink_to_fit();
     arguments.shrink_to_fit();
+    variables.shrink_to_fit();
+    labels.shrink_to_fit();
     settings.shrink_to_fit();
 }
 

@@ -253,8 +253,8 @@ struct Return {
     std::optional<ExpressionId> value, resume_label;
 }; ///< M99, M99 P
 struct Exchange {
-    std::vector<ExpressionId> out;
-    std::vector<Variable> in;
+    Slice out; ///< Program::operands
+    Slice in;  ///< Program::variables
 }; ///< DPRNT, PRINT, INPUT
 struct Guarded {
     ExpressionId condition;
@@ -263,9 +263,8 @@ struct Guarded {
 
 /// A block that could not be read. What its words name may or may not happen.
 struct UnreadableBlock {
-    std::vector<Variable>
-        may_write; ///< all that it names: it may change them, or be the test that was missing
-    std::vector<Label> may_jump;
+    Slice may_write; ///< Program::variables, all that it names: it changes them, or is the test that misses
+    Slice may_jump;  ///< Program::labels
     bool may_open_or_close; ///< it names DO, END, IF …: balance findings that it may explain are held back
     bool may_call_or_return;
 };
@@ -381,6 +380,8 @@ class Program {
     std::vector<Effect> effects;
     std::vector<Word> words;
     std::vector<Argument> arguments;
+    std::vector<Variable> variables; ///< those of effects that have lists of them
+    std::vector<Label> labels;       ///< likewise
     std::vector<ModalSetting> settings;
     Names names;                 ///< of named variables
     SharedNames shared_names;    ///< of those that all programs share
@@ -397,6 +398,10 @@ class Program {
     }
     [[nodiscard]] std::span<const ExpressionId> operands_of(const Apply& apply) const;
     [[nodiscard]] std::span<const ExpressionId> values_of(const EvaluateWords& values) const;
+    [[nodiscard]] std::span<const ExpressionId> values_of(const Exchange& exchange) const;
+    [[nodiscard]] std::span<const Variable> variables_of(const Exchange& exchange) const;
+    [[nodiscard]] std::span<const Variable> variables_of(const UnreadableBlock& block) const;
+    [[nodiscard]] std::span<const Label> labels_of(const UnreadableBlock& block) const;
     [[nodiscard]] std::span<const Effect> effects_in(Slice slice) const;
     [[nodiscard]] std::span<const Argument> arguments_of(const Call& call) const;
     [[nodiscard]] Span span_of(ItemId item) const;

@@ -91,7 +91,8 @@ class VacantPath {
         for (const Effect& effect : analysis_.program().effects_in(analysis_.graph().nodes[node].effects)) {
             const auto* block = std::get_if<UnreadableBlock>(&effect.what);
             if (block == nullptr || block->may_open_or_close) continue;
-            if (std::ranges::find(block->may_write, variable_) != block->may_write.end() &&
+            const auto named = analysis_.program().variables_of(*block);
+            if (std::ranges::find(named, variable_) != named.end() &&
                 !may_assign(effect.span))
                 return effect.span;
         }

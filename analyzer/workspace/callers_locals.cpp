@@ -88,7 +88,7 @@ CallersLocals::Locals CallersLocals::stored_in(const Program& program) {
             if (const auto* at = std::get_if<StoreAt>(&assign->target))
                 locals.any |= reaches.of(at->family, at->index, {}).locals;
         } else if (const auto* unreadable = std::get_if<UnreadableBlock>(&what)) {
-            std::ranges::for_each(unreadable->may_write, [&](Variable variable) { locals.add(variable); });
+            for (const Variable variable : program.variables_of(*unreadable)) locals.add(variable);
             locals.any |= unreadable->may_call_or_return;
         } else if (const auto* call = std::get_if<Call>(&what)) {
             locals.any |= std::ranges::any_of(program.arguments_of(*call), [](const Argument& argument) {

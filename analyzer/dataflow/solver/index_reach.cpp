@@ -97,7 +97,7 @@ void IndexReaches::collect_bases() {
     std::vector<Base> all;
     for (const Effect& effect : program_.effects) {
         if (const auto* unreadable = std::get_if<UnreadableBlock>(&effect.what))
-            for (const Variable variable : unreadable->may_write) all.push_back({variable, 0});
+            for (const Variable variable : program_.variables_of(*unreadable)) all.push_back({variable, 0});
         const auto* assign = std::get_if<Assign>(&effect.what);
         const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
         if (target == nullptr) continue;

@@ -77,10 +77,11 @@ class LiveVariables {
                            add_reads(what.resume_label);
                        },
                        [&](const Exchange& what) {
-                           for (const ExpressionId out : what.out) add_reads(out);
+                           for (const ExpressionId out : program_.values_of(what)) add_reads(out);
                        },
                        [&](const UnreadableBlock& what) {
-                           for (const Variable variable : what.may_write) sets_.add(variable, live);
+                           for (const Variable variable : program_.variables_of(what))
+                               sets_.add(variable, live);
                            if (what.may_call_or_return) add_shared(live);
                        },
                        [](const ToolChange&) {},

@@ -109,11 +109,13 @@ void Transfer::apply(State& state, const Effect& effect) {
                    },
                    [&](const Exchange& what) {
                        if (facts_ != nullptr)
-                           for (const ExpressionId out : what.out) (void)evaluate(state, out, Use::word);
-                       for (const Variable in : what.in) clobber(state, in, opaque_variable(in));
+                           for (const ExpressionId out : program_.values_of(what))
+                               (void)evaluate(state, out, Use::word);
+                       for (const Variable in : program_.variables_of(what))
+                           clobber(state, in, opaque_variable(in));
                    },
                    [&](const UnreadableBlock& what) {
-                       for (const Variable variable : what.may_write)
+                       for (const Variable variable : program_.variables_of(what))
                            clobber(state, variable, opaque_variable(variable));
                        if (what.may_call_or_return) havoc_shared(state);
                    },

@@ -138,13 +138,13 @@ std::optional<Variable> variable_named(std::string_view written, const OpenProgr
     return Variable{range->space, n};
 }
 
-void add_variable(const std::optional<Variable>& variable, UnreadableBlock& names) {
-    if (variable && std::ranges::find(names.may_write, *variable) == names.may_write.end())
-        names.may_write.push_back(*variable);
+void add_variable(const std::optional<Variable>& variable, NamedInBlock& names) {
+    if (variable && std::ranges::find(names.variables, *variable) == names.variables.end())
+        names.variables.push_back(*variable);
 }
 
 /// A text that is not closed takes in variables that were meant to stand after it.
-void add_variables_in(std::string_view text, const OpenProgram& program, UnreadableBlock& names) {
+void add_variables_in(std::string_view text, const OpenProgram& program, NamedInBlock& names) {
     for (auto at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
         const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", at + 1);
         add_variable(variable_named(text.substr(at, end == std::string_view::npos ? end : end - at), program),
@@ -154,10 +154,10 @@ void add_variables_in(std::string_view text, const OpenProgram& program, Unreada
 
 } // namespace
 
-UnreadableBlock names_in(const OpenProgram& program, Span block) {
+NamedInBlock names_in(const OpenProgram& program, Span block) {
     const ErrorExplainer explainer(program.builder.program().text, block);
     const std::span<const Token> tokens = explainer.tokens();
-    UnreadableBlock names{{}, {}, false, false};
+    NamedInBlock names;
     constexpr int most_guesses = 16; // in noise every word is a riddle
     int guesses = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {

@@ -17,6 +17,6 @@ namespace maclint::dinplus {
 [[nodiscard]] SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tree& tree);
 
 /// What an unreadable block may do, judged by the words in it.
-[[nodiscard]] UnreadableBlock names_in(const OpenProgram& program, Span block);
+[[nodiscard]] NamedInBlock names_in(const OpenProgram& program, Span block);
 
 } // namespace maclint::dinplus

@@ -62,7 +62,7 @@ void BlockLowering::add_unreadable_return(const Block& head, OpenProgram& progra
 /// What the words of a block may do that could not be read. The IF before it may have found its THEN.
 void BlockLowering::add_names_in(Span block, OpenProgram& program) {
     program.waiting_if.reset();
-    if (program.effects) program.builder.add_effect({names_in(program, block), block});
+    if (program.effects) program.builder.add_unreadable(names_in(program, block), block);
 }
 
 /// Takes slides, skip mark and block number off the front of a block; the rest is what it does.
@@ -199,11 +199,11 @@ void BlockLowering::lower_output(const Node& node) {
     const bool input = upper_text(*function) == "INPUT";
     const Node* target = input && arguments.size() > 1 ? arguments.back() : nullptr;
     if (target != nullptr) arguments.pop_back();
-    Exchange exchange;
-    for (const Node* argument : arguments) exchange.out.push_back(lower_expression(*argument));
+    std::vector<ExpressionId> out;
+    for (const Node* argument : arguments) out.push_back(lower_expression(*argument));
     const std::optional<Variable> variable = target == nullptr ? std::nullopt : variable_of(*target);
-    if (variable) exchange.in.push_back(*variable);
-    effect({std::move(exchange), span(node)});
+    const std::span in = variable ? std::span(&*variable, 1) : std::span<const Variable>();
+    builder_->add_exchange(out, in, span(node));
     if (target != nullptr && !variable) store_elsewhere(*target, unreadable(span(*target)), span(node));
     if (input) effect({Synchronise{}, span(node)});
 }
@@ -218,8 +218,7 @@ void BlockLowering::lower_unknown(const Node& node) {
         report(SyntaxErrorKind::not_alone, span(*keyword), "");
     else
         report(SyntaxErrorKind::unknown_keyword, span(*keyword), meant);
-    UnreadableBlock block{{}, {}, true, meant == "RETURN"};
-    effect({std::move(block), span(node)});
+    builder_->add_unreadable({{}, {}, true, meant == "RETURN"}, span(node));
 }
 
 // ---- the tree

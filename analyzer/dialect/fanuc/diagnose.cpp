@@ -448,11 +448,11 @@ SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tr
             std::move(expected)};
 }
 
-UnreadableBlock names_in(const Program& program, Span block) {
+NamedInBlock names_in(const Program& program, Span block) {
     const ErrorExplainer explainer(program.text, block);
     const std::span<const Token> tokens = explainer.tokens();
     const VariableFamily& family = program.control->families[numbered];
-    UnreadableBlock names{{}, {}, false, false};
+    NamedInBlock names;
     std::vector<std::int64_t> named, labels;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const Token& token = tokens[i];
@@ -484,11 +484,11 @@ UnreadableBlock names_in(const Program& program, Span block) {
     }
     sort_unique(labels);
     sort_unique(named);
-    names.may_jump.assign(labels.begin(), labels.end());
+    names.labels.assign(labels.begin(), labels.end());
     for (const std::int64_t number : named) {
         const VariableRange* range = family.find(number);
         if (range != nullptr && range->meaning == Meaning::variable)
-            names.may_write.push_back({range->space, static_cast<std::int32_t>(number)});
+            names.variables.push_back({range->space, static_cast<std::int32_t>(number)});
     }
     return names;
 }

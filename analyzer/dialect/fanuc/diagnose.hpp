@@ -1,7 +1,7 @@
 //! Why a block could not be read, in the user's words, and what it may do all the same.
 #pragma once
 
-#include "analyzer/program/model.hpp"
+#include "analyzer/program/builder.hpp"
 #include "analyzer/syntax/tree.hpp"
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace maclint::fanuc {
 
 /// What a block that could not be read names: variables that it may write, labels that it may jump to.
-[[nodiscard]] UnreadableBlock names_in(const Program& program, Span block);
+[[nodiscard]] NamedInBlock names_in(const Program& program, Span block);
 
 /// Whether the block is text after a sign that begins a remark on other controls.
 [[nodiscard]] bool is_bare_remark(std::string_view text, Span block);

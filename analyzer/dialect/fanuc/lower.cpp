@@ -226,13 +226,13 @@ std::optional<std::int64_t> BlockLowering::loop_number(const Node& mark) const {
 }
 
 void BlockLowering::lower_output(const Node& node) {
-    Exchange exchange;
+    std::vector<ExpressionId> out;
     for_each_child(node, [&](const Node& part) {
         if (kind_of(part) != Kind::output_variable) return;
         if (const Node* variable = child(part, Field::variable))
-            exchange.out.push_back(lower_expression(*variable));
+            out.push_back(lower_expression(*variable));
     });
-    effect({std::move(exchange), span(node)});
+    builder_->add_exchange(out, {}, span(node));
 }
 
 const syntax::Node* BlockLowering::child(const Node& node, Field field) const {

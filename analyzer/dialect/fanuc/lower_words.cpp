@@ -186,13 +186,13 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
 /// variable of the caller to set: G310 R8178 P28.
 void BlockLowering::lower_possible_call(std::span<const NcWord> words, Span span) {
     constexpr double last_local = 33;
-    Exchange exchange;
+    std::vector<Variable> set;
     for (const NcWord& word : words) {
         const bool whole = program_->slice(this->span(*word.node)).find('.') == std::string_view::npos;
         if (word.literal && whole && word.letter != 'G' && *word.literal >= 1 && *word.literal <= last_local)
-            exchange.in.push_back({spaces::local, static_cast<std::int32_t>(*word.literal)});
+            set.push_back({spaces::local, static_cast<std::int32_t>(*word.literal)});
     }
-    if (!exchange.in.empty()) effect({std::move(exchange), span});
+    if (!set.empty()) builder_->add_exchange({}, set, span);
     effect({Call{unreadable(span), calls::g65, arguments_from(words), std::nullopt}, span});
 }
 

@@ -108,7 +108,7 @@ class Family {
         program.begin_block();
         // The control that it is written for passes a remark by; any other stops, and does nothing either.
         if (!is_bare_remark(text_, raw.span))
-            program.add_effect({names_in(program.program(), raw.span), raw.span});
+            program.add_unreadable(names_in(program.program(), raw.span), raw.span);
         program.end_block(unreadable_head(raw.span));
     }
 
