@@ -311,7 +311,6 @@ class Building {
                 loose_ = {{node, EdgeKind::branch, mark.condition, true}};
                 open.otherwise = Loose{node, EdgeKind::branch, mark.condition, false};
             } else {
-                loose_ = {{node, EdgeKind::next, {}, true}};
                 open.fallback = node;
             }
             return;

@@ -113,10 +113,10 @@ void ProgramBuilder::add_exchange(std::span<const ExpressionId> out, std::span<c
 }
 
 void ProgramBuilder::add_unreadable(const NamedInBlock& named, Span span) {
-    add_effect({UnreadableBlock{append(program_.variables, named.variables),
-                                append(program_.labels, named.labels), named.may_open_or_close,
-                                named.may_call_or_return},
-                span});
+    add_effect(
+        {UnreadableBlock{append(program_.variables, named.variables), append(program_.labels, named.labels),
+                         named.may_open_or_close, named.may_call_or_return},
+         span});
 }
 
 Slice ProgramBuilder::add_arguments(std::span<const Argument> arguments) {

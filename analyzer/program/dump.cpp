@@ -234,7 +234,8 @@ std::string describe(const Program& program, const Effect& effect) {
             [&](const Exchange& what) {
                 std::string out = "exchange";
                 for (const ExpressionId id : program.values_of(what)) out += " out " + describe(program, id);
-                for (const Variable variable : program.variables_of(what)) out += " in " + program.spell(variable);
+                for (const Variable variable : program.variables_of(what))
+                    out += " in " + program.spell(variable);
                 return out;
             },
             [&](const Guarded& what) {

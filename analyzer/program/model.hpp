@@ -255,7 +255,7 @@ struct Return {
 struct Exchange {
     Slice out; ///< Program::operands
     Slice in;  ///< Program::variables
-}; ///< DPRNT, PRINT, INPUT
+};             ///< DPRNT, PRINT, INPUT
 struct Guarded {
     ExpressionId condition;
     Slice effects;

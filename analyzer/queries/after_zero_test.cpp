@@ -92,8 +92,7 @@ class VacantPath {
             const auto* block = std::get_if<UnreadableBlock>(&effect.what);
             if (block == nullptr || block->may_open_or_close) continue;
             const auto named = analysis_.program().variables_of(*block);
-            if (std::ranges::find(named, variable_) != named.end() &&
-                !may_assign(effect.span))
+            if (std::ranges::find(named, variable_) != named.end() && !may_assign(effect.span))
                 return effect.span;
         }
         return std::nullopt;

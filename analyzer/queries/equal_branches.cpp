@@ -42,7 +42,7 @@ class Search {
         if (!effect || out.size() != 2) return std::nullopt;
         const flow::Edge& one = graph_.edges[out[0]];
         const flow::Edge& two = graph_.edges[out[1]];
-        if (!one.condition || one.condition != two.condition || one.holds == two.holds) return std::nullopt;
+        if (!one.condition || one.condition != two.condition) return std::nullopt;
         const auto if_true = follow(one.holds ? one : two);
         if (!if_true || !if_true->acts) return std::nullopt; // as behind most jumps
         const auto if_false = follow(one.holds ? two : one);

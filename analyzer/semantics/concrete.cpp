@@ -50,13 +50,9 @@ Result power(double base, double exponent) {
     return result;
 }
 
-/// Exact where a quarter turn is: TAN[90] is an alarm and no large number [T].
+/// Exactly 0 at half a turn: TAN[90] is an alarm and no large number [T].
 double sine(double angle) {
-    const double turn = std::fmod(angle, 360);
-    if (std::fmod(turn, 180) == 0) return 0;
-    if (turn == 90 || turn == -270) return 1;
-    if (turn == -90 || turn == 270) return -1;
-    return std::sin(turn / degrees);
+    return std::fmod(angle, 180) == 0 ? 0 : std::sin(std::fmod(angle, 360) / degrees);
 }
 
 Result tangent(double angle) {

@@ -45,6 +45,7 @@ TEST(Loops, AreInTheOrderOfTheirHeads) {
     // Two jumps to the same block: two loops, in the order of the jumps.
     EXPECT_THAT(loops_of("O1\nN1#1=#1+1\nIF[#1LT5]GOTO1\nIF[#2LT5]GOTO1\nM30\n"),
                 ElementsAre(Lines(2, 3), Lines(2, 4)));
+    EXPECT_THAT(loops_of("N1GOTO1\nM30\n"), ElementsAre(Lines(1, 1)));
 }
 
 TEST(Loops, AreOnlyThoseThatCanRun) {
@@ -180,6 +181,14 @@ TEST(InescapableCycles, AreThoseThatNoPathLeavesAndNothingStops) {
     EXPECT_THAT(inescapable("O1\nN1#1=#1+1\nG65P77\nGOTO1\nM30\n"), IsEmpty()); // who knows
     EXPECT_THAT(inescapable("O1\nN1#1=#1+1\n#2=[[\nGOTO1\nM30\n"), IsEmpty());
     EXPECT_THAT(inescapable("O1\nN1G65P2\nGOTO1\nM30\nO2\n#100=1\nM99\n"), ElementsAre(Lines(2, 3)));
+}
+
+TEST(InescapableCycles, AreLeftByAnAlarmOfACalledProgramThatLooksAtWhatChanges) {
+    const std::string called = "M30\nO2\nIF[#1GT5]GOTO9\nM99\nN9#3000=1(NO)\n";
+    EXPECT_THAT(inescapable("O1\nN1#1=#1+1\nG65P2A#1\nGOTO1\n" + called), IsEmpty());
+    EXPECT_THAT(inescapable("O1\nN1#1=#1+1\nG65P2A3.\nGOTO1\n" + called), ElementsAre(Lines(2, 4)));
+    EXPECT_THAT(inescapable("O1\nN1#1=#1+1\n#2=3\nG65P2A#2\nGOTO1\n" + called), ElementsAre(Lines(2, 5)));
+    EXPECT_THAT(inescapable("O1\nN1#1=#1+1\nIF[#500EQ1]THEN#2=3\nG65P2A#2\nGOTO1\n" + called), IsEmpty());
 }
 
 TEST(InescapableCycles, MayBeASingleBlock) {

@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/solver/state_domain.hpp"
 #include "tests/dataflow/expect.hpp"
 #include "tests/support/analysed.hpp"
 
@@ -33,6 +34,22 @@ TEST(Solver, WinsBackTheBoundThatWideningGaveAway) {
     const Value after = last_read("#1=0\n#2=10\nN1#1=#1+1\nIF[#1LT#2]GOTO1\nX#1\nM30\n");
     EXPECT_EQ(after.low, 10);
     EXPECT_EQ(after.high, 10);
+}
+
+TEST(Solver, WidensAtHeadsOfLoopsEarlyAndElsewhereLate) {
+    EXPECT_FALSE(dataflow::StateDomain::widens(true, 1));
+    EXPECT_TRUE(dataflow::StateDomain::widens(true, 2));
+    EXPECT_FALSE(dataflow::StateDomain::widens(false, 11));
+    EXPECT_TRUE(dataflow::StateDomain::widens(false, 12));
+}
+
+TEST(Solver, WhatAGroupCanBeIsSortedWhicheverWordCameFirst) {
+    // #3 is known earlier than #4, and its word stands later: it is ignored on one of the paths.
+    const auto workspace = test::analyse_fanuc("O9001\nIF[#7EQ1]GOTO1\n#3=#0\nGOTO2\nN1#3=5\n"
+                                               "N2#4=#8+#9\nF#4\nF#3\nM30\n");
+    const dataflow::ModalValue feed = at_exit(workspace->programs().front(), ModalRole::feed);
+    EXPECT_EQ(feed.parts.size(), 2U);
+    EXPECT_TRUE(std::ranges::is_sorted(feed.parts));
 }
 
 TEST(Solver, OfManyPathsThatMeetEachCounts) {

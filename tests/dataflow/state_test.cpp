@@ -5,6 +5,7 @@
 #include "tests/support/analysed.hpp"
 #include "tests/support/hand_built.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -84,6 +85,35 @@ TEST(Join, ThatTheVariableItselfWasLeftOutSaysMoreThanThatAnotherWas) {
         EXPECT_EQ(origin.id, 1U) << text;
     }
     EXPECT_EQ(vacancy_origin_of_last_read("O9001\n#1=#2\nX#1\nM99\n").id, 2U);
+}
+
+TEST(Widening, StopsAtTheNextNumberThatTheProgramComparesWith) {
+    const auto workspace = test::analyse_fanuc("O0001\n#1=0\nM30\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    dataflow::States states(analysis.program(), analysis.data().knowledge());
+    const Variable variable = analysis.facts().all<dataflow::Store>().front().variable;
+    const auto holding = [&](double low, double high) {
+        Value value;
+        value.vacancy = Vacancy::set;
+        value.low = low;
+        value.high = high;
+        dataflow::State state = states.at_entry();
+        states.write(state, variable, value);
+        return state;
+    };
+    const auto widened = [&](double low, double high) {
+        const std::array thresholds{-9., -5., 0., 5., 9.};
+        return states.read(states.widen(holding(0, 1), holding(low, high), 0, thresholds), variable);
+    };
+    EXPECT_EQ(widened(0, 3).high, 5);
+    EXPECT_EQ(widened(0, 5).high, 5);
+    EXPECT_EQ(widened(0, 6).high, 9);
+    EXPECT_EQ(widened(0, 10).high, dataflow::infinity);
+    EXPECT_EQ(widened(0, 10).low, 0);
+    EXPECT_EQ(widened(-3, 1).low, -5);
+    EXPECT_EQ(widened(-5, 1).low, -5);
+    EXPECT_EQ(widened(-10, 1).low, -dataflow::infinity);
+    EXPECT_EQ(widened(-10, 1).high, 1);
 }
 
 TEST(Entry, OfAProgramThatNobodyCallsHasNoLocalsButItsArguments) {
@@ -167,6 +197,7 @@ TEST(DeclaredTypes, AnIntegerIsRounded) {
     EXPECT_EQ(integer.high, 2);
     EXPECT_TRUE(integer.integer);
     EXPECT_EQ(integer.exactness, Exactness::exact);
+    EXPECT_EQ(integer.rounding, 0U);
     EXPECT_EQ(stored_in(VariableType::integer, -1.6).low, -2);
     EXPECT_EQ(stored_in(VariableType::integer, 7).high, 7);
     EXPECT_EQ(stored_in(VariableType::number, 1.6).high, 1.6);

@@ -1,6 +1,8 @@
 //! Value numbers: what counts as one number, and what a symbol stands for.
 #include "analyzer/dataflow/domain/value.hpp"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 namespace maclint::dataflow {
@@ -29,6 +31,24 @@ TEST(ValueTable, TellsWhatASymbolStandsFor) {
     EXPECT_NE(table.constant(0), 0U); // the symbol of which nobody knows anything
     table.fit();
     EXPECT_EQ(table.entry_group_of(group), GroupId{3});
+}
+
+TEST(ValueTable, OfAFewNumbersTheLastOneThatIsLeftIsTheValue) {
+    ValueTable table;
+    Value few = number_value(table, 5);
+    few.choices = table.either(number_value(table, 0), number_value(table, 5));
+    few.symbol = table.symbols({Symbol::Kind::joined, 1, 2, 0});
+    few.low = 0;
+    const auto left = [&](double number, Vacancy vacancy) {
+        Value value = few;
+        value.vacancy = vacancy;
+        table.narrow(value, std::array{number});
+        return value.symbol == table.constant(number);
+    };
+    EXPECT_TRUE(left(5, Vacancy::set));
+    EXPECT_TRUE(left(0, Vacancy::set));
+    EXPECT_TRUE(left(5, Vacancy::maybe));  // what is vacant is no 5
+    EXPECT_FALSE(left(0, Vacancy::maybe)); // and counts as 0
 }
 
 TEST(Interner, MayBeAskedForAThingThatItHolds) {

@@ -194,6 +194,18 @@ TEST(Edges, ACalledProgramResumesWhereItSays) {
     EXPECT_THAT(exits_in("fanuc", "O1\nM98P2\nO2\nM99\n"), ElementsAre("2 runs off"));
 }
 
+TEST(Edges, OfVeryManyComputedJumpsLeadToOneNodeThatLeadsToAllLabels) {
+    constexpr std::size_t many = 150;
+    std::string text;
+    for (std::size_t i = 1; i <= many; ++i) text += "N" + std::to_string(i) + "GOTO#500\n";
+    const auto workspace = test::analyse_fanuc(text + "M30\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    const std::vector<std::string> edges = edges_of(analysis);
+    EXPECT_EQ(edges.size(), 2 * many);
+    EXPECT_THAT(edges, testing::Each(testing::HasSubstr(" computed ")));
+    EXPECT_EQ(analysis.graph().nodes.back().effects.count, 0U); // the jumps are made where they stand
+}
+
 TEST(Edges, AChoiceHasTwoBranchesThatMeetAfterIt) {
     EXPECT_THAT(din_edges_in("IF #l1>3\nTHEN\n#l2=1\nENDIF\nM30\n"),
                 UnorderedElementsAre("2 if 3", "3 next 4", "4 next 5", "5 next 6", "2 unless 6"));

@@ -34,6 +34,8 @@ TEST(EndlessCounters, StepByZeroOrAwayFromTheBound) {
     EXPECT_THAT(faults_of("#33=0\nWHILE[#33LT9]DO1\n#33=#33+0\nEND1\n"), ElementsAre(StepFault::zero));
     EXPECT_THAT(faults_of("#33=0\nWHILE[#33LT9]DO1\n#33=#33-1\nEND1\n"), ElementsAre(StepFault::wrong_sign));
     EXPECT_THAT(faults_of("#33=9\nWHILE[#33GE0]DO1\n#33=#33+1\nEND1\n"), ElementsAre(StepFault::wrong_sign));
+    EXPECT_THAT(faults_of("#33=9\nWHILE[#33GT0]DO1\n#33=#33+1\nEND1\n"), ElementsAre(StepFault::wrong_sign));
+    EXPECT_THAT(faults_of("#33=0\nWHILE[#33LE9]DO1\n#33=#33-1\nEND1\n"), ElementsAre(StepFault::wrong_sign));
     EXPECT_THAT(faults_of("#33=9\nWHILE[#33GE0]DO1\n#33=#33-1\nEND1\n"), IsEmpty());
     EXPECT_THAT(faults_of("#33=9\nWHILE[#33NE0]DO1\n#33=#33+1\nEND1\n"), IsEmpty()); // it may wrap around
 }

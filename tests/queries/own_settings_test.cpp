@@ -68,5 +68,19 @@ TEST(LastSettings, AreThoseOfAllPathsAndNoEarlierOnes) {
     EXPECT_THAT(last_feeds("G0X1.S50\n#1=1\n"), IsEmpty());
 }
 
+/// Whether the spindle stands from the first block on, which is M5.
+bool stays_off(const std::string& blocks) {
+    const auto workspace = test::analyse_fanuc("O9001\nM5\n" + blocks + "M99\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    return stays_at(analysis, 0, {*analysis.control().group_with(ModalRole::spindle), 5});
+}
+
+TEST(Codes, StayWhereNoBlockBehindThemSetsAnotherOrMay) {
+    EXPECT_TRUE(stays_off("X#1\nX#2\nM5\n"));
+    EXPECT_FALSE(stays_off("X#1\nX#2\nM3\n"));
+    EXPECT_FALSE(stays_off("X#1\nX#2\nM98P77\n"));
+    EXPECT_TRUE(stays_off("X#1\nM99\nM3\n")); // never reached
+}
+
 } // namespace
 } // namespace maclint::queries

@@ -55,6 +55,16 @@ TEST(TellingSteps, AreTheLastOnes) {
     EXPECT_THAT(steps_to_line(text, 8, 0), testing::IsEmpty());
 }
 
+TEST(Steps, AreShownAtTheConditionOrTheBlockThatLeadsOnOrIsSkipped) {
+    const auto workspace = test::analyse_fanuc("O1\nWHILE[#1LT5]DO1\n#1=#1+1\nEND1\nX#2\n/X#1\nM30\n");
+    const ProgramAnalysis& analysis = workspace->programs().front();
+    std::vector<std::string> texts;
+    for (flow::EdgeId edge = 0; edge < analysis.graph().edges.size(); ++edge)
+        texts.push_back(test::text_of(analysis, span_of_step(analysis, edge)));
+    EXPECT_THAT(texts, testing::UnorderedElementsAre("O1", "[#1LT5]", "#1=#1+1", "END1", "[#1LT5]", "X#2",
+                                                     "/X#1", "/X#1"));
+}
+
 TEST(ShortestPaths, LeadFromEveryNodeAndNowhereWherePathsEnd) {
     const auto workspace = test::analyse_fanuc("O1\nX#1\nX#2\nGOTO5\nX#3\nN5X#4\nM30\n");
     const ProgramAnalysis& analysis = workspace->programs().front();

@@ -42,6 +42,8 @@ std::string last_block_of(const std::string& text) {
 TEST(Exits, OffTheEndAreAfterTheLastBlockThatRuns) {
     EXPECT_EQ(last_block_of("X1.\nX2.\nX3.\n"), "X3.");
     EXPECT_EQ(last_block_of("X1.\nX#1\n"), "X#1");
+    // Where the skip switch is on, the block before M30 is the last one.
+    EXPECT_EQ(last_block_of("#1=1\n/M30\n"), "#1=1");
 }
 
 TEST(Exits, OfWhichOneSideOfATestEndsInAnAlarm) {
@@ -141,6 +143,10 @@ TEST(RepeatedNumbers, OfReferencesAreLookedForInTheirSection) {
     EXPECT_THAT(repeated_in("dinplus", contour + "N10 G810 NS2 NE2 P2\nN20 M30\nEND\n"),
                 testing::ElementsAre(Repeated{2, 2, 0}));
     EXPECT_THAT(repeated_in("dinplus", contour + "N10 G810 NS1 NE1 P2\nN20 M30\nEND\n"), testing::IsEmpty());
+    const auto workspace = test::analyse_text("dinplus", contour + "N10 G810 NS2 NE2 P2\nN20 M30\nEND\n");
+    const std::vector<RepeatedNumber> found = find_repeated_numbers(workspace->programs().front());
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.front().doubling, Doubling::referenced); // which of them is meant nobody can tell
 }
 
 /// Lines of the branches that go on, and of those into which.

@@ -86,9 +86,13 @@ TEST(InexactCounter, LosesOrDoublesItsLastPass) {
     EXPECT_THAT(
         lines_raised("MAC711", "O9001\n#6=360/#6\n#33=0\nWHILE[#33LE360]DO1\n#33=#33+#6\nEND1\nM99\n"),
         ElementsAre(5));
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0.025\nWHILE[#33LE1.025]DO1\n#33=#33+0.1\nEND1\nM99\n"),
+                ElementsAre(4));
 }
 
 TEST(InexactCounter, IsHarmlessWhenExactClampedOrWithRoomAtItsEnd) {
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0.025\nWHILE[#33LE1.075]DO1\n#33=#33+0.1\nEND1\nM99\n"),
+                IsEmpty());
     EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE1]DO1\n#33=#33+0.5\nEND1\nM99\n"),
                 IsEmpty());
     EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE1.05]DO1\n#33=#33+0.1\nEND1\nM99\n"),

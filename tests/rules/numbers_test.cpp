@@ -29,6 +29,8 @@ TEST(DivisionByZero, ThatOneOfTwoPathsEscapesIsNotCertain) {
     EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\nIF[#2EQ1]THEN#1=3\n#5=#2/#1\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\nIF[#1EQ0]GOTO9\n#5=#2/#1\nN9 M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC702", "O9001\n#6=#2/#3003\nM99\n"), IsEmpty());
+    // 0 or never set: that is said of the variable.
+    EXPECT_THAT(lines_raised("MAC702", "O9001\nIF[#2GT5]GOTO1\n#30=0\nN1 #5=#2/#30\nM99\n"), IsEmpty());
 }
 
 TEST(DivisionByZero, ByAnArgumentThatNothingChecksIsANote) {
@@ -49,6 +51,8 @@ TEST(DivisionByZero, IsAWarningWhereACallShowsIt) {
     const std::string macro = "O9001\n#5=#2/[#1-#3]\nX#5\nM99\n";
     EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A2. B1. C2.\nM30\n" + macro), ElementsAre("warning 5"));
     EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A2. B1. C1.\nM30\n" + macro), IsEmpty());
+    EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A0 B1.\nM30\nO9001\n#5=#2/[#1+#0]\nX#5\nM99\n"),
+                ElementsAre("warning 5")); // #0 adds nothing
     EXPECT_THAT(judged("MAC702", "O1\nG65 P9001 A2. B1. C#1\nM30\n" + macro), IsEmpty());
     EXPECT_THAT(
         messages_raised("MAC702", "O1\nG65 P9001 B1. A1.\nG65 P9001 B1.\nM30\nO9001\n#5=#2/#1\nM99\n"),
@@ -154,6 +158,7 @@ TEST(DomainError, OfANegativeNumberIsAnError) {
     EXPECT_THAT(judged("MAC703", "O9001\nX[ACOS[1.5]]\nY[ASIN[1]]\nM99\n"), ElementsAre("error 2"));
     EXPECT_THAT(judged("MAC703", "O9001\nIF[#1GE0]GOTO9\nX[SQRT[#1]]\nN9 M99\n"), ElementsAre("error 3"));
     EXPECT_THAT(judged("MAC703", "O9001\nX[SQRT[#1*#1+#2*#2]]\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC703", "O9001\n#1=-0.5\nIF[#2EQ1]THEN#1=0.5\nX[ASIN[#1]]\nM99\n"), IsEmpty());
 }
 
 TEST(DomainError, OfADifferenceOfArgumentsThatNothingComparesIsANote) {
@@ -231,6 +236,10 @@ TEST(DivisionByZero, IsNoAngleOfTwoSidesAndNoRemainder) {
 TEST(FloatEquality, OfARoundedResultIsReported) {
     EXPECT_THAT(lines_raised("MAC710", "O9001\n#33=#1/3\nIF[#33EQ#2]GOTO9\nN9 M99\n"), ElementsAre(3));
     EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[SIN[#1]NE0.5]GOTO9\nN9 M99\n"), ElementsAre(2));
+    EXPECT_THAT(messages_raised("MAC710", "O9001\n#33=#1/3\nIF[#33EQ60.]GOTO9\nN9 M99\n"),
+                ElementsAre(HasSubstr("'#33' is rounded (line 2)")));
+    EXPECT_THAT(messages_raised("MAC710", "O9001\n#33=#1/3\nIF[60.NE#33]GOTO9\nN9 M99\n"),
+                ElementsAre(HasSubstr("'#33' is rounded (line 2)")));
 }
 
 TEST(FloatEquality, OfCopiesHalvesAndWholeNumbersIsExact) {

@@ -48,6 +48,8 @@ TEST(PositionReadAhead, ComesAfterAStopOfLookAhead) {
     EXPECT_THAT(early("G1X5.F100.\nM8\nF50.\n#5221=#5021\n"), IsEmpty());
     EXPECT_THAT(early("G103P1\nG1X5.F100.\n#5221=#5021\n"), IsEmpty());
     EXPECT_THAT(early("G103\nG1X5.F100.\n#5221=#5021\n"), ElementsAre(4));
+    // The jump past the dwell is never taken.
+    EXPECT_THAT(early("#4=5\nG1X5.F100.\nIF[#4NE5]GOTO1\nG4X1.\nN1#5221=#5021\n"), IsEmpty());
 }
 
 TEST(PositionReadAhead, IsNoMoveOfTheCallerAndNoEndOfABlock) {

@@ -120,6 +120,10 @@ TEST(VacancyTest, MayHoldForACopyOfAnArgumentAndForWhatOthersSet) {
     EXPECT_THAT(lines_raised("MAC228", "O9001\n#33=#1\nIF[#33EQ#0]GOTO9\nN9 M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC228", "O9001\nIF[#500EQ#0]GOTO9\nIF[#500EQ#0]GOTO9\nN9 M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC228", "O9001\nIF[#1EQ#0]THEN#1=5\nIF[#1EQ#0]GOTO9\nN9 M99\n"), IsEmpty());
+    // Asked of the variable that was copied, and of the copy.
+    const std::string tested = "O9001\nIF[#500EQ#0]GOTO9\n#5=#500";
+    EXPECT_THAT(judged("MAC228", tested + "\nIF[#5EQ#0]GOTO9\nN9 M99\n"), ElementsAre("note 4"));
+    EXPECT_THAT(judged("MAC228", tested + "*2\nIF[#5EQ#0]GOTO9\nN9 M99\n"), ElementsAre("warning 4"));
 }
 
 TEST(UninitialisedLocal, ATestOfAnotherVariableOnTheWayIsHeeded) {

@@ -167,6 +167,7 @@ TEST(Abstract, WhatAVariableOfATypeCanHoldAllowsWhatItHolds) {
     for (int round = 0; round < 10000; ++round) {
         const AbstractValue value = sampler.value();
         const Content content = sampler.content(value);
+        EXPECT_EQ(stored_in(VariableType::text, value), value); // calculated with it is not
         for (const VariableType type : {VariableType::number, VariableType::integer, VariableType::truth}) {
             const Content held = content ? Content(stored_in(type, *content)) : content;
             const AbstractValue said = stored_in(type, value);

@@ -199,6 +199,8 @@ TEST(Concrete, AnIndexIsRounded) {
     EXPECT_EQ(variable_number(100.5), 101);
     EXPECT_EQ(variable_number(99.5), 100);
     EXPECT_EQ(variable_number(-0.4), 0);
+    EXPECT_EQ(variable_number(999'999'999), 999'999'999);
+    EXPECT_EQ(variable_number(1e9), std::nullopt);
     EXPECT_EQ(variable_number(1e12), std::nullopt);
     EXPECT_EQ(variable_number(-1e12), std::nullopt);
     EXPECT_EQ(variable_number(std::nan("")), std::nullopt);

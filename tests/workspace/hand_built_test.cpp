@@ -175,6 +175,13 @@ TEST(UntilLoop, RunsOnceAndEndsWhenItsConditionIsTrue) {
     EXPECT_EQ(test::line_of(main, main.graph().nodes[main.loops().front().head].part.begin), 2U);
     EXPECT_TRUE(main.loops().front().region.has_value());
     EXPECT_TRUE(main.inescapable_cycles().empty());
+    // The way on from the condition is one that it decides, and no jump.
+    const auto& edges = main.graph().edges;
+    const auto on =
+        std::ranges::find_if(edges, [](const flow::Edge& edge) { return edge.condition && edge.holds; });
+    ASSERT_NE(on, edges.end());
+    EXPECT_EQ(on->kind, flow::EdgeKind::branch);
+    EXPECT_EQ(test::line_of(main, main.graph().nodes[on->to].part.begin), 5U);
 }
 
 TEST(UntilLoop, WhoseConditionIsNeverTrueIsNeverLeft) {

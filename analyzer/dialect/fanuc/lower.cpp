@@ -229,8 +229,7 @@ void BlockLowering::lower_output(const Node& node) {
     std::vector<ExpressionId> out;
     for_each_child(node, [&](const Node& part) {
         if (kind_of(part) != Kind::output_variable) return;
-        if (const Node* variable = child(part, Field::variable))
-            out.push_back(lower_expression(*variable));
+        if (const Node* variable = child(part, Field::variable)) out.push_back(lower_expression(*variable));
     });
     builder_->add_exchange(out, {}, span(node));
 }
