@@ -54,7 +54,7 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     legs_ = legs;
     measure(legs);
     work_ += legs.size() * graph_.nodes.size();
-    on_path_.assign(graph_.nodes.size(), 0);
+    place_of_.assign(legs.size(), std::vector<std::uint32_t>(graph_.nodes.size(), 0));
     places_.clear();
     ways_.clear();
     failed_.clear();
@@ -131,21 +131,29 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
         if (++leg == legs_.size()) return true;
         if (distance_[leg][node] == no_way) return false;
     }
-    if (is_on_path(node, leg)) return false;
+    if (is_on_path(node, leg)) {
+        places_.back().needed.add(place_of_[leg][node] - 1);
+        return false;
+    }
+    PlaceSet needed;
+    point = after_rounds(node, leg, point, needed);
+    // Blocks that run once more make other values of the same symbols.
+    if (back_on_path) PathRun::forget_assumptions(point);
+    if (failed_before(node, leg, point, needed)) return false;
+    ++visits_;
+    places_.push_back({node, leg, point, run_.run(node, point), ways_.size(), visits_, std::move(needed)});
+    place_of_[leg][node] = static_cast<std::uint32_t>(places_.size());
+    add_ways_from(node, leg);
+    return false;
+}
+
+PathExplorer::Point PathExplorer::after_rounds(flow::NodeId node, std::uint32_t leg, Point point,
+                                               PlaceSet& needed) {
     const auto is_passed = [&](flow::NodeId each) { return is_on_path(each, leg); };
     if (const Changes* changes = rounds_.at(node, legs_[leg].barred, is_passed))
         point = run_.after_changes(*changes, point);
-    // Blocks that run once more make other values of the same symbols.
-    if (back_on_path) PathRun::forget_assumptions(point);
-    if (const VariableSet* why = failed_before(node, leg, point)) {
-        if (!places_.empty()) add_reasons(places_.back(), *why);
-        return false;
-    }
-    ++visits_;
-    on_path_[node] = static_cast<std::uint8_t>(on_path_[node] | 1U << leg);
-    places_.push_back({node, leg, point, run_.run(node, point), ways_.size(), visits_});
-    add_ways_from(node, leg);
-    return false;
+    for (const flow::NodeId passed : rounds_.in_the_way()) needed.add(place_of_[leg][passed] - 1);
+    return point;
 }
 
 /// Nearest to the end of the leg last, of equally near ones the first edge.
@@ -154,7 +162,10 @@ void PathExplorer::add_ways_from(flow::NodeId node, std::uint32_t leg) {
     const auto first = static_cast<std::ptrdiff_t>(ways_.size());
     for (const flow::EdgeId id : graph_.out[node]) {
         const flow::Edge& edge = graph_.edges[id];
-        if (distance[edge.to] != no_way && may_take(edge, id, legs_[leg]) && !is_on_path(edge.to, leg))
+        if (distance[edge.to] == no_way || !may_take(edge, id, legs_[leg])) continue;
+        if (is_on_path(edge.to, leg))
+            places_.back().needed.add(place_of_[leg][edge.to] - 1);
+        else
             ways_.push_back(id);
     }
     const auto far_first = [&](flow::EdgeId id) { return std::pair(distance[graph_.edges[id].to], id); };
@@ -162,14 +173,16 @@ void PathExplorer::add_ways_from(flow::NodeId node, std::uint32_t leg) {
 }
 
 void PathExplorer::go_back() {
-    const Place place = std::move(places_.back());
+    Place place = std::move(places_.back());
     places_.pop_back();
-    on_path_[place.node] = static_cast<std::uint8_t>(on_path_[place.node] & ~(1U << place.leg));
+    place_of_[place.leg][place.node] = 0;
+    place.needed.remove(places_.size());
     VariableSet why = place.reasons.empty() ? reasons().none() : place.reasons;
     reasons().go_back_over(place.node, why);
     if (ways_meet_[place.node] && visits_ - place.visits > few_visits) remember_failure(place, why);
     if (places_.empty()) return;
     add_reasons(places_.back(), why);
+    places_.back().needed.add_all(place.needed);
     places_.back().taken.reset();
 }
 
@@ -211,16 +224,31 @@ void PathExplorer::remember_failure(const Place& place, const VariableSet& why) 
         failures.push_back({all, reasons().members(all), {}});
         failure = std::prev(failures.end());
     }
-    failure->fingerprints.insert(run_.fingerprint(place.before, failure->variables));
+    const auto last = place.needed.last();
+    failure->fingerprints.insert_or_assign(run_.fingerprint(place.before, failure->variables),
+                                           Needed{place.needed, last ? places_[*last].visits : 0});
 }
 
-const VariableSet* PathExplorer::failed_before(flow::NodeId node, std::uint32_t leg, const Point& point) {
-    if (failed_.empty() || !ways_meet_[node]) return nullptr;
+bool PathExplorer::still_holds(const Needed& needed) const {
+    const auto last = needed.places.last();
+    return !last || (*last < places_.size() && places_[*last].visits == needed.visits);
+}
+
+bool PathExplorer::failed_before(flow::NodeId node, std::uint32_t leg, const Point& point,
+                                 const PlaceSet& needed) {
+    if (failed_.empty() || !ways_meet_[node]) return false;
     const auto failures = failed_.find(dataflow::side_by_side(node, leg));
-    if (failures == failed_.end()) return nullptr;
-    for (const Failure& failure : failures->second)
-        if (failure.fingerprints.contains(run_.fingerprint(point, failure.variables))) return &failure.why;
-    return nullptr;
+    if (failures == failed_.end()) return false;
+    for (const Failure& failure : failures->second) {
+        const auto known = failure.fingerprints.find(run_.fingerprint(point, failure.variables));
+        if (known == failure.fingerprints.end() || !still_holds(known->second)) continue;
+        if (places_.empty()) return true;
+        add_reasons(places_.back(), failure.why);
+        places_.back().needed.add_all(known->second.places);
+        places_.back().needed.add_all(needed);
+        return true;
+    }
+    return false;
 }
 
 } // namespace maclint::execution

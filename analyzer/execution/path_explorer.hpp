@@ -4,12 +4,12 @@
 
 #include "analyzer/execution/failure_reasons.hpp"
 #include "analyzer/execution/path_run.hpp"
+#include "analyzer/execution/place_set.hpp"
 #include "analyzer/execution/rounds.hpp"
 
 #include <optional>
 #include <span>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace maclint::execution {
@@ -45,6 +45,7 @@ class PathExplorer {
         Point before, after;
         std::size_t ways;   ///< so many of all `ways_` are those of nodes before
         std::size_t visits; ///< as many as there were with this one
+        PlaceSet needed;    ///< places before it without which its ways might lead on
         std::optional<flow::EdgeId> taken = {};
         /// Why ways that were tried do not lead on, after the node; empty: none was.
         VariableSet reasons = {};
@@ -62,11 +63,15 @@ class PathExplorer {
     void add_reasons(Place& place, const VariableSet& more);
     void note_closed(Place& place, const flow::Edge& way);
     void remember_failure(const Place& place, const VariableSet& why);
-    /// Why no way led on from there where all that this depends on was the same; nullptr: it was not.
-    [[nodiscard]] const VariableSet* failed_before(flow::NodeId node, std::uint32_t leg, const Point& point);
+    /// Whether no way led on from there where all that this depends on was the same. The last place learns
+    /// why.
+    [[nodiscard]] bool failed_before(flow::NodeId node, std::uint32_t leg, const Point& point,
+                                     const PlaceSet& needed);
+    /// What rounds of loops make of the point at the node. `needed` learns on which places that depends.
+    [[nodiscard]] Point after_rounds(flow::NodeId node, std::uint32_t leg, Point point, PlaceSet& needed);
     void add_ways_from(flow::NodeId node, std::uint32_t leg);
     [[nodiscard]] bool is_on_path(flow::NodeId node, std::uint32_t leg) const {
-        return (on_path_[node] >> leg & 1U) != 0;
+        return place_of_[leg][node] != 0;
     }
 
     const ProgramAnalysis& analysis_;
@@ -75,17 +80,24 @@ class PathExplorer {
     Rounds rounds_;
     std::span<const Leg> legs_;
     std::vector<std::vector<std::uint32_t>> distance_; ///< edges to the end of each leg, of every node
-    std::vector<std::uint8_t> on_path_;                ///< of every node, a bit for each leg
-    std::vector<bool> ways_meet_;                      ///< of every node: see ways_meet
+    std::vector<std::vector<std::uint32_t>>
+        place_of_; ///< of every node in each leg, one more than its number; 0: it is not on the path
+    std::vector<bool> ways_meet_; ///< of every node: see ways_meet
     std::vector<Place> places_;
     std::vector<flow::EdgeId> ways_;        ///< not tried yet, of each place in turn, the next one last
     std::optional<FailureReasons> reasons_; ///< nothing: no way has failed in any search
+    /// A failure holds as long as the last of these places, and so each of them, is on the path.
+    struct Needed {
+        PlaceSet places;
+        std::size_t visits; ///< those of the last place
+    };
     /// No way leads on from points that agree in the variables.
     struct Failure {
         VariableSet why;
-        std::vector<Variable> variables;                ///< those of `why`
-        std::unordered_set<std::uint64_t> fingerprints; ///< of the points so far
+        std::vector<Variable> variables;                        ///< those of `why`
+        std::unordered_map<std::uint64_t, Needed> fingerprints; ///< of the points so far
     };
+    [[nodiscard]] bool still_holds(const Needed& needed) const;
     std::unordered_map<std::uint64_t, std::vector<Failure>> failed_; ///< in this search, by node and leg
     std::size_t visits_ = 0;
     std::size_t work_ = 0; ///< of all searches: nodes that were measured or visited

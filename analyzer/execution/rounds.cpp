@@ -60,7 +60,11 @@ const Rounds::Cycle& Rounds::through(flow::NodeId node) {
     std::vector<bool> ahead(graph_.nodes.size(), false);
     measured_ += graph_.nodes.size();
     flow::walk<flow::Direction::forward>(graph_, {node}, [&](flow::EdgeId edge, flow::NodeId to) {
-        if (passed_[to] || !analysis_.data().passable(edge)) return flow::Step::refuse;
+        if (!analysis_.data().passable(edge)) return flow::Step::refuse;
+        if (passed_[to]) {
+            in_the_way_.push_back(to);
+            return flow::Step::refuse;
+        }
         ahead[to] = true;
         return to == node ? flow::Step::end : flow::Step::go_on;
     });

@@ -29,11 +29,14 @@ class Rounds {
     template<class IsPassed>
     [[nodiscard]] const Changes* at(flow::NodeId node, std::span<const flow::NodeId> barred,
                                     const IsPassed& is_passed) {
+        in_the_way_.clear();
         if (!entered_aside(node)) return leads_back_to(node) ? changes_of(headed_by(node), barred) : nullptr;
         passed_.assign(graph_.nodes.size(), false);
         for (flow::NodeId each = 0; each < passed_.size(); ++each) passed_[each] = is_passed(each);
         return changes_of(through(node), barred);
     }
+    /// Nodes that the path had passed, and without which the last answer might have been another.
+    [[nodiscard]] std::span<const flow::NodeId> in_the_way() const { return in_the_way_; }
     /// How many nodes were looked at so far.
     [[nodiscard]] std::size_t measured() const { return measured_; }
 
@@ -73,6 +76,7 @@ class Rounds {
         by_nodes_;                                   ///< and the node they lead to
     std::optional<std::vector<bool>> entered_aside_; ///< of every node; found out when asked for
     std::vector<bool> passed_;                       ///< kept for its memory
+    std::vector<flow::NodeId> in_the_way_;           ///< see there
     std::size_t measured_ = 0;
 };
 

@@ -174,6 +174,28 @@ TEST(FeasiblePaths, AFailureCountsOnlyWhereWhatIsStoredOnTheWayIsTheSame) {
     }
 }
 
+/// Whether a path leads over the node of the block to the program's last node.
+bool leads_on_from(const std::string& text, const std::string& block) {
+    const auto workspace = test::analyse_fanuc(text);
+    const ProgramAnalysis& program = workspace->programs().front();
+    const auto& nodes = program.graph().nodes;
+    for (flow::NodeId node = 0; node < nodes.size(); ++node)
+        if (test::text_of(program, nodes[node].part) == block)
+            return queries::can_follow(program, node, static_cast<flow::NodeId>(nodes.size() - 1));
+    throw std::runtime_error("no such block");
+}
+
+TEST(FeasiblePaths, AFailureCountsOnlyWhereTheSameBlocksAreInTheWay) {
+    // Where #102 is set, the path past N11 comes to N7 by way of END1, and would have to pass END1 again.
+    // Where it is vacant the path comes there from N11.
+    std::string loop = "WHILE[#2LE0]DO1\nN7#2=#2+91\n";
+    for (int i = 0; i < 20; ++i) loop += "X#3\n";
+    EXPECT_TRUE(leads_on_from("O1\nIF[#501EQ1]GOTO11\nM30\n" + loop +
+                                  "/N11IF[#102EQ#0]GOTO7\nEND1\nIF[#102NE#0]GOTO98\nGOTO99\n"
+                                  "N98#3000=1(NO)\nN99M30\n",
+                              "/N11IF[#102EQ#0]GOTO7"));
+}
+
 TEST(FeasiblePaths, NotEveryOneOfThousandsIsLookedForInALongProgram) {
     std::string text = "O1\nIF[#500EQ1]GOTO5\n#1=1\nN5\n";
     for (int i = 0; i < 30'000; ++i) text += "#2=#501\n";

@@ -1,0 +1,39 @@
+//! Places of a path, by their number from its start.
+#pragma once
+
+#include "analyzer/dataflow/domain/small_vector.hpp"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace maclint::execution {
+
+class PlaceSet {
+  public:
+    void add(std::size_t place) {
+        while (words_.size() <= place / bits) words_.push_back(0);
+        words_[place / bits] |= std::uint64_t{1} << place % bits;
+    }
+    void remove(std::size_t place) {
+        if (place / bits < words_.size()) words_[place / bits] &= ~(std::uint64_t{1} << place % bits);
+    }
+    void add_all(const PlaceSet& more) {
+        while (words_.size() < more.words_.size()) words_.push_back(0);
+        for (std::size_t i = 0; i < more.words_.size(); ++i) words_[i] |= more.words_[i];
+    }
+    /// The one that is furthest from the start; nothing where the set is empty.
+    [[nodiscard]] std::optional<std::size_t> last() const {
+        for (std::size_t i = words_.size(); i-- > 0;)
+            if (const std::uint64_t word = words_[i]; word != 0)
+                return i * bits + static_cast<std::size_t>(std::bit_width(word) - 1);
+        return std::nullopt;
+    }
+
+  private:
+    static constexpr std::size_t bits = 64;
+    dataflow::SmallVector<std::uint64_t, 2> words_;
+};
+
+} // namespace maclint::execution
