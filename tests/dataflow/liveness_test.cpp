@@ -75,6 +75,8 @@ TEST(Liveness, AMoveReadsWhereAProgramMayRunAfterIt) {
     EXPECT_THAT(live_stores("G66P2\n#100=1\nM5\n#100=2"), ElementsAre(false, true)) << "no move";
     EXPECT_THAT(live_stores("G65P2\n#100=1\nX1\n#100=2"), ElementsAre(true, true))
         << "O2 may have left a modal call";
+    EXPECT_THAT(live_stores("M98P2\n#1=1\nX1\n#1=2\nX#1"), ElementsAre(false, true))
+        << "what O2 has seen of the locals it does not see at the move";
 }
 
 TEST(Liveness, LocalsOfASubprogramBelongToItsCaller) {

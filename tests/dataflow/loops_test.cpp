@@ -191,6 +191,12 @@ TEST(InescapableCycles, AreLeftByAnAlarmOfACalledProgramThatLooksAtWhatChanges) 
     EXPECT_THAT(inescapable("O1\nN1#1=#1+1\nIF[#500EQ1]THEN#2=3\nG65P2A#2\nGOTO1\n" + called), IsEmpty());
 }
 
+TEST(InescapableCycles, AreLeftByAnAlarmThatHangsOnWhatIsMadeOfAnArgument) {
+    const std::string called = "M30\nO2\n#4=#1*2\nIF[[#3EQ9]OR[#4GT9]]GOTO9\nM99\nN9#3000=1(NO)\n";
+    EXPECT_THAT(inescapable("O1\nN1#1=#1+1\nG65P2A#1\nGOTO1\n" + called), IsEmpty());
+    EXPECT_THAT(inescapable("O1\nN1#1=#1+1\nG65P2B#1\nGOTO1\n" + called), ElementsAre(Lines(2, 4)));
+}
+
 TEST(InescapableCycles, MayBeASingleBlock) {
     EXPECT_THAT(inescapable("N1GOTO1\nM30\n"), ElementsAre(Lines(1, 1)));
 }

@@ -203,7 +203,11 @@ TEST(Edges, OfVeryManyComputedJumpsLeadToOneNodeThatLeadsToAllLabels) {
     const std::vector<std::string> edges = edges_of(analysis);
     EXPECT_EQ(edges.size(), 2 * many);
     EXPECT_THAT(edges, testing::Each(testing::HasSubstr(" computed ")));
-    EXPECT_EQ(analysis.graph().nodes.back().effects.count, 0U); // the jumps are made where they stand
+    const flow::Graph& graph = analysis.graph();
+    EXPECT_EQ(graph.nodes.back().effects.count, 0U); // the jumps are made where they stand
+    const auto shared = static_cast<flow::NodeId>(graph.nodes.size() - 1);
+    EXPECT_EQ(graph.in[shared].size(), many);
+    EXPECT_EQ(graph.out[shared].size(), many);
 }
 
 TEST(Edges, AChoiceHasTwoBranchesThatMeetAfterIt) {
@@ -239,6 +243,10 @@ TEST(Edges, WhereOneSlideLeavesTheOthersGoOn) {
     EXPECT_THAT(din_edges_in("$1$2 N1 M30\n$2 N2 G0 X#l1\nN3 M30\n"), UnorderedElementsAre("3 next 4"));
     EXPECT_THAT(din_edges_in("$1 N1 L\"S\"\n$2 N2 G0 X#l1\nN3 M30\nSUBPROGRAM \"S\"\nM30\n"),
                 UnorderedElementsAre("2 pass 3", "3 next 4"));
+    // A decision has its two ways for all of them.
+    EXPECT_THAT(din_edges_in("$1 N1 IF #l1>3\n$1 N2 THEN\n$1 N3 G0 X1\n$1 N4 ENDIF\n$2 N5 G0 X#l1\n"
+                             "N6 M30\n"),
+                UnorderedElementsAre("2 if 3", "3 next 4", "4 next 5", "5 next 6", "2 unless 6", "6 next 7"));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/own_settings.hpp"
+#include "analyzer/queries/saved_state.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <string>
@@ -80,6 +81,23 @@ TEST(Codes, StayWhereNoBlockBehindThemSetsAnotherOrMay) {
     EXPECT_FALSE(stays_off("X#1\nX#2\nM3\n"));
     EXPECT_FALSE(stays_off("X#1\nX#2\nM98P77\n"));
     EXPECT_TRUE(stays_off("X#1\nM99\nM3\n")); // never reached
+}
+
+/// The number of a local variable that a macro does not use; 0: it uses them all.
+std::int32_t free_local_beside(std::int32_t first_used, std::int32_t last_used) {
+    std::string text = "O9001\n";
+    for (std::int32_t number = first_used; number <= last_used; ++number)
+        text += "#" + std::to_string(number) + "=0\n";
+    const auto workspace = test::analyse_fanuc(text + "M99\n");
+    const auto found = find_free_local(workspace->programs().front().program());
+    return found ? found->number : 0;
+}
+
+TEST(FreeLocals, AreTheLastOnesThatNoArgumentReaches) {
+    EXPECT_EQ(free_local_beside(1, 10), 33);
+    EXPECT_EQ(free_local_beside(27, 33), 16); // no letter means #16
+    EXPECT_EQ(free_local_beside(2, 33), 1);   // there is no other
+    EXPECT_EQ(free_local_beside(1, 33), 0);
 }
 
 } // namespace

@@ -134,6 +134,12 @@ TEST(UninitialisedLocal, ATestOfAnotherVariableOnTheWayIsHeeded) {
     EXPECT_THAT(lines_raised("MAC209", program + "G0 X#32\nN9 M99\n"), ElementsAre(11));
 }
 
+TEST(UninitialisedLocal, IsLookedForBehindAReadToWhichNoPathLeadsWithoutAValue) {
+    EXPECT_THAT(lines_raised("MAC209", "O1\nIF[#501EQ1]GOTO1\n#30=1\nN1 IF[#501EQ1]GOTO2\nG0 X#30\n"
+                                       "N2 G0 Y#30\nM30\n"),
+                ElementsAre(6));
+}
+
 TEST(UninitialisedLocal, AnIndexMadeOfAVacantVariableIsToldThere) {
     EXPECT_THAT(lines_raised("MAC209", "O1\nG0 X#[#31+10]\nM30\n"), ElementsAre(2));
     EXPECT_THAT(messages_raised("MAC209", "O1\nG0 X#[#31+10]\nM30\n"),
