@@ -153,6 +153,18 @@ TEST(FeasiblePaths, DecisionsThatHaveNoPartInAFailureMakeNoDifference) {
     EXPECT_LT(std::max(found.visits, none.visits), 400U); // of 16,384 paths
 }
 
+TEST(FeasiblePaths, DecisionsBeforeALoopAndInItMakeNoDifferenceEither) {
+    const std::string begin = "O1\nIF[#501EQ1]GOTO20\n#5=1\nN20\n";
+    const std::string end = "IF[#501NE1]GOTO21\n#5=2\nN21 G0Z#5\n";
+    for (const std::string& text : {begin + many_cases() + "WHILE[#700EQ1]DO1\nX#3\nEND1\n" + end,
+                                    begin + "WHILE[#700EQ1]DO1\n" + many_cases() + end + "END1\n"}) {
+        const auto workspace = test::analyse_fanuc(text + "M30\n");
+        const execution::PathFound found = search_for_last_read(workspace->programs().front(), 5);
+        EXPECT_FALSE(found.path.has_value()) << text;
+        EXPECT_LT(found.visits, 400U) << text;
+    }
+}
+
 TEST(FeasiblePaths, AFailureCountsOnlyWhereTheSameVariablesAreEqual) {
     // #1EQ1 contradicts #2NE1 where both are #501, and does not where one of them is #502.
     for (const auto& [first, second] : {std::pair("#501", "#502"), std::pair("#502", "#501")}) {
