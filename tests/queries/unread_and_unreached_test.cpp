@@ -23,17 +23,19 @@ std::vector<std::string> regions_of(const std::string& text) {
     for (const UnreachedRegion& region : unreached_regions(analysis))
         found.push_back(std::string(analysis.program().slice(region.head)) +
                         (region.leaves ? " leaves" : "") + (region.moves ? " moves" : "") +
-                        (region.is_alarm ? " alarm" : "") + (region.is_meant ? " meant" : "") +
-                        (region.is_explained ? " explained" : ""));
+                        (region.alarms.empty() ? "" : " alarms") + (region.is_alarm ? " straight" : "") +
+                        (region.is_meant ? " meant" : "") + (region.is_explained ? " explained" : ""));
     return found;
 }
 
 TEST(UnreachedRegions, TellWhatStandsInThemAndWhy) {
     EXPECT_THAT(regions_of("O1\nG0 X1.\nM30\nN9 X2.\nX3.\nM30\n"), ElementsAre("N9 X2. leaves moves"));
     EXPECT_THAT(regions_of("O1\nGOTO9(LATER)\nX2.\nN9 M30\n"), ElementsAre("X2. moves meant"));
-    EXPECT_THAT(regions_of("O1\nM99\nN9 #3000=1\n"), ElementsAre("N9 #3000=1 alarm"));
+    EXPECT_THAT(regions_of("O1\nM99\nN9 #3000=1\n"), ElementsAre("N9 #3000=1 alarms straight"));
     EXPECT_THAT(regions_of("O1\nM99\n(GOTO8, GOTO 9)\nGOTO7\nN9 #3000=1\nN7 M99\n"),
-                ElementsAre("GOTO7 leaves"));
+                ElementsAre("GOTO7 leaves alarms"));
+    // The alarm in front of it is not its own.
+    EXPECT_THAT(regions_of("O1\nIF[#1EQ1]THEN#3000=1(NO)\nM99\nX#2\n"), ElementsAre("X#2 moves"));
     EXPECT_THAT(regions_of("O1\nIF[#1EQ2]GOTO8\nM99\nN9 X2.\n"), ElementsAre("N9 X2. moves explained"));
     // The rest of a jump's own block is no block.
     EXPECT_THAT(regions_of("O1\nGOTO9 X2.\nN9 M30\n"), IsEmpty());

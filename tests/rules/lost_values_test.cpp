@@ -31,6 +31,8 @@ TEST(DeadStore, IsReplacedOnEveryPath) {
                 ElementsAre("warning 2"));
     EXPECT_THAT(dead("#33=#1-#2\nIF[#1GT5]GOTO5\n#33=#24\nN5G0X#33\n"), IsEmpty());
     EXPECT_THAT(dead("#33=#1-#2\n/#33=#24\nG0X#33\n"), IsEmpty());
+    // Under a condition whose other side leads elsewhere: nobody meant it as a special case.
+    EXPECT_THAT(dead("IF[#1EQ1]GOTO9\n#33=#1-#2\n#33=#24\nG0X#33\nN9\n"), ElementsAre("warning 3"));
     EXPECT_THAT(messages_raised("MAC213", "O9001(A B X)\n#33=#1-#2\n#33=#24\nG0X#33\nM99\n"),
                 ElementsAre(AllOf(HasSubstr("'#33=#1-#2'"), HasSubstr("line 3"))));
 }

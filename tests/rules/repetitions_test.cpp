@@ -134,6 +134,12 @@ TEST(MissingTolerance, IsOfComparisonsThatAskForAnOrder) {
         EXPECT_THAT(compared(no_tolerance), ElementsAre(5)) << no_tolerance;
 }
 
+TEST(MissingTolerance, IsOfPositionsThatTheControlMeasures) {
+    // A timer runs by itself, too.
+    EXPECT_THAT(exact("G31X#24F100\nIF[#3001GT[#1+#24-0.001]]GOTO9\nG0Z#26\nIF[#3001LT#26]GOTO9\n"),
+                IsEmpty());
+}
+
 TEST(MissingTolerance, MayStandBehindOtherTests) {
     const auto behind = [](const std::string& blocks) {
         return exact("G31X#24F100\nIF[#5001GT[#1+#24-0.001]]GOTO9\n" + blocks + "IF[#5003LT#26]GOTO9\n")
