@@ -176,7 +176,7 @@ void PathExplorer::go_back() {
     Place place = std::move(places_.back());
     places_.pop_back();
     place_of_[place.leg][place.node] = 0;
-    place.needed.remove(places_.size());
+    place.needed.remove(places_.size()); // without itself it is not asked
     VariableSet why = place.reasons.empty() ? reasons().none() : place.reasons;
     reasons().go_back_over(place.node, why);
     if (ways_meet_[place.node] && visits_ - place.visits > few_visits) remember_failure(place, why);

@@ -263,7 +263,7 @@ struct Guarded {
 
 /// A block that could not be read. What its words name may or may not happen.
 struct UnreadableBlock {
-    Slice may_write; ///< Program::variables, all that it names: it changes them, or is the test that misses
+    Slice may_write; ///< Program::variables; all that it names: it may change them, or be the missing test
     Slice may_jump;  ///< Program::labels
     bool may_open_or_close; ///< it names DO, END, IF …: balance findings that it may explain are held back
     bool may_call_or_return;
