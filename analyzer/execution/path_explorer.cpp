@@ -20,7 +20,7 @@ constexpr std::size_t work_of_a_visit = 100;     ///< as long as measuring so ma
 constexpr std::size_t work_of_a_cycles_node = 4; ///< likewise
 /// Of so many sets of reasons each is asked; where there are more, one of all their variables.
 constexpr std::size_t most_sets = 4;
-/// What took no more visits than this is sooner tried again than remembered.
+/// A failure that took no more visits below its node is not remembered: it is found again as cheaply.
 constexpr std::size_t few_visits = 16;
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
 
@@ -132,28 +132,41 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
         if (distance_[leg][node] == no_way) return false;
     }
     if (is_on_path(node, leg)) {
-        places_.back().needed.add(place_of_[leg][node] - 1);
+        note_in_the_way(node, leg);
         return false;
     }
-    PlaceSet needed;
-    point = after_rounds(node, leg, point, needed);
+    PlaceSet before_it;
+    point = after_rounds(node, leg, point, before_it);
     // Blocks that run once more make other values of the same symbols.
     if (back_on_path) PathRun::forget_assumptions(point);
-    if (failed_before(node, leg, point, needed)) return false;
+    if (const auto [failure, hold] = failed_before(node, leg, point); failure != nullptr) {
+        add_reasons(places_.back(), failure->why);
+        places_.back().in_the_way.add_all(hold->places);
+        places_.back().in_the_way.add_all(before_it);
+        return false;
+    }
     ++visits_;
-    places_.push_back({node, leg, point, run_.run(node, point), ways_.size(), visits_, std::move(needed)});
+    places_.push_back(
+        {node, leg, point, run_.run(node, point), ways_.size(), visits_, std::move(before_it), {}});
     place_of_[leg][node] = static_cast<std::uint32_t>(places_.size());
     add_ways_from(node, leg);
     return false;
 }
 
 PathExplorer::Point PathExplorer::after_rounds(flow::NodeId node, std::uint32_t leg, Point point,
-                                               PlaceSet& needed) {
+                                               PlaceSet& hangs_on) {
     const auto is_passed = [&](flow::NodeId each) { return is_on_path(each, leg); };
     if (const Changes* changes = rounds_.at(node, legs_[leg].barred, is_passed))
         point = run_.after_changes(*changes, point);
-    for (const flow::NodeId passed : rounds_.in_the_way()) needed.add(place_of_[leg][passed] - 1);
+    for (const flow::NodeId passed : rounds_.in_the_way()) hangs_on.add(place_of_[leg][passed] - 1);
     return point;
+}
+
+/// What every path to the last place has passed need not be told: the heads of loops that are entered there
+/// alone, and where the leg begins.
+void PathExplorer::note_in_the_way(flow::NodeId node, std::uint32_t leg) {
+    const bool always = leg == 0 ? rounds_.heads_are_passed(places_.back().node) : node == legs_[leg - 1].to;
+    if (!always) places_.back().in_the_way.add(place_of_[leg][node] - 1);
 }
 
 /// Nearest to the end of the leg last, of equally near ones the first edge.
@@ -164,7 +177,7 @@ void PathExplorer::add_ways_from(flow::NodeId node, std::uint32_t leg) {
         const flow::Edge& edge = graph_.edges[id];
         if (distance[edge.to] == no_way || !may_take(edge, id, legs_[leg])) continue;
         if (is_on_path(edge.to, leg))
-            places_.back().needed.add(place_of_[leg][edge.to] - 1);
+            note_in_the_way(edge.to, leg);
         else
             ways_.push_back(id);
     }
@@ -176,13 +189,14 @@ void PathExplorer::go_back() {
     Place place = std::move(places_.back());
     places_.pop_back();
     place_of_[place.leg][place.node] = 0;
-    place.needed.remove(places_.size()); // without itself it is not asked
+    place.in_the_way.remove(places_.size()); // whoever comes to it again is not on the path there
     VariableSet why = place.reasons.empty() ? reasons().none() : place.reasons;
     reasons().go_back_over(place.node, why);
-    if (ways_meet_[place.node] && visits_ - place.visits > few_visits) remember_failure(place, why);
+    if (ways_meet_[place.node] && visits_ - place.visit > few_visits) remember_failure(place, why);
     if (places_.empty()) return;
     add_reasons(places_.back(), why);
-    places_.back().needed.add_all(place.needed);
+    places_.back().in_the_way.add_all(place.in_the_way);
+    places_.back().in_the_way.add_all(place.before_it);
     places_.back().taken.reset();
 }
 
@@ -224,31 +238,27 @@ void PathExplorer::remember_failure(const Place& place, const VariableSet& why) 
         failures.push_back({all, reasons().members(all), {}});
         failure = std::prev(failures.end());
     }
-    const auto last = place.needed.last();
+    const auto last = place.in_the_way.last();
     failure->fingerprints.insert_or_assign(run_.fingerprint(place.before, failure->variables),
-                                           Needed{place.needed, last ? places_[*last].visits : 0});
+                                           Hold{place.in_the_way, last ? places_[*last].visit : 0});
 }
 
-bool PathExplorer::still_holds(const Needed& needed) const {
-    const auto last = needed.places.last();
-    return !last || (*last < places_.size() && places_[*last].visits == needed.visits);
+bool PathExplorer::still_holds(const Hold& hold) const {
+    const auto last = hold.places.last();
+    return !last || (*last < places_.size() && places_[*last].visit == hold.visit);
 }
 
-bool PathExplorer::failed_before(flow::NodeId node, std::uint32_t leg, const Point& point,
-                                 const PlaceSet& needed) {
-    if (failed_.empty() || !ways_meet_[node]) return false;
+std::pair<const PathExplorer::Failure*, const PathExplorer::Hold*>
+PathExplorer::failed_before(flow::NodeId node, std::uint32_t leg, const Point& point) {
+    if (failed_.empty() || !ways_meet_[node]) return {};
     const auto failures = failed_.find(dataflow::side_by_side(node, leg));
-    if (failures == failed_.end()) return false;
+    if (failures == failed_.end()) return {};
     for (const Failure& failure : failures->second) {
         const auto known = failure.fingerprints.find(run_.fingerprint(point, failure.variables));
-        if (known == failure.fingerprints.end() || !still_holds(known->second)) continue;
-        if (places_.empty()) return true;
-        add_reasons(places_.back(), failure.why);
-        places_.back().needed.add_all(known->second.places);
-        places_.back().needed.add_all(needed);
-        return true;
+        if (known != failure.fingerprints.end() && still_holds(known->second))
+            return {&failure, &known->second};
     }
-    return false;
+    return {};
 }
 
 } // namespace maclint::execution

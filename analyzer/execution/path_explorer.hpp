@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace maclint::execution {
@@ -43,9 +44,10 @@ class PathExplorer {
         flow::NodeId node;
         std::uint32_t leg;
         Point before, after;
-        std::size_t ways;   ///< so many of all `ways_` are those of nodes before
-        std::size_t visits; ///< as many as there were with this one
-        PlaceSet needed;    ///< places before it without which its ways might lead on
+        std::size_t ways;    ///< so many of all `ways_` are those of nodes before
+        std::size_t visit;   ///< its number among all visits of the search
+        PlaceSet before_it;  ///< places that made `before` what it is
+        PlaceSet in_the_way; ///< places without which its ways might lead on; itself may be one
         std::optional<flow::EdgeId> taken = {};
         /// Why ways that were tried do not lead on, after the node; empty: none was.
         VariableSet reasons = {};
@@ -63,12 +65,16 @@ class PathExplorer {
     void add_reasons(Place& place, const VariableSet& more);
     void note_closed(Place& place, const flow::Edge& way);
     void remember_failure(const Place& place, const VariableSet& why);
-    /// Whether no way led on from there where all that this depends on was the same. The last place learns
-    /// why.
-    [[nodiscard]] bool failed_before(flow::NodeId node, std::uint32_t leg, const Point& point,
-                                     const PlaceSet& needed);
-    /// What rounds of loops make of the point at the node. `needed` learns on which places that depends.
-    [[nodiscard]] Point after_rounds(flow::NodeId node, std::uint32_t leg, Point point, PlaceSet& needed);
+    struct Failure;
+    struct Hold;
+    /// A failure from there, and what it hangs on, where all that counts was the same; nothing: there was
+    /// none.
+    [[nodiscard]] std::pair<const Failure*, const Hold*> failed_before(flow::NodeId node, std::uint32_t leg,
+                                                                       const Point& point);
+    /// What rounds of loops make of the point at the node. `hangs_on` learns of the places that decide that.
+    [[nodiscard]] Point after_rounds(flow::NodeId node, std::uint32_t leg, Point point, PlaceSet& hangs_on);
+    /// A way from the last place leads to a node that is on the path.
+    void note_in_the_way(flow::NodeId node, std::uint32_t leg);
     void add_ways_from(flow::NodeId node, std::uint32_t leg);
     [[nodiscard]] bool is_on_path(flow::NodeId node, std::uint32_t leg) const {
         return place_of_[leg][node] != 0;
@@ -86,18 +92,19 @@ class PathExplorer {
     std::vector<Place> places_;
     std::vector<flow::EdgeId> ways_;        ///< not tried yet, of each place in turn, the next one last
     std::optional<FailureReasons> reasons_; ///< nothing: no way has failed in any search
-    /// A failure holds as long as the last of these places, and so each of them, is on the path.
-    struct Needed {
+    /// A failure holds as long as the last of the places that were in the way, and so each of them, is on the
+    /// path.
+    struct Hold {
         PlaceSet places;
-        std::size_t visits; ///< those of the last place
+        std::size_t visit; ///< of the last place
     };
-    /// No way leads on from points that agree in the variables.
+    [[nodiscard]] bool still_holds(const Hold& hold) const;
+    /// No way leads on from points that agree in the variables, as long as that holds.
     struct Failure {
         VariableSet why;
-        std::vector<Variable> variables;                        ///< those of `why`
-        std::unordered_map<std::uint64_t, Needed> fingerprints; ///< of the points so far
+        std::vector<Variable> variables;                      ///< those of `why`
+        std::unordered_map<std::uint64_t, Hold> fingerprints; ///< of the points so far
     };
-    [[nodiscard]] bool still_holds(const Needed& needed) const;
     std::unordered_map<std::uint64_t, std::vector<Failure>> failed_; ///< in this search, by node and leg
     std::size_t visits_ = 0;
     std::size_t work_ = 0; ///< of all searches: nodes that were measured or visited

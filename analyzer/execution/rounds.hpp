@@ -35,8 +35,11 @@ class Rounds {
         for (flow::NodeId each = 0; each < passed_.size(); ++each) passed_[each] = is_passed(each);
         return changes_of(through(node), barred);
     }
-    /// Nodes that the path had passed, and without which the last answer might have been another.
+    /// Nodes that the path had passed, and without which the last answer might have been another. That one
+    /// more would take a barred node out of the cycles is not told.
     [[nodiscard]] std::span<const flow::NodeId> in_the_way() const { return in_the_way_; }
+    /// Whether all paths from the program's start to the node pass the heads of all loops around it.
+    [[nodiscard]] bool heads_are_passed(flow::NodeId node) { return !entered_aside(node); }
     /// How many nodes were looked at so far.
     [[nodiscard]] std::size_t measured() const { return measured_; }
 

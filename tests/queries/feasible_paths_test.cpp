@@ -208,6 +208,21 @@ TEST(FeasiblePaths, AFailureCountsOnlyWhereTheSameBlocksAreInTheWay) {
                               "/N11IF[#102EQ#0]GOTO7"));
 }
 
+TEST(FeasiblePaths, ALoopIsSearchedOnceForAllThatComeToItAlike) {
+    std::string text = "O1\n";
+    for (int k = 1; k <= 20; ++k)
+        text += "IF[#" + std::to_string(600 + k) + "EQ1]GOTO" + std::to_string(k) + "\n";
+    text += "M30\n";
+    for (int k = 1; k <= 20; ++k) text += "N" + std::to_string(k) + "#10=" + std::to_string(k) + "\nGOTO50\n";
+    text += "N50\nWHILE[#700EQ1]DO1\nIF[#701EQ1]GOTO51\nX#3\nN51\n";
+    for (int i = 0; i < 100; ++i) text += "X#3\n";
+    const auto workspace = test::analyse_fanuc(text + "END1\nIF[#10EQ10.5]GOTO60\nM30\nN60G0Z#5\nM30\n");
+    const execution::PathFound found = search_for_last_read(workspace->programs().front(), 5);
+    EXPECT_FALSE(found.path.has_value());
+    EXPECT_FALSE(found.gave_up);
+    EXPECT_LT(found.visits, 600U);
+}
+
 TEST(FeasiblePaths, NotEveryOneOfThousandsIsLookedForInALongProgram) {
     std::string text = "O1\nIF[#500EQ1]GOTO5\n#1=1\nN5\n";
     for (int i = 0; i < 30'000; ++i) text += "#2=#501\n";
