@@ -61,7 +61,7 @@ class TreeLowering {
     [[nodiscard]] decltype(Word::value) written_value(std::optional<ExpressionId> id) const;
 
     // ---- effects
-    void effect(Effect effect) { builder_->add_effect(std::move(effect)); }
+    void effect(const Effect& effect) { builder_->add_effect(effect); }
     void guard(ExpressionId condition, std::size_t first, Span span) {
         builder_->guard(condition, first, span);
     }

@@ -100,7 +100,7 @@ class ProgramBuilder {
 
     // ---- what a block holds; between begin_block() and end_block()
     void add_word(Word word) { program_.words.push_back(word); }
-    void add_effect(Effect effect) { effects_.push_back(std::move(effect)); }
+    void add_effect(const Effect& effect) { effects_.push_back(effect); }
     /// Values that are computed and change nothing; none is no effect.
     void add_values(std::span<const ExpressionId> values, Span span);
     /// Values that are put out and variables that are taken in.

@@ -108,11 +108,11 @@ TEST(Widening, StopsAtTheNextNumberThatTheProgramComparesWith) {
     EXPECT_EQ(widened(0, 3).high, 5);
     EXPECT_EQ(widened(0, 5).high, 5);
     EXPECT_EQ(widened(0, 6).high, 9);
-    EXPECT_EQ(widened(0, 10).high, dataflow::infinity);
+    EXPECT_EQ(widened(0, 10).high, semantics::infinity);
     EXPECT_EQ(widened(0, 10).low, 0);
     EXPECT_EQ(widened(-3, 1).low, -5);
     EXPECT_EQ(widened(-5, 1).low, -5);
-    EXPECT_EQ(widened(-10, 1).low, -dataflow::infinity);
+    EXPECT_EQ(widened(-10, 1).low, -semantics::infinity);
     EXPECT_EQ(widened(-10, 1).high, 1);
 }
 

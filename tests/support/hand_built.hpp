@@ -31,7 +31,7 @@ struct Step {
         : what(std::move(effect)) {}
     Step(ExpressionId when, decltype(Effect::what) effect)
         : condition(when)
-        , what(std::move(effect)) {}
+        , what(effect) {}
     std::optional<ExpressionId> condition;
     decltype(Effect::what) what;
 };
