@@ -154,11 +154,13 @@ TEST(FeasiblePaths, DecisionsThatHaveNoPartInAFailureMakeNoDifference) {
 }
 
 TEST(FeasiblePaths, DecisionsBeforeALoopAndInItMakeNoDifferenceEither) {
-    const std::string begin = "O1\nIF[#501EQ1]GOTO20\n#5=1\nN20\n";
     const std::string end = "IF[#501NE1]GOTO21\n#5=2\nN21 G0Z#5\n";
-    for (const std::string& text : {begin + many_cases() + "WHILE[#700EQ1]DO1\nX#3\nEND1\n" + end,
-                                    begin + "WHILE[#700EQ1]DO1\n" + many_cases() + end + "END1\n"}) {
-        const auto workspace = test::analyse_fanuc(text + "M30\n");
+    std::string before = many_cases();
+    before.append("WHILE[#700EQ1]DO1\nX#3\nEND1\n").append(end);
+    std::string inside = "WHILE[#700EQ1]DO1\n";
+    inside.append(many_cases()).append(end).append("END1\n");
+    for (const std::string& text : {before, inside}) {
+        const auto workspace = test::analyse_fanuc("O1\nIF[#501EQ1]GOTO20\n#5=1\nN20\n" + text + "M30\n");
         const execution::PathFound found = search_for_last_read(workspace->programs().front(), 5);
         EXPECT_FALSE(found.path.has_value()) << text;
         EXPECT_LT(found.visits, 400U) << text;
