@@ -250,7 +250,9 @@ void Transfer::refine_side(State& state, ExpressionId side, const Value& value, 
                apply != nullptr && apply->operation == Operation::negate) {
         const auto* negated =
             std::get_if<Load>(&program_.expressions[program_.operands_of(*apply).front()].node);
-        if (negated == nullptr || operation == Operation::equal) return;
+        // EQ and NE tell vacant from 0, and what is negated is a number.
+        const bool tells_vacant = operation == Operation::not_equal && other.vacancy != Vacancy::set;
+        if (negated == nullptr || operation == Operation::equal || tells_vacant) return;
         other = compute(states_.table(), Operation::negate, std::span(&other, 1),
                         {Origin::Kind::expression, side, node_});
         refine_variable(state, negated->variable, mirrored(operation), other);
