@@ -91,7 +91,7 @@ TEST(Refine, MinusAVariableTellsOfTheVariable) {
     EXPECT_RANGE(whole_where("-#1GE-3"), 0, 3);
     EXPECT_RANGE(whole_where("-#1NE0"), 1, 10);
     EXPECT_RANGE(whole_where("-#1NE-10"), 0, 9);
-    EXPECT_RANGE(whole_where("-#1NE#0"), 0, 10); // a number is never vacant, 0 neither
+    EXPECT_RANGE(whole_where("-#1NE#30"), 0, 10); // #30 is vacant, and no number is
     EXPECT_RANGE(where("-#500GT5"), -infinity, -just_above_5);
     EXPECT_RANGE(where("-#500LE5"), -5, infinity);
     EXPECT_RANGE(where("5LT-#500"), -infinity, -just_above_5);
