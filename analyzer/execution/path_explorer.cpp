@@ -189,7 +189,7 @@ void PathExplorer::go_back() {
     Place place = std::move(places_.back());
     places_.pop_back();
     place_of_[place.leg][place.node] = 0;
-    place.in_the_way.remove(places_.size()); // whoever comes to it again is not on the path there
+    place.in_the_way.remove(places_.size()); // where it is come to again it is not on the path
     VariableSet why = place.reasons.empty() ? reasons().none() : place.reasons;
     reasons().go_back_over(place.node, why);
     if (ways_meet_[place.node] && visits_ - place.visit > few_visits) remember_failure(place, why);

@@ -9,6 +9,14 @@
 #include <stdexcept>
 
 namespace maclint {
+namespace {
+
+template<class Entry>
+std::span<const Entry> part_of(const std::vector<Entry>& arena, Slice slice) {
+    return std::span(arena).subspan(slice.first, slice.count);
+}
+
+} // namespace
 
 const VariableRange* VariableFamily::find(std::int64_t number) const {
     const auto after =
@@ -110,35 +118,33 @@ std::optional<std::string> ControlModel::variable_of(GroupId group) const {
 }
 
 std::span<const ExpressionId> Program::operands_of(const Apply& apply) const {
-    return std::span(operands).subspan(apply.operands.first, apply.operands.count);
+    return part_of(operands, apply.operands);
 }
 
 std::span<const ExpressionId> Program::values_of(const EvaluateWords& values) const {
-    return std::span(operands).subspan(values.values.first, values.values.count);
+    return part_of(operands, values.values);
 }
 
 std::span<const ExpressionId> Program::values_of(const Exchange& exchange) const {
-    return std::span(operands).subspan(exchange.out.first, exchange.out.count);
+    return part_of(operands, exchange.out);
 }
 
 std::span<const Variable> Program::variables_of(const Exchange& exchange) const {
-    return std::span(variables).subspan(exchange.in.first, exchange.in.count);
+    return part_of(variables, exchange.in);
 }
 
 std::span<const Variable> Program::variables_of(const UnreadableBlock& block) const {
-    return std::span(variables).subspan(block.may_write.first, block.may_write.count);
+    return part_of(variables, block.may_write);
 }
 
 std::span<const Label> Program::labels_of(const UnreadableBlock& block) const {
-    return std::span(labels).subspan(block.may_jump.first, block.may_jump.count);
+    return part_of(labels, block.may_jump);
 }
 
-std::span<const Effect> Program::effects_in(Slice slice) const {
-    return std::span(effects).subspan(slice.first, slice.count);
-}
+std::span<const Effect> Program::effects_in(Slice slice) const { return part_of(effects, slice); }
 
 std::span<const Argument> Program::arguments_of(const Call& call) const {
-    return std::span(arguments).subspan(call.arguments.first, call.arguments.count);
+    return part_of(arguments, call.arguments);
 }
 
 Span Program::span_of(ItemId item) const {
