@@ -127,6 +127,23 @@ TEST(Loops, CanStopWhereTheProgramOrAProgramCalledMayStop) {
     EXPECT_EQ(traits("", "#2=[[\n").second, true); // a block that nobody can read
 }
 
+TEST(Loops, CanStopWhereASwitchOfTheOperatorDecidesOverAnAlarm) {
+    // Off in one round, on in the next; #500 is the same in all of them.
+    const auto can_stop = [](const std::string& called) {
+        return traits("", "G65P2\n", "O2\n" + called + "IF[#500EQ1]THEN#3000=1\nN9M99\n").first;
+    };
+    EXPECT_TRUE(can_stop("/GOTO9\n"));
+    EXPECT_TRUE(can_stop("/M99\n"));
+    EXPECT_TRUE(can_stop("#5=0\n/IF[#5EQ1]GOTO9\n/#5=1\nIF[#5EQ0]GOTO9\n"));
+    EXPECT_TRUE(can_stop("IF[#501EQ1]GOTO8\n/GOTO9\nN8\n")); // under a condition
+    EXPECT_TRUE(can_stop("/#500=1\n"));
+    EXPECT_TRUE(can_stop("/G65P3\n"));
+    EXPECT_TRUE(can_stop("/#3000=2\n"));
+    EXPECT_FALSE(can_stop("/G0X1\n/G0Y1\n")); // the alarm comes in the first round or never
+    EXPECT_FALSE(can_stop("IF[#501EQ1]GOTO9\n/G0X1\n"));
+    EXPECT_FALSE(traits("", "G65P2\n", "O2\nIF[#500EQ1]THEN#3000=1\n/GOTO9\nG0X1\nN9M99\n").first);
+}
+
 TEST(Loops, CanStopWhereTheNumberThatDecidesIsMadeByTooManyAssignments) {
     // Each round makes #10 anew and the others of it: what the call passes is always the same.
     const auto made_by = [](int assignments) {

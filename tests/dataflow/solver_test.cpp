@@ -172,6 +172,23 @@ TEST(Solver, AJumpToABlockThatMayBeSkippedGoesOnAfterIt) {
     EXPECT_EQ(value.high, 2);
 }
 
+TEST(Solver, AProgramThatOnlyAsksForAVariableDoesNotChangeIt) {
+    const auto after = [](const std::string& called) {
+        const auto workspace = test::analyse_files(
+            {{"O1.nc", "O0001\n#500=5\n#501=6\nG65 P2\nX#500\nX#501\nM30\n"}, {"O2.nc", "O0002\n" + called}},
+            {.complete = true, .jobs = 1});
+        const auto& reads = workspace->programs().front().facts().all<dataflow::Read>();
+        return std::pair(reads[reads.size() - 2].value.constant(), reads.back().value.constant());
+    };
+    using Constants = std::pair<std::optional<double>, std::optional<double>>;
+    const std::string asks = "IF[#500EQ1]GOTO9\n";
+    EXPECT_EQ(after(asks + "#1=2\nN9M99\n"), Constants(5, 6));
+    EXPECT_EQ(after(asks + "#500=2\nN9M99\n"), Constants(std::nullopt, 6));
+    EXPECT_EQ(after("#500=#502\n" + asks + "N9M99\n"), Constants(std::nullopt, 6));
+    EXPECT_EQ(after("#[#502]=1\n" + asks + "N9M99\n"), Constants(std::nullopt, std::nullopt)); // any of them
+    EXPECT_EQ(after("G65P3\n" + asks + "N9M99\nO3\n#501=#502\nM99\n"), Constants(5, std::nullopt));
+}
+
 TEST(Solver, AReturnToANumberIsFollowedWhereProgramsCallEachOther) {
     const auto workspace =
         test::analyse_files({{"O1.nc", "O0001\nG65 P2 A1\nM30\n"},

@@ -5,6 +5,7 @@
 #include "analyzer/flow/walk.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace maclint::dataflow {
@@ -48,6 +49,7 @@ class StopReasonSearch {
     }
 
     void go_back() {
+        for (const flow::NodeId alarm : pending_) leads_[alarm] = true;
         flow::walk<flow::Direction::backward>(graph_, std::move(pending_),
                                               [&](flow::EdgeId, flow::NodeId from) {
                                                   if (!reached_[from]) return flow::Step::refuse;
@@ -59,6 +61,7 @@ class StopReasonSearch {
     void add_decisions(flow::NodeId node) {
         for (const flow::EdgeId id : graph_.out[node]) {
             const flow::Edge& edge = graph_.edges[id];
+            reasons_.anything |= edge.kind != flow::EdgeKind::pass && operator_decides(node, edge);
             if (edge.condition) add_reads(*edge.condition);
             if (!edge.jump) continue;
             const auto* jump = std::get_if<Jump>(&program_.effects[*edge.jump].what);
@@ -67,6 +70,34 @@ class StopReasonSearch {
             else
                 reasons_.anything = true; // the called program decides where it comes back
         }
+    }
+
+    /// Whether other ways lead from the node under the same condition, past a block that may be skipped, and it
+    /// makes a difference to the alarms which is taken: the switch may be on in one round and off in the next.
+    [[nodiscard]] bool operator_decides(flow::NodeId node, const flow::Edge& way) const {
+        if (way.jump) return false;
+        std::vector<flow::NodeId> targets;
+        for (const flow::EdgeId id : graph_.out[node]) {
+            const flow::Edge& edge = graph_.edges[id];
+            if (edge.kind != flow::EdgeKind::pass && !edge.jump && edge.condition == way.condition &&
+                edge.holds == way.holds)
+                targets.push_back(edge.to);
+        }
+        const auto is_only_move = [&](flow::NodeId target) {
+            return !graph_.out[target].empty() && !stores(target) &&
+                   std::ranges::all_of(graph_.out[target], [&](flow::EdgeId id) {
+                       return std::ranges::find(targets, graph_.edges[id].to) != targets.end();
+                   });
+        };
+        return std::ranges::any_of(targets, [this](flow::NodeId target) { return leads_[target]; }) &&
+               std::ranges::count_if(targets, std::not_fn(is_only_move)) > 1;
+    }
+
+    [[nodiscard]] bool stores(flow::NodeId node) const {
+        return std::ranges::any_of(program_.effects_in(graph_.nodes[node].effects), [](const Effect& effect) {
+            return std::holds_alternative<Assign>(effect.what) || std::holds_alternative<Call>(effect.what) ||
+                   std::holds_alternative<Exchange>(effect.what);
+        });
     }
 
     void add_reads(ExpressionId expression) {
@@ -88,7 +119,7 @@ class StopReasonSearch {
     const flow::Graph& graph_;
     const FactLists& facts_;
     const std::vector<bool>& reached_;
-    std::vector<bool> leads_; ///< of each node: to an alarm
+    std::vector<bool> leads_; ///< of each node: to an alarm, or it is one
     std::vector<flow::NodeId> pending_;
     StopReasons reasons_{.anything = false, .variables = {}};
 };

@@ -49,8 +49,11 @@ class Summariser {
         for (std::size_t space = 0; space < most_spaces; ++space)
             if (states_.table().havoc(left.havoc).by_space[space] != 0)
                 summary_.havoc.push_back(static_cast<SpaceId>(space));
+        const std::vector<Key> written = written_variables();
         states_.trees().for_each(left.root, [&](Key key, std::uint32_t id) {
             if (is_variable_key(key)) {
+                // A condition tells what a variable is, and changes nothing.
+                if (!std::ranges::binary_search(written, key) && !is_havoc(variable_of(key).space)) return;
                 const Value& value = states_.table().values[id];
                 const Symbol& symbol = states_.table().symbols[value.symbol];
                 if (symbol.kind == Symbol::Kind::entry && symbol.a == key) return;
@@ -60,6 +63,20 @@ class Summariser {
                 summary_.groups.push_back(describe(group_of(key), states_.table().modals[id]));
             }
         });
+    }
+
+    [[nodiscard]] bool is_havoc(SpaceId space) const {
+        return std::ranges::find(summary_.havoc, space) != summary_.havoc.end();
+    }
+
+    /// All that is written by name or by a call, sorted.
+    [[nodiscard]] std::vector<Key> written_variables() const {
+        std::vector<Key> written;
+        for (const Store& store : facts_.of<Store>()) written.push_back(key_of(store.variable));
+        for (const Clobber& clobber : facts_.of<Clobber>())
+            if (clobber.variable) written.push_back(key_of(*clobber.variable));
+        std::ranges::sort(written);
+        return written;
     }
 
     /// Variables that a caller may have handed down and that this program, or one that it calls, writes.
