@@ -33,10 +33,11 @@ class Numbers {
     explicit Numbers(const Value& value)
         : low_(value.low)
         , high_(value.high)
-        , whole_(value.integer) {}
+        , whole_(value.integer)
+        , counts_(is_end_of_whole(low_) && is_end_of_whole(high_)) {}
 
     void cut(Operation operation, double number) {
-        counts_ = counts_ && std::floor(number) == number;
+        counts_ = counts_ && is_whole(number);
         const unsigned where = places(operation);
         if (where == (below | above)) return excluded_.push_back(number);
         if ((where & above) == 0) lower_to(number, (where & same) == 0);
@@ -49,6 +50,12 @@ class Numbers {
     }
 
   private:
+    static bool is_whole(double number) { return std::floor(number) == number; }
+    /// What lies above 4 begins with the next number that there is.
+    static bool is_end_of_whole(double end) {
+        const double whole = std::round(end);
+        return end == whole || end == std::nextafter(whole, end);
+    }
     void lower_to(double number, bool open) {
         if (number > high_) return;
         high_open_ = open || (number == high_ && high_open_);
@@ -75,7 +82,7 @@ class Numbers {
     double low_, high_;
     bool low_open_ = false, high_open_ = false;
     bool whole_;
-    bool counts_ = true; ///< it was compared with whole numbers only
+    bool counts_; ///< it lies between whole numbers, and was compared with such only
     std::vector<double> excluded_;
 };
 

@@ -53,6 +53,15 @@ TEST(KnownCalls, ComeBackWhereverTheCalledProgramIsLeftWithoutAnAlarm) {
     EXPECT_TRUE(comes_back("#149=5\nG65P2", "IF[#149EQ260]THEN" + alarm + "M99\n"));
 }
 
+TEST(KnownCalls, ComeBackWhereTheCalledProgramReturnsToALabel) {
+    // The caller goes on at N5, not behind the call: its last block is behind N5.
+    const std::string called = "IF[#149EQ260]GOTO9\n" + alarm + "N9M99P5\n";
+    EXPECT_TRUE(comes_back("#149=260\nG65P2\nM30\nN5", called));
+    const std::string maybe = "IF[#500EQ1]GOTO9\nIF[#149EQ260]THEN" + alarm + "M99\nN9M99P5\n";
+    EXPECT_TRUE(comes_back("#149=260\nG65P2\nM30\nN5", maybe));
+    EXPECT_FALSE(comes_back("#149=260\nG65P2\nM30\nN5", alarm + "N9M99P5\n"));
+}
+
 TEST(KnownCalls, AreFollowedThroughLoops) {
     const std::string ten = "#33=0\nWHILE[#33LT20]DO1\n#33=#33+1\nEND1\n";
     const std::string called = ten + "IF[#149EQ260]THEN" + alarm + "M99\n";

@@ -109,6 +109,15 @@ TEST(Solver, AStoreThroughARangeOfIndexesReachesItsFirstAndItsLast) {
     EXPECT_EQ(value_of("#103").constant(), 8);
 }
 
+TEST(Solver, AStoreThroughAFractionReachesTheVariableThatItIsRoundedTo) {
+    // #1000 is 0 or 1, and 0.5 means #1.
+    const auto value_of = [](const std::string& variable) {
+        return last_read("#1=5\n#2=6\n#[#1000/2]=9\nX" + variable + "\nM30\n");
+    };
+    EXPECT_FALSE(value_of("#1").constant());
+    EXPECT_EQ(value_of("#2").constant(), 6);
+}
+
 TEST(Solver, AStoreThroughAnIndexOfAnySizeReachesAllThatItCan) {
     const auto value_of = [](const std::string& variable) {
         return last_read("#1=5\n#100=5\n#500=5\n#[100+ABS[#501]]=9\nX" + variable + "\nM30\n");

@@ -91,6 +91,8 @@ TEST(Contradictions, AnInputIsZeroOrOne) {
     EXPECT_EQ(contradiction({{"#1000EQ0", false}, {"#1000EQ1", false}}), 1U);
     EXPECT_EQ(contradiction({{"#1EQ0", false}, {"#1EQ1", false}}), none);
     EXPECT_EQ(contradiction({{"#1000GT1", true}}), 0U);
+    EXPECT_EQ(contradiction({{"[#1000-0.5]LT0", true}}), none); // is no whole number
+    EXPECT_EQ(contradiction({{"[#1000-0.5]LT-0.5", true}}), 0U);
 }
 
 TEST(Contradictions, BetweenTwoVariablesWhicheverStandsFirst) {

@@ -24,12 +24,17 @@ constexpr std::size_t most_states_tried = 8;
 
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
 
+/// To the block after the call, or to a label of the caller.
+bool comes_back_from(const flow::Exit& exit) {
+    return exit.kind == flow::ExitKind::returns || exit.kind == flow::ExitKind::runs_off;
+}
+
 /// How many edges each node is away from the nearest exit that leads back to the caller.
-std::vector<std::uint32_t> distances_to_return(const Program& program, const flow::Graph& graph) {
+std::vector<std::uint32_t> distances_to_return(const flow::Graph& graph) {
     std::vector<std::uint32_t> distance(graph.nodes.size(), no_way);
     std::vector<flow::NodeId> exits;
     for (const flow::Exit& exit : graph.exits)
-        if (flow::returns_after_call(program, exit) && distance[exit.node] != 0) {
+        if (comes_back_from(exit) && distance[exit.node] != 0) {
             distance[exit.node] = 0;
             exits.push_back(exit.node);
         }
@@ -43,9 +48,8 @@ std::vector<std::uint32_t> distances_to_return(const Program& program, const flo
 
 /// Whether one path comes back, of which every node is tried with a few states, the nearest way first;
 /// nothing where none does, but nodes would have to be tried with other states.
-std::optional<bool> comes_back_at_first(const Program& program, const flow::Graph& graph, States& states,
-                                        Transfer& transfer) {
-    const std::vector<std::uint32_t> distance = distances_to_return(program, graph);
+std::optional<bool> comes_back_at_first(const flow::Graph& graph, States& states, Transfer& transfer) {
+    const std::vector<std::uint32_t> distance = distances_to_return(graph);
     std::vector<SmallVector<State, 1>> tried(graph.nodes.size());
     bool all_tried = true;
     std::vector<std::pair<flow::NodeId, State>> ways{{0, states.at_entry()}};
@@ -139,13 +143,13 @@ bool Analysis::finds_way_back(const KnownStart& start) const {
     States states(*program_, std::move(knowledge));
     Transfer transfer(*program_, *graph_, states, callees_);
     transfer.follow_no_calls();
-    if (const auto known = comes_back_at_first(*program_, *graph_, states, transfer)) return *known;
+    if (const auto known = comes_back_at_first(*graph_, states, transfer)) return *known;
     StateDomain domain(*program_, states, transfer);
     flow::Solution<State> solution;
     flow::solve<flow::Direction::forward>(*graph_, domain, solution);
     return std::ranges::any_of(graph_->exits, [&](const flow::Exit& exit) {
         const State& before = solution.before[exit.node];
-        return before.reached && flow::returns_after_call(*program_, exit) &&
+        return before.reached && comes_back_from(exit) &&
                transfer.run(exit.node, before).reached;
     });
 }

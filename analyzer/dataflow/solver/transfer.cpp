@@ -179,7 +179,9 @@ void Transfer::store_at(State& state, const StoreAt& target, const Value& value,
 
 /// The variables of a family that the index can mean may have changed.
 void Transfer::clobber_indexed(State& state, FamilyId of, ExpressionId index, const Value& known) {
-    const IndexReach reach = index_reaches_.of(of, index, known);
+    IndexReach reach = index_reaches_.of(of, index, known);
+    reach.numbers.low = std::round(reach.numbers.low); // a fraction is rounded [SINHA-INT]
+    reach.numbers.high = std::round(reach.numbers.high);
     const VariableFamily& family = program_.control->families[of];
     std::vector<Variable> spared;
     if (family.custom.spares_index) spared = variables_of(program_, index).variables;
