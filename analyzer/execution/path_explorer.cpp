@@ -156,7 +156,8 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
 PathExplorer::Point PathExplorer::after_rounds(flow::NodeId node, std::uint32_t leg, Point point,
                                                PlaceSet& hangs_on) {
     const auto is_passed = [&](flow::NodeId each) { return is_on_path(each, leg); };
-    if (const Changes* changes = rounds_.at(node, legs_[leg].barred, is_passed))
+    const flow::NodeId first = leg == 0 ? 0 : legs_[leg - 1].to;
+    if (const Changes* changes = rounds_.at(node, first, legs_[leg].barred, is_passed))
         point = run_.after_changes(*changes, point);
     for (const flow::NodeId passed : rounds_.in_the_way()) hangs_on.add(place_of_[leg][passed] - 1);
     return point;

@@ -85,32 +85,46 @@ const Rounds::Cycle& Rounds::through(flow::NodeId node) {
 }
 
 bool Rounds::entered_aside(flow::NodeId node) {
-    if (!entered_aside_) {
-        entered_aside_ = nodes_entered_aside();
-        const auto count = static_cast<std::size_t>(std::ranges::count(*entered_aside_, true));
-        if (count * graph_.nodes.size() > most_asked) entered_aside_->clear();
+    const std::vector<bool>& aside = nesting().entered_aside;
+    return !aside.empty() && aside[node];
+}
+
+std::optional<flow::NodeId> Rounds::head_around(flow::NodeId node) {
+    const auto& heads = nesting().head_around;
+    return heads.empty() ? std::nullopt : heads[node];
+}
+
+const Rounds::Nesting& Rounds::nesting() {
+    if (!nesting_) {
+        nesting_ = find_nesting();
+        const auto count = static_cast<std::size_t>(std::ranges::count(nesting_->entered_aside, true));
+        if (count * graph_.nodes.size() > most_asked) nesting_->entered_aside.clear();
     }
-    return !entered_aside_->empty() && (*entered_aside_)[node];
+    return *nesting_;
 }
 
 /// Loops from the outside in: what is left of a loop without its head are the loops in it.
-std::vector<bool> Rounds::nodes_entered_aside() const {
+Rounds::Nesting Rounds::find_nesting() const {
     const auto whole = dataflow::find_cycles(graph_, analysis_.data());
     if (!whole) return {};
-    std::vector<bool> aside(graph_.nodes.size(), false);
+    Nesting nesting{std::vector<bool>(graph_.nodes.size(), false),
+                    std::vector<std::optional<flow::NodeId>>(graph_.nodes.size())};
     std::vector<bool> is_head(graph_.nodes.size(), false);
     dataflow::Cycles left = *whole;
     for (int depth = 0;; ++depth) {
         const auto loops = loops_of(left);
-        if (loops.empty()) return aside;
+        if (loops.empty()) return nesting;
         for (const Loop& loop : loops) {
             is_head[loop.head] = true;
-            if (depth < most_depth && !is_entered_aside(loop, left.components)) continue;
-            for (const flow::NodeId node : loop.nodes)
-                if (node != loop.head) aside[node] = true;
+            const bool aside = depth == most_depth || is_entered_aside(loop, left.components);
+            for (const flow::NodeId node : loop.nodes) {
+                if (node == loop.head) continue;
+                nesting.head_around[node] = loop.head;
+                if (aside) nesting.entered_aside[node] = true;
+            }
         }
         auto inner = without(graph_, whole->adjacency, is_head);
-        if (!inner || depth == most_depth) return aside;
+        if (!inner || depth == most_depth) return nesting;
         left.adjacency = *std::move(inner);
         left.components = flow::find_components(left.adjacency);
     }

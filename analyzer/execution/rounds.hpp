@@ -23,14 +23,16 @@ class Rounds {
     /// The analysis must outlive this, and hold the facts Store and Clobber.
     explicit Rounds(const ProgramAnalysis& analysis);
 
-    /// What the cycles through the node change that pass no node of which `is_passed(node)` says so. nullptr:
-    /// nothing, or one of their nodes is `barred` (sorted), as nobody knows how often they can go round
-    /// without it. Valid as long as this is.
+    /// What the cycles through the node change that pass no node of which `is_passed(node)` says so, on a
+    /// path that begins at `first`. nullptr: nothing, or one of their nodes is `barred` (sorted), as nobody
+    /// knows how often they can go round without it. Valid as long as this is.
     template<class IsPassed>
-    [[nodiscard]] const Changes* at(flow::NodeId node, std::span<const flow::NodeId> barred,
-                                    const IsPassed& is_passed) {
+    [[nodiscard]] const Changes* at(flow::NodeId node, flow::NodeId first,
+                                    std::span<const flow::NodeId> barred, const IsPassed& is_passed) {
         in_the_way_.clear();
-        if (!entered_aside(node)) return leads_back_to(node) ? changes_of(headed_by(node), barred) : nullptr;
+        if (!entered_aside(node) && !began_inside(node, first, is_passed))
+            return leads_back_to(node) ? changes_of(headed_by(node), barred) : nullptr;
+        if (node != first && !is_come_to_from_elsewhere(node, is_passed)) return nullptr;
         passed_.assign(graph_.nodes.size(), false);
         for (flow::NodeId each = 0; each < passed_.size(); ++each) passed_[each] = is_passed(each);
         return changes_of(through(node), barred);
@@ -55,6 +57,34 @@ class Rounds {
             return graph_.order[graph_.edges[edge].from] >= graph_.order[node];
         });
     }
+    /// Whether an edge leads there from a node of its loop that the path has not passed; if not, those that
+    /// it has passed are in the way.
+    template<class IsPassed>
+    [[nodiscard]] bool is_come_to_from_elsewhere(flow::NodeId node, const IsPassed& is_passed) {
+        std::vector<flow::NodeId> passed;
+        for (const flow::EdgeId edge : graph_.in[node]) {
+            const flow::NodeId from = graph_.edges[edge].from;
+            if (!is_passed(from)) return true;
+            passed.push_back(from);
+        }
+        // Where there is one alone the path has come from there.
+        if (passed.size() > 1) in_the_way_ = std::move(passed);
+        return false;
+    }
+    /// Whether the path began in the middle of a loop that holds the node, and has not come to its head.
+    template<class IsPassed>
+    [[nodiscard]] bool began_inside(flow::NodeId node, flow::NodeId first, const IsPassed& is_passed) {
+        for (auto head = head_around(first); head; head = head_around(*head))
+            if (!is_passed(*head) && is_in_loop_of(*head, node)) return true;
+        return false;
+    }
+    [[nodiscard]] bool is_in_loop_of(flow::NodeId head, flow::NodeId node) {
+        for (std::optional<flow::NodeId> around = node; around; around = head_around(*around))
+            if (*around == head) return true;
+        return false;
+    }
+    /// The head of the innermost loop around the node that it is not the head of.
+    [[nodiscard]] std::optional<flow::NodeId> head_around(flow::NodeId node);
     /// The nodes that lead back to the node and come after it in the order of the graph: all that its cycles
     /// hold when a path can come to these nodes by way of it alone.
     [[nodiscard]] const Cycle& headed_by(flow::NodeId head);
@@ -62,7 +92,13 @@ class Rounds {
     [[nodiscard]] const Cycle& through(flow::NodeId node);
     /// Whether a path may come to the node inside a loop whose head it has not passed.
     [[nodiscard]] bool entered_aside(flow::NodeId node);
-    [[nodiscard]] std::vector<bool> nodes_entered_aside() const;
+    struct Nesting {
+        std::vector<bool> entered_aside; ///< of every node; empty: none is
+        /// Of every node, see head_around; empty: there are no loops.
+        std::vector<std::optional<flow::NodeId>> head_around;
+    };
+    [[nodiscard]] const Nesting& nesting();
+    [[nodiscard]] Nesting find_nesting() const;
     struct Loop {
         std::span<const flow::NodeId> nodes; ///< sorted
         flow::NodeId head;                   ///< the first of them in the order of the graph
@@ -76,10 +112,10 @@ class Rounds {
     const flow::Graph& graph_;
     std::unordered_map<flow::NodeId, Cycle> by_head_;
     std::map<std::pair<flow::NodeId, std::vector<flow::NodeId>>, Cycle>
-        by_nodes_;                                   ///< and the node they lead to
-    std::optional<std::vector<bool>> entered_aside_; ///< of every node; found out when asked for
-    std::vector<bool> passed_;                       ///< kept for its memory
-    std::vector<flow::NodeId> in_the_way_;           ///< see there
+        by_nodes_;                         ///< and the node they lead to
+    std::optional<Nesting> nesting_;       ///< of the loops; found out when asked for
+    std::vector<bool> passed_;             ///< kept for its memory
+    std::vector<flow::NodeId> in_the_way_; ///< see there
     std::size_t measured_ = 0;
 };
 

@@ -295,6 +295,31 @@ TEST(FeasiblePaths, ASearchFindsTheSameAfterOthers) {
     EXPECT_FALSE(search_for_last_read(program, 5).path.has_value());
 }
 
+/// Whether a path leads from the start to the first block of one line, and from there to that of the other.
+bool leads_by_way_of(const std::string& text, std::uint32_t between, std::uint32_t to) {
+    const auto workspace = test::analyse_fanuc(text);
+    const ProgramAnalysis& program = workspace->programs().front();
+    const auto& nodes = program.graph().nodes;
+    const auto node_at = [&](std::uint32_t line) {
+        const auto found = std::ranges::find(
+            nodes, line, [&](const flow::Node& node) { return test::line_of(program, node.part.begin); });
+        if (found == nodes.end()) throw std::runtime_error("no such line");
+        return static_cast<flow::NodeId>(found - nodes.begin());
+    };
+    const std::vector<execution::Leg> legs{{node_at(between), {}}, {node_at(to), {}}};
+    return execution::PathSearch(program).find(legs).path.has_value();
+}
+
+TEST(FeasiblePaths, RoundsAreGoneAlsoFromTheMiddleOfALoop) {
+    // From line 4 the loop is gone round until #102 is 2: past line 7, which jumps back to line 4 otherwise.
+    const auto text = [](const std::string& step) {
+        return "O1\n#100=#500\nGOTO15\nN9#5=#100\n#102=1\nWHILE[#102LT2]DO1\n" + step +
+               "N15IF[#501NE0]GOTO9\nEND1\nX1\nM30\n";
+    };
+    EXPECT_TRUE(leads_by_way_of(text("#102=#102+1\n"), 4, 10));
+    EXPECT_FALSE(leads_by_way_of(text("#103=#103+1\n"), 4, 10)); // nothing makes #102 another number
+}
+
 /// 1-based lines of the stores in #1 that can be the last one before the only loop.
 std::vector<std::uint32_t> lines_of_stores_before_loop(const std::string& text) {
     const auto workspace = test::analyse_fanuc("O1\n" + text + "WHILE[#1LT9]DO1\n#1=#1+1\nEND1\nM30\n");

@@ -149,8 +149,7 @@ bool Analysis::finds_way_back(const KnownStart& start) const {
     flow::solve<flow::Direction::forward>(*graph_, domain, solution);
     return std::ranges::any_of(graph_->exits, [&](const flow::Exit& exit) {
         const State& before = solution.before[exit.node];
-        return before.reached && comes_back_from(exit) &&
-               transfer.run(exit.node, before).reached;
+        return before.reached && comes_back_from(exit) && transfer.run(exit.node, before).reached;
     });
 }
 

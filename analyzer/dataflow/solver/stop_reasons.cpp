@@ -72,8 +72,9 @@ class StopReasonSearch {
         }
     }
 
-    /// Whether other ways lead from the node under the same condition, past a block that may be skipped, and it
-    /// makes a difference to the alarms which is taken: the switch may be on in one round and off in the next.
+    /// Whether other ways lead from the node under the same condition, past a block that may be skipped, and
+    /// it makes a difference to the alarms which is taken: the switch may be on in one round and off in the
+    /// next.
     [[nodiscard]] bool operator_decides(flow::NodeId node, const flow::Edge& way) const {
         if (way.jump) return false;
         std::vector<flow::NodeId> targets;
