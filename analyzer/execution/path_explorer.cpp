@@ -135,14 +135,14 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
         note_in_the_way(node, leg);
         return false;
     }
-    PlaceSet before_it;
+    Ground before_it;
     point = after_rounds(node, leg, point, before_it);
     // Blocks that run once more make other values of the same symbols.
     if (back_on_path) PathRun::forget_assumptions(point);
     if (const auto [failure, hold] = failed_before(node, leg, point); failure != nullptr) {
         add_reasons(places_.back(), failure->why);
-        places_.back().in_the_way.add_all(hold->places);
-        places_.back().in_the_way.add_all(before_it);
+        hand_back(hold->ground, leg);
+        hand_back(before_it, leg);
         return false;
     }
     ++visits_;
@@ -154,12 +154,13 @@ bool PathExplorer::arrive(flow::NodeId node, std::uint32_t leg, Point point) {
 }
 
 PathExplorer::Point PathExplorer::after_rounds(flow::NodeId node, std::uint32_t leg, Point point,
-                                               PlaceSet& hangs_on) {
+                                               Ground& ground) {
     const auto is_passed = [&](flow::NodeId each) { return is_on_path(each, leg); };
     const flow::NodeId first = leg == 0 ? 0 : legs_[leg - 1].to;
     if (const Changes* changes = rounds_.at(node, first, legs_[leg].barred, is_passed))
         point = run_.after_changes(*changes, point);
-    for (const flow::NodeId passed : rounds_.in_the_way()) hangs_on.add(place_of_[leg][passed] - 1);
+    for (const flow::NodeId passed : rounds_.in_the_way()) ground.places.add(place_of_[leg][passed] - 1);
+    if (rounds_.not_passed() != nullptr) ground.add_not_passed(rounds_.not_passed());
     return point;
 }
 
@@ -167,7 +168,7 @@ PathExplorer::Point PathExplorer::after_rounds(flow::NodeId node, std::uint32_t 
 /// alone, and where the leg begins.
 void PathExplorer::note_in_the_way(flow::NodeId node, std::uint32_t leg) {
     const bool always = leg == 0 ? rounds_.heads_are_passed(places_.back().node) : node == legs_[leg - 1].to;
-    if (!always) places_.back().in_the_way.add(place_of_[leg][node] - 1);
+    if (!always) places_.back().ground.places.add(place_of_[leg][node] - 1);
 }
 
 /// Nearest to the end of the leg last, of equally near ones the first edge.
@@ -190,15 +191,34 @@ void PathExplorer::go_back() {
     Place place = std::move(places_.back());
     places_.pop_back();
     place_of_[place.leg][place.node] = 0;
-    place.in_the_way.remove(places_.size()); // where it is come to again it is not on the path
+    place.ground.places.remove(places_.size()); // where it is come to again it is not on the path
     VariableSet why = place.reasons.empty() ? reasons().none() : place.reasons;
     reasons().go_back_over(place.node, why);
     if (ways_meet_[place.node] && visits_ - place.visit > few_visits) remember_failure(place, why);
     if (places_.empty()) return;
     add_reasons(places_.back(), why);
-    places_.back().in_the_way.add_all(place.in_the_way);
-    places_.back().in_the_way.add_all(place.before_it);
+    hand_back(place.ground, place.leg);
+    hand_back(place.before_it, place.leg);
     places_.back().taken.reset();
+}
+
+/// To the last place, one of whose ways led to a place of that leg. Before a leg begins it has passed
+/// nothing.
+void PathExplorer::hand_back(const Ground& ground, std::uint32_t leg) {
+    Place& place = places_.back();
+    if (place.leg == leg)
+        place.ground.add_all(ground);
+    else
+        place.ground.places.add_all(ground.places);
+}
+
+void PathExplorer::Ground::add_all(const Ground& more) {
+    places.add_all(more.places);
+    for (const auto* nodes : more.not_passed) add_not_passed(nodes);
+}
+
+void PathExplorer::Ground::add_not_passed(const std::vector<flow::NodeId>* nodes) {
+    if (std::ranges::find(not_passed, nodes) == not_passed.end()) not_passed.push_back(nodes);
 }
 
 const FailureReasons& PathExplorer::reasons() {
@@ -239,14 +259,17 @@ void PathExplorer::remember_failure(const Place& place, const VariableSet& why) 
         failures.push_back({all, reasons().members(all), {}});
         failure = std::prev(failures.end());
     }
-    const auto last = place.in_the_way.last();
+    const auto last = place.ground.places.last();
     failure->fingerprints.insert_or_assign(run_.fingerprint(place.before, failure->variables),
-                                           Hold{place.in_the_way, last ? places_[*last].visit : 0});
+                                           Hold{place.ground, last ? places_[*last].visit : 0});
 }
 
-bool PathExplorer::still_holds(const Hold& hold) const {
-    const auto last = hold.places.last();
-    return !last || (*last < places_.size() && places_[*last].visit == hold.visit);
+bool PathExplorer::still_holds(const Hold& hold, std::uint32_t leg) const {
+    const auto last = hold.ground.places.last();
+    if (last && (*last >= places_.size() || places_[*last].visit != hold.visit)) return false;
+    return std::ranges::none_of(hold.ground.not_passed, [&](const std::vector<flow::NodeId>* nodes) {
+        return std::ranges::any_of(*nodes, [&](flow::NodeId node) { return is_on_path(node, leg); });
+    });
 }
 
 std::pair<const PathExplorer::Failure*, const PathExplorer::Hold*>
@@ -256,7 +279,7 @@ PathExplorer::failed_before(flow::NodeId node, std::uint32_t leg, const Point& p
     if (failures == failed_.end()) return {};
     for (const Failure& failure : failures->second) {
         const auto known = failure.fingerprints.find(run_.fingerprint(point, failure.variables));
-        if (known != failure.fingerprints.end() && still_holds(known->second))
+        if (known != failure.fingerprints.end() && still_holds(known->second, leg))
             return {&failure, &known->second};
     }
     return {};

@@ -39,15 +39,23 @@ class PathExplorer {
 
   private:
     using Point = PathRun::Point;
+    /// What an answer hangs on: places that are on the path, and nodes that are not, in the same leg.
+    struct Ground {
+        PlaceSet places;
+        dataflow::SmallVector<const std::vector<flow::NodeId>*, 1> not_passed; ///< lists of Rounds
+
+        void add_all(const Ground& more);
+        void add_not_passed(const std::vector<flow::NodeId>* nodes);
+    };
     /// A node on the path, and the ways on from there that were not tried yet.
     struct Place {
         flow::NodeId node;
         std::uint32_t leg;
         Point before, after;
-        std::size_t ways;    ///< so many of all `ways_` are those of nodes before
-        std::size_t visit;   ///< its number among all visits of the search
-        PlaceSet before_it;  ///< places that made `before` what it is
-        PlaceSet in_the_way; ///< places without which its ways might lead on; itself may be one
+        std::size_t ways;  ///< so many of all `ways_` are those of nodes before
+        std::size_t visit; ///< its number among all visits of the search
+        Ground before_it;  ///< of `before`
+        Ground ground;     ///< of its ways that do not lead on; itself may be one of the places
         std::optional<flow::EdgeId> taken = {};
         /// Why ways that were tried do not lead on, after the node; empty: none was.
         VariableSet reasons = {};
@@ -58,6 +66,7 @@ class PathExplorer {
     /// Whether all legs have been gone.
     [[nodiscard]] bool arrive(flow::NodeId node, std::uint32_t leg, Point point);
     void go_back();
+    void hand_back(const Ground& ground, std::uint32_t leg);
     /// Whether all the work that is allowed for the program has been done.
     [[nodiscard]] bool is_spent() const;
     [[nodiscard]] PathFound path_gone() const;
@@ -71,8 +80,8 @@ class PathExplorer {
     /// none.
     [[nodiscard]] std::pair<const Failure*, const Hold*> failed_before(flow::NodeId node, std::uint32_t leg,
                                                                        const Point& point);
-    /// What rounds of loops make of the point at the node. `hangs_on` learns of the places that decide that.
-    [[nodiscard]] Point after_rounds(flow::NodeId node, std::uint32_t leg, Point point, PlaceSet& hangs_on);
+    /// What rounds of loops make of the point at the node, and on what ground.
+    [[nodiscard]] Point after_rounds(flow::NodeId node, std::uint32_t leg, Point point, Ground& ground);
     /// A way from the last place leads to a node that is on the path.
     void note_in_the_way(flow::NodeId node, std::uint32_t leg);
     void add_ways_from(flow::NodeId node, std::uint32_t leg);
@@ -92,13 +101,12 @@ class PathExplorer {
     std::vector<Place> places_;
     std::vector<flow::EdgeId> ways_;        ///< not tried yet, of each place in turn, the next one last
     std::optional<FailureReasons> reasons_; ///< nothing: no way has failed in any search
-    /// A failure holds as long as the last of the places that were in the way, and so each of them, is on the
-    /// path.
+    /// A failure holds as long as the last of the places, and so each of them, is on the path.
     struct Hold {
-        PlaceSet places;
+        Ground ground;
         std::size_t visit; ///< of the last place
     };
-    [[nodiscard]] bool still_holds(const Hold& hold) const;
+    [[nodiscard]] bool still_holds(const Hold& hold, std::uint32_t leg) const;
     /// No way leads on from points that agree in the variables, as long as that holds.
     struct Failure {
         VariableSet why;

@@ -30,16 +30,22 @@ class Rounds {
     [[nodiscard]] const Changes* at(flow::NodeId node, flow::NodeId first,
                                     std::span<const flow::NodeId> barred, const IsPassed& is_passed) {
         in_the_way_.clear();
+        not_passed_ = nullptr;
         if (!entered_aside(node) && !began_inside(node, first, is_passed))
             return leads_back_to(node) ? changes_of(headed_by(node), barred) : nullptr;
         if (node != first && !is_come_to_from_elsewhere(node, is_passed)) return nullptr;
         passed_.assign(graph_.nodes.size(), false);
         for (flow::NodeId each = 0; each < passed_.size(); ++each) passed_[each] = is_passed(each);
-        return changes_of(through(node), barred);
+        const Cycle& cycle = through(node);
+        const Changes* changes = changes_of(cycle, barred);
+        if (changes == nullptr && !cycle.nodes.empty()) not_passed_ = &cycle.nodes;
+        return changes;
     }
-    /// Nodes that the path had passed, and without which the last answer might have been another. That one
-    /// more would take a barred node out of the cycles is not told.
+    /// Nodes that the path had passed, and without which the last answer might have been another.
     [[nodiscard]] std::span<const flow::NodeId> in_the_way() const { return in_the_way_; }
+    /// Where a barred node was the reason for the last answer: nodes of which the path had passed none, as it
+    /// might have been another otherwise. Valid as long as this is; nullptr: there were none.
+    [[nodiscard]] const std::vector<flow::NodeId>* not_passed() const { return not_passed_; }
     /// Whether all paths from the program's start to the node pass the heads of all loops around it.
     [[nodiscard]] bool heads_are_passed(flow::NodeId node) { return !entered_aside(node); }
     /// How many nodes were looked at so far.
@@ -112,10 +118,11 @@ class Rounds {
     const flow::Graph& graph_;
     std::unordered_map<flow::NodeId, Cycle> by_head_;
     std::map<std::pair<flow::NodeId, std::vector<flow::NodeId>>, Cycle>
-        by_nodes_;                         ///< and the node they lead to
-    std::optional<Nesting> nesting_;       ///< of the loops; found out when asked for
-    std::vector<bool> passed_;             ///< kept for its memory
-    std::vector<flow::NodeId> in_the_way_; ///< see there
+        by_nodes_;                                          ///< and the node they lead to
+    std::optional<Nesting> nesting_;                        ///< of the loops; found out when asked for
+    std::vector<bool> passed_;                              ///< kept for its memory
+    std::vector<flow::NodeId> in_the_way_;                  ///< see there
+    const std::vector<flow::NodeId>* not_passed_ = nullptr; ///< see there
     std::size_t measured_ = 0;
 };
 

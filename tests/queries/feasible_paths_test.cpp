@@ -210,6 +210,14 @@ TEST(FeasiblePaths, AFailureCountsOnlyWhereTheSameBlocksAreInTheWay) {
                               "/N11IF[#102EQ#0]GOTO7"));
 }
 
+TEST(FeasiblePaths, AFailureCountsOnlyWhereNoMoreBlocksArePassed) {
+    // Straight to N3 the loop at N5 has a way back by N2 and N4, which sets #5. Past N2 it has not.
+    std::string text = "#1=0\nIF[#501EQ1]GOTO2\nGOTO3\nN2#9=1\nIF[#502EQ1]GOTO4\nN3X#3\n";
+    for (int i = 0; i < 20; ++i) text += "X#3\n";
+    text += "N5IF[#1GE3]GOTO9\nIF[#503EQ1]GOTO2\n#1=#1+1\nGOTO5\nN4#5=1\nGOTO5\nN9G0Z#5\n";
+    EXPECT_TRUE(reaches_uninitialised(text, 5));
+}
+
 TEST(FeasiblePaths, ALoopIsSearchedOnceForAllThatComeToItAlike) {
     std::string text = "O1\n";
     for (int k = 1; k <= 20; ++k)
