@@ -13,12 +13,20 @@
 namespace maclint::test {
 namespace {
 
+/// Of the environment; `usual` where it says nothing.
+unsigned number(const char* name, unsigned usual) {
+    const char* said = std::getenv(name);
+    return said == nullptr ? usual : static_cast<unsigned>(std::strtoul(said, nullptr, 10));
+}
+
+/// ./dev random throws more of them, from another seed on.
 template<class Generate>
-void expect_sound(unsigned programs, const Generate& generate) {
+void expect_sound(unsigned usual_programs, const Generate& generate) {
     std::map<std::string, std::size_t> held;
-    const char* only = std::getenv("SOUNDNESS_SEED");
-    for (unsigned seed = only != nullptr ? static_cast<unsigned>(std::atoi(only)) : 0; seed < programs;
-         ++seed) {
+    const unsigned first = number("SOUNDNESS_SEED", 0);
+    const unsigned programs = number("SOUNDNESS_PROGRAMS", usual_programs);
+    for (unsigned thrown = 0; thrown < programs; ++thrown) {
+        const unsigned seed = first + thrown;
         Dice dice(seed);
         const std::vector<NamedText> files = generate(dice);
         if (const auto what = refuted(files, dice, held)) {
@@ -33,18 +41,12 @@ void expect_sound(unsigned programs, const Generate& generate) {
         for (const auto& [kind, times] : held) std::cout << times << ' ' << kind << '\n';
 }
 
-/// More of them on demand, to look for what is rare.
-unsigned count(unsigned usual) {
-    const char* more = std::getenv("SOUNDNESS_PROGRAMS");
-    return more == nullptr ? usual : static_cast<unsigned>(std::atoi(more));
-}
-
 TEST(Soundness, WhatRunsOfMacrosShowIsWhatTheAnalysisAllows) {
-    expect_sound(count(1500), random_fanuc_programs);
+    expect_sound(1500, random_fanuc_programs);
 }
 
 TEST(Soundness, WhatRunsOfDinPlusShowIsWhatTheAnalysisAllows) {
-    expect_sound(count(1000), random_dinplus_programs);
+    expect_sound(1000, random_dinplus_programs);
 }
 
 } // namespace
