@@ -235,6 +235,8 @@ std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable>
                 states_.read(point.state, dataflow::ChannelGroup{channel, group});
             for (const dataflow::ModalPart& part : value.parts) print = dataflow::mix(print, part.symbol);
             print = dataflow::mix(print, value.unknown ? 1 : 0);
+            if (const auto code = states_.entry_code(point.state, {channel, group}))
+                print = dataflow::mix(print, std::bit_cast<std::uint64_t>(*code));
         });
     return print;
 }

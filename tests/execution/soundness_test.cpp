@@ -41,13 +41,9 @@ void expect_sound(unsigned usual_programs, const Generate& generate) {
         for (const auto& [kind, times] : held) std::cout << times << ' ' << kind << '\n';
 }
 
-TEST(Soundness, WhatRunsOfMacrosShowIsWhatTheAnalysisAllows) {
-    expect_sound(1500, random_fanuc_programs);
-}
+TEST(Soundness, WhatRunsOfMacrosShowIsWhatTheAnalysisAllows) { expect_sound(1500, random_fanuc_programs); }
 
-TEST(Soundness, WhatRunsOfDinPlusShowIsWhatTheAnalysisAllows) {
-    expect_sound(1000, random_dinplus_programs);
-}
+TEST(Soundness, WhatRunsOfDinPlusShowIsWhatTheAnalysisAllows) { expect_sound(1000, random_dinplus_programs); }
 
 } // namespace
 } // namespace maclint::test

@@ -303,16 +303,16 @@ TEST(FeasiblePaths, ASearchFindsTheSameAfterOthers) {
     EXPECT_FALSE(search_for_last_read(program, 5).path.has_value());
 }
 
-/// Whether a path leads from the start to the first block of one line, and from there to that of the other.
+/// Whether a path leads from the start to the end of one line, where a jump or what follows THEN stands, and
+/// from there to that of the other.
 bool leads_by_way_of(const std::string& text, std::uint32_t between, std::uint32_t to) {
     const auto workspace = test::analyse_fanuc(text);
     const ProgramAnalysis& program = workspace->programs().front();
     const auto& nodes = program.graph().nodes;
     const auto node_at = [&](std::uint32_t line) {
-        const auto found = std::ranges::find(
-            nodes, line, [&](const flow::Node& node) { return test::line_of(program, node.part.begin); });
-        if (found == nodes.end()) throw std::runtime_error("no such line");
-        return static_cast<flow::NodeId>(found - nodes.begin());
+        for (auto node = static_cast<flow::NodeId>(nodes.size()); node-- > 0;)
+            if (test::line_of(program, nodes[node].part.begin) == line) return node;
+        throw std::runtime_error("no such line");
     };
     const std::vector<execution::Leg> legs{{node_at(between), {}}, {node_at(to), {}}};
     return execution::PathSearch(program).find(legs).path.has_value();
@@ -326,6 +326,13 @@ TEST(FeasiblePaths, RoundsAreGoneAlsoFromTheMiddleOfALoop) {
     };
     EXPECT_TRUE(leads_by_way_of(text("#102=#102+1\n"), 4, 10));
     EXPECT_FALSE(leads_by_way_of(text("#103=#103+1\n"), 4, 10)); // nothing makes #102 another number
+}
+
+TEST(FeasiblePaths, AFailureCountsOnlyWhereTheCallersCodesAreTheSame) {
+    // Who comes past THEN in line 4 has shown that code 5 is in force, and never comes into it.
+    const std::string text = "O1\nN1IF[#100GT#101]GOTO3\nN2#1=#4109\nN3IF[#4001NE5]THEN#500=#4003\n"
+                             "N4IF[#3NE#2]GOTO1\nN5#3=COS[ROUND[#501]]\nN6IF[#7EQ#0]GOTO1\n";
+    EXPECT_TRUE(leads_by_way_of(text, 5, 4));
 }
 
 /// 1-based lines of the stores in #1 that can be the last one before the only loop.
