@@ -222,6 +222,18 @@ std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable>
         print = dataflow::mix(print, print_of(value));
         print = dataflow::mix(print, see(states_.table().values[value].symbol, place));
     }
+    for (const GroupId group : asked_groups_)
+        dataflow::for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
+            const dataflow::ModalValue& value =
+                states_.read(point.state, dataflow::ChannelGroup{channel, group});
+            for (const dataflow::ModalPart& part : value.parts) {
+                print = dataflow::mix(print, part.symbol);
+                see(part.symbol, static_cast<std::uint32_t>(deciding.size()));
+            }
+            print = dataflow::mix(print, value.unknown ? 1 : 0);
+            if (const auto code = states_.entry_code(point.state, {channel, group}))
+                print = dataflow::mix(print, std::bit_cast<std::uint64_t>(*code));
+        });
     for (Assumptions::Id id = point.assumed; id != Assumptions::none; id = assumptions_[id].earlier) {
         const Assumptions::Assumption& assumption = assumptions_[id];
         if (!can_be_seen(assumption.subject) || !can_be_seen(assumption.other)) continue;
@@ -229,15 +241,6 @@ std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable>
         print = dataflow::mix(print, std::bit_cast<std::uint64_t>(assumption.number));
         print = dataflow::mix(print, static_cast<std::uint64_t>(assumption.operation));
     }
-    for (const GroupId group : asked_groups_)
-        dataflow::for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
-            const dataflow::ModalValue& value =
-                states_.read(point.state, dataflow::ChannelGroup{channel, group});
-            for (const dataflow::ModalPart& part : value.parts) print = dataflow::mix(print, part.symbol);
-            print = dataflow::mix(print, value.unknown ? 1 : 0);
-            if (const auto code = states_.entry_code(point.state, {channel, group}))
-                print = dataflow::mix(print, std::bit_cast<std::uint64_t>(*code));
-        });
     return print;
 }
 

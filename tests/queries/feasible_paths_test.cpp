@@ -335,6 +335,14 @@ TEST(FeasiblePaths, AFailureCountsOnlyWhereTheCallersCodesAreTheSame) {
     EXPECT_TRUE(leads_by_way_of(text, 5, 4));
 }
 
+TEST(FeasiblePaths, AFailureCountsOnlyWhereTheSameIsAssumedOfTheCallersCodes) {
+    // Who does not come into the first THEN, as the code is not above #500, does not come out of the loop.
+    std::string text = "O1\n#1=#500\nIF[#4001GT#500]THEN#9=1\n";
+    for (int i = 0; i < 20; ++i) text += "X#3\n";
+    text += "WHILE[#4001LE#1]DO1\n#2=5\nEND1\nX1\nM99\n";
+    EXPECT_TRUE(leads_by_way_of(text, 2, 27));
+}
+
 /// 1-based lines of the stores in #1 that can be the last one before the only loop.
 std::vector<std::uint32_t> lines_of_stores_before_loop(const std::string& text) {
     const auto workspace = test::analyse_fanuc("O1\n" + text + "WHILE[#1LT9]DO1\n#1=#1+1\nEND1\nM30\n");
