@@ -22,7 +22,7 @@
 namespace maclint::queries {
 namespace {
 
-/// So many nodes are looked at; what lies beyond may rely on the state.
+/// So many nodes are looked at; what is not looked at may rely on the state.
 constexpr std::size_t most_visits = 20'000;
 
 /// What is known on the path to a node.
@@ -67,11 +67,12 @@ class Search {
             const Point point = stack_.back();
             stack_.pop_back();
             if (met_ > most_visits) {
-                result_.matters = true;
+                all_looked_at_ = false;
                 break;
             }
             visit(point);
         }
+        result_.matters |= !all_looked_at_;
         return result_;
     }
 
@@ -106,8 +107,12 @@ class Search {
         if (!returned_.emplace(program.index(), idle).second) return;
         // A program that keeps its callers' state answers for this value, too.
         if (is_value() && &program != &callee_ && keeps_callers_state(program)) return;
-        std::vector<Caller> callers =
-            program.callers().empty() ? program.possible_callers() : program.callers();
+        std::vector<Caller> callers = program.callers();
+        if (callers.empty()) {
+            PossibleCallers possible = program.possible_callers();
+            callers = std::move(possible.first);
+            all_looked_at_ &= possible.all;
+        }
         if (callers.empty())
             result_.matters |= !program.is_main() && !is_given_again(idle);
         else
@@ -203,7 +208,7 @@ class Search {
                 goes_on &= setting.group != group_;
                 note_code(setting.group, setting.value, point);
             }
-            if (goes_on && block.moves) goes_on = passes_move(program, block.span, point, false);
+            if (goes_on && block.moves) goes_on = passes_move(program, {node.item, block.span}, point, false);
             return goes_on;
         });
         return goes_on;
@@ -217,7 +222,7 @@ class Search {
                 std::visit(overloaded{
                                [&](const SetModal& set) { return passes_setting(program, set, point); },
                                [&](const Motion& motion) {
-                                   return passes_move(program, node.part, point, motion.without_feed);
+                                   return passes_move(program, node.stretch(), point, motion.without_feed);
                                },
                                [&](const Call& call) { return passes_call(program, id, call, point); },
                                // What it does is not known: nothing is claimed after it.
@@ -246,14 +251,15 @@ class Search {
     }
 
     /// A move for which the value is idle, or to which no path leads from the call, does not count.
-    bool passes_move(const ProgramAnalysis& program, Span block, const Point& point, bool without_feed) {
+    bool passes_move(const ProgramAnalysis& program, const Stretch& block, const Point& point,
+                     bool without_feed) {
         if ((!idle_.empty() || is_motion()) && (point.idle != 0 || without_feed)) return true;
         const ModalMove move = is_motion() ? modal_move_in(program, block) : ModalMove{true, false};
         if (!move.relies) return true;
         if (!point.inside && !can_follow(program, point.call, point.node)) return true;
         const bool own_is_lost = !point.inside && loses_own(program, point.call);
         if (result_.program == nullptr || own_is_lost || move.gives_feed)
-            result_ = {true, &program, block, own_is_lost, move.gives_feed};
+            result_ = {true, &program, block.span, own_is_lost, move.gives_feed};
         return false;
     }
 
@@ -302,6 +308,7 @@ class Search {
     std::set<std::pair<ProgramIndex, std::uint32_t>> returned_;
     dataflow::Interner<Point> points_;                                ///< met so far
     std::size_t met_ = 0;                                             ///< so many
+    bool all_looked_at_ = true;                                       ///< callers and nodes
     std::map<std::pair<ProgramIndex, flow::NodeId>, bool> loses_own_; ///< by program and call
     LeakUse result_;
 };

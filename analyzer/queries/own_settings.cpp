@@ -131,7 +131,7 @@ bool stands_beside(const ProgramAnalysis& analysis, dataflow::OriginId set, Grou
     return found;
 }
 
-ModalMove modal_move_in(const ProgramAnalysis& analysis, Span block) {
+ModalMove modal_move_in(const ProgramAnalysis& analysis, const Stretch& block) {
     const ControlModel& control = analysis.control();
     const auto motion = control.group_with(ModalRole::motion);
     const auto feed = control.group_with(ModalRole::feed);
@@ -150,10 +150,9 @@ ModalMove modal_move_in(const ProgramAnalysis& analysis, Span block) {
         return row.role == ModalRole::motion || row.role == ModalRole::macro_call ||
                (row.role == ModalRole::cycle && code->value != row.cancel);
     };
-    const auto any = [](const auto&) { return true; };
-    for_each_block_with_words(analysis.program(), any,
-                              [&](const BlockView& view, std::span<const Word> words, const WordSummary*) {
-                                  if (view.span != block) return;
+    for_each_block_with_words(analysis.program(), block,
+                              [&](const BlockView& view, std::span<const Word> words) {
+                                  if (view.span != block.span) return;
                                   move.relies = std::ranges::none_of(words, says_how);
                                   move.gives_feed = std::ranges::any_of(words, [&](const Word& word) {
                                       return letter(word, control.groups[*feed].letter) && word.has_value();

@@ -33,6 +33,6 @@ struct ModalMove {
     bool relies;     ///< it moves, and no code of its own says how: no motion code, cycle or code made once
     bool gives_feed; ///< it states a feed
 };
-[[nodiscard]] ModalMove modal_move_in(const ProgramAnalysis& analysis, Span block);
+[[nodiscard]] ModalMove modal_move_in(const ProgramAnalysis& analysis, const Stretch& block);
 
 } // namespace maclint::queries

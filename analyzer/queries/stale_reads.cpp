@@ -13,16 +13,20 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
 namespace maclint::queries {
 namespace {
 
 using dataflow::Comparison;
 
-constexpr int most_blocks = 16;  ///< from a test to an assignment that it decides
-constexpr int most_searches = 8; ///< of one variable
+constexpr int most_blocks = 16;          ///< from a test to an assignment that it decides
+constexpr std::size_t most_searches = 8; ///< of one variable, in one case
 
 /// A test whether the subject is a number, and where the program goes on when it is.
 struct Case {
@@ -42,19 +46,25 @@ class Search {
             case_of_.try_emplace(tested->begins, cases_.size());
             cases_.push_back(*tested);
         }
-        for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
-            stores_[dataflow::key_of(store.variable)].push_back(store.node);
+        for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
+            Stores& stores = stores_[dataflow::key_of(store.variable)];
+            stores.nodes.push_back(store.node);
+            stores.last = std::max(stores.last, store.effect);
+        }
     }
 
     std::optional<StaleRead> of(Variable variable) {
         const auto set_for = cases_that_set(variable);
-        if (set_for.size() < 2) return std::nullopt;
+        if (set_for.cases.size() < 2) return std::nullopt;
+        const auto reads = reads_that_matter(variable);
+        if (reads.empty()) return std::nullopt;
+        const auto setting = nodes_that_set(variable);
         for (const Case& other : cases_) {
-            const bool is_set = std::ranges::any_of(
-                set_for, [&](const Case& one) { return value(one.number) == value(other.number); });
-            if (!asks_for_same(set_for.front(), other) || is_set) continue;
-            if (auto found = read_in(other, variable)) {
-                for (const Case& one : set_for) found->set_for.push_back(one.number);
+            if (set_for.numbers.contains(value(other.number)) ||
+                !asks_for_same(*set_for.cases.front(), other))
+                continue;
+            if (auto found = read_in(other, reads, setting)) {
+                for (const Case* one : set_for.cases) found->set_for.push_back(one->number);
                 return found;
             }
         }
@@ -83,14 +93,19 @@ class Search {
         }
         const auto* load = std::get_if<Load>(&node);
         if (load == nullptr) return std::holds_alternative<LoadModal>(node);
-        return std::ranges::none_of(analysis_.facts().all<dataflow::Store>(),
-                                    [&](const dataflow::Store& store) {
-                                        return store.variable == load->variable && store.effect > from;
-                                    }) &&
-               std::ranges::none_of(analysis_.facts().all<dataflow::Clobber>(),
-                                    [&](const dataflow::Clobber& clobber) {
-                                        return clobber.may_change(load->variable) && clobber.effect > from;
-                                    });
+        return last_change_of(load->variable) <= from;
+    }
+
+    /// The last effect in the text that may change the variable; 0 for none.
+    [[nodiscard]] EffectId last_change_of(Variable variable) const {
+        const dataflow::Key key = dataflow::key_of(variable);
+        const auto [known, fresh] = last_changes_.try_emplace(key, 0);
+        if (!fresh) return known->second;
+        if (const auto stores = stores_.find(key); stores != stores_.end())
+            known->second = stores->second.last;
+        for (const dataflow::Clobber& clobber : analysis_.facts().all<dataflow::Clobber>())
+            if (clobber.may_change(variable)) known->second = std::max(known->second, clobber.effect);
+        return known->second;
     }
 
     [[nodiscard]] std::optional<Case> case_of(const Comparison& test) const {
@@ -106,16 +121,22 @@ class Search {
         return std::nullopt;
     }
 
+    struct CasesThatSet {
+        std::vector<const Case*> cases;
+        std::set<double> numbers; ///< of these
+    };
+
     /// One for each number, of one subject.
-    [[nodiscard]] std::vector<Case> cases_that_set(Variable variable) const {
-        std::vector<Case> found;
-        for (const flow::NodeId node : stores_.at(dataflow::key_of(variable))) {
+    [[nodiscard]] CasesThatSet cases_that_set(Variable variable) const {
+        CasesThatSet found;
+        const Case* first = nullptr; // in the text
+        for (const flow::NodeId node : stores_.at(dataflow::key_of(variable)).nodes) {
             const Case* decides = case_before(node);
-            if (decides == nullptr) continue;
-            const bool known = std::ranges::any_of(found, [&](const Case& one) {
-                return !asks_for_same(one, *decides) || value(one.number) == value(decides->number);
-            });
-            if (!known) found.push_back(*decides);
+            if (decides == nullptr || (first != nullptr && !asks_for_same(*first, *decides)) ||
+                !found.numbers.insert(value(decides->number)).second)
+                continue;
+            found.cases.push_back(decides);
+            if (first == nullptr || decides->test->effect < first->test->effect) first = decides;
         }
         return found;
     }
@@ -132,18 +153,16 @@ class Search {
         return nullptr;
     }
 
-    [[nodiscard]] std::optional<StaleRead> read_in(const Case& in_case, Variable variable) {
-        const std::vector<flow::NodeId> setting = nodes_that_set(variable);
-        int searches = 0;
-        for (const dataflow::Read& read : analysis_.facts().all<dataflow::Read>()) {
-            if (read.variable != variable || !matters(read)) continue;
-            if (searches++ == most_searches) break;
+    [[nodiscard]] std::optional<StaleRead> read_in(const Case& in_case,
+                                                   std::span<const dataflow::Read* const> reads,
+                                                   std::span<const flow::NodeId> setting) {
+        for (const dataflow::Read* read : reads) {
             auto found = search_.find(std::array{execution::Leg{in_case.test->node, setting},
                                                  execution::Leg{in_case.begins, setting},
-                                                 execution::Leg{read.node, setting}});
+                                                 execution::Leg{read->node, setting}});
             if (found.path && is_taken(*found.path, in_case))
                 return StaleRead{
-                    &read, in_case.test->left_expression, {}, in_case.number, *std::move(found.path)};
+                    read, in_case.test->left_expression, {}, in_case.number, *std::move(found.path)};
         }
         return std::nullopt;
     }
@@ -157,6 +176,17 @@ class Search {
         });
     }
 
+    /// The first of them, in the order of nodes.
+    [[nodiscard]] std::vector<const dataflow::Read*> reads_that_matter(Variable variable) const {
+        std::vector<const dataflow::Read*> reads;
+        for (const dataflow::Read* read : analysis_.facts().about<dataflow::Read>(variable)) {
+            if (!matters(*read)) continue;
+            reads.push_back(read);
+            if (reads.size() == most_searches) break;
+        }
+        return reads;
+    }
+
     [[nodiscard]] bool matters(const dataflow::Read& read) const {
         if (read.use == dataflow::Use::vacancy_test || read.use == dataflow::Use::comparison) return false;
         return std::ranges::none_of(
@@ -165,7 +195,7 @@ class Search {
     }
 
     [[nodiscard]] std::vector<flow::NodeId> nodes_that_set(Variable variable) const {
-        std::vector<flow::NodeId> nodes = stores_.at(dataflow::key_of(variable));
+        std::vector<flow::NodeId> nodes = stores_.at(dataflow::key_of(variable)).nodes;
         for (const dataflow::Clobber& clobber : analysis_.facts().all<dataflow::Clobber>())
             if (clobber.may_change(variable)) nodes.push_back(clobber.node);
         std::ranges::sort(nodes);
@@ -179,7 +209,12 @@ class Search {
     execution::PathSearch search_{analysis_};
     std::vector<Case> cases_;
     std::unordered_map<flow::NodeId, std::size_t> case_of_; ///< the first that begins at the node
-    std::unordered_map<dataflow::Key, std::vector<flow::NodeId>> stores_; ///< where each variable is set
+    struct Stores {
+        std::vector<flow::NodeId> nodes;
+        EffectId last = 0; ///< in the text
+    };
+    std::unordered_map<dataflow::Key, Stores> stores_; ///< where each variable is set
+    mutable std::unordered_map<dataflow::Key, EffectId> last_changes_;
 };
 
 /// Whether the program stores in the variable.
@@ -202,8 +237,9 @@ bool callers_set(const ProgramAnalysis& analysis, Variable variable) {
                                        return clobber.effect != caller.effect && clobber.may_change(variable);
                                    });
     };
-    return std::ranges::any_of(analysis.callers(), sets) ||
-           std::ranges::any_of(analysis.possible_callers(), sets);
+    if (std::ranges::any_of(analysis.callers(), sets)) return true;
+    const PossibleCallers possible = analysis.possible_callers();
+    return !possible.all || std::ranges::any_of(possible.first, sets);
 }
 
 std::vector<StaleRead> find_stale_reads(const ProgramAnalysis& analysis) {

@@ -21,7 +21,8 @@ struct StaleRead {
 /// it for two numbers at least, asks for a third, and its callers do not set it.
 [[nodiscard]] std::vector<StaleRead> find_stale_reads(const ProgramAnalysis& analysis);
 
-/// Whether a caller sets the variable, or something that it calls besides this program may.
+/// Whether a caller sets the variable, or something that it calls besides this program may; so may callers
+/// that are too many to be asked.
 [[nodiscard]] bool callers_set(const ProgramAnalysis& analysis, Variable variable);
 
 } // namespace maclint::queries

@@ -23,6 +23,7 @@ constexpr std::size_t half = CallPath::most / 2;
 CallPath CallPaths::between(ProgramIndex from, ProgramIndex to) {
     if (from == to) return {};
     const std::scoped_lock lock(mutex_);
+    if (called_.size() == 0) gather_calls();
     if (searches_.size() > most_searches) searches_.clear();
     Search& search = searches_[from];
     const Step* step = reach(search, from, to);
@@ -33,20 +34,33 @@ CallPath CallPaths::between(ProgramIndex from, ProgramIndex to) {
     return path;
 }
 
+void CallPaths::gather_calls() {
+    for (const ProgramAnalysis& program : programs_) {
+        for (const CallSite& site : program.calls()) {
+            if (!site.target) continue;
+            called_.add(*site.target);
+            effects_.add(site.effect);
+        }
+        called_.end_list();
+        effects_.end_list();
+    }
+}
+
 const CallPaths::Step* CallPaths::reach(Search& search, ProgramIndex from, ProgramIndex to) {
     if (search.reached.empty()) search.pending = {from};
     auto found = search.reached.find(to);
     while (found == search.reached.end() && !search.pending.empty() && search.looked_at <= most_reached) {
-        const ProgramAnalysis& at = programs_[search.pending.front()];
+        const ProgramIndex at = search.pending.front();
         search.pending.pop_front();
-        const auto own = search.reached.find(at.index());
+        const auto own = search.reached.find(at);
         const Step before = own == search.reached.end() ? Step{from, 0, 0, from} : own->second;
-        for (const CallSite& site : at.calls()) {
-            if (!site.target || *site.target == from) continue;
-            const std::uint32_t near = before.length < half ? *site.target : before.near;
-            const Step step{at.index(), site.effect, before.length + 1, near};
-            if (!search.reached.try_emplace(*site.target, step).second) continue;
-            search.pending.push_back(*site.target);
+        const auto called = called_[at];
+        for (std::size_t i = 0; i < called.size(); ++i) {
+            if (called[i] == from) continue;
+            const ProgramIndex near = before.length < half ? called[i] : before.near;
+            const Step step{at, effects_[at][i], before.length + 1, near};
+            if (!search.reached.try_emplace(called[i], step).second) continue;
+            search.pending.push_back(called[i]);
             ++search.looked_at;
         }
         found = search.reached.find(to);

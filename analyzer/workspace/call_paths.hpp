@@ -1,6 +1,7 @@
 //! How one program of a workspace comes to run another.
 #pragma once
 
+#include "analyzer/flow/components.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <cstddef>
@@ -45,8 +46,11 @@ class CallPaths {
     struct Search {
         std::unordered_map<std::uint32_t, Step> reached;
         std::deque<std::uint32_t> pending;
-        std::size_t looked_at = 0; ///< calls
+        std::size_t looked_at = 0; ///< programs
     };
+    /// Puts the calls of all programs side by side: a search that asks thousands of analyses for them waits
+    /// for memory most of its time.
+    void gather_calls();
     /// Goes on until the program is reached, nothing is left or enough is looked at; nullptr for these.
     [[nodiscard]] const Step* reach(Search& search, std::uint32_t from, std::uint32_t to);
     /// The last `count` calls on the path to the program.
@@ -55,6 +59,8 @@ class CallPaths {
 
     const std::deque<ProgramAnalysis>& programs_;
     std::mutex mutex_;
+    flow::SliceTable called_;  ///< by program: the programs that it calls
+    flow::SliceTable effects_; ///< by program: the calls of these, in the same order
     std::unordered_map<std::uint32_t, Search> searches_; ///< by the program where they begin
 };
 

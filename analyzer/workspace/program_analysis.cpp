@@ -2,6 +2,8 @@
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <ranges>
 
 namespace maclint {
 
@@ -32,11 +34,14 @@ std::vector<flow::LabelledBlock> ProgramAnalysis::targets_of(const flow::Resolve
     return targets;
 }
 
-std::vector<Caller> ProgramAnalysis::possible_callers() const {
-    std::vector<Caller> callers;
-    for (const auto& calls : undecided_)
-        callers.insert(callers.end(), calls->callers.begin(), calls->callers.end());
-    return callers;
+PossibleCallers ProgramAnalysis::possible_callers() const {
+    PossibleCallers possible{{}, true};
+    for (const auto& calls : undecided_) {
+        const std::size_t room = PossibleCallers::most - possible.first.size();
+        possible.all &= calls->callers.size() <= room;
+        std::ranges::copy(calls->callers | std::views::take(room), std::back_inserter(possible.first));
+    }
+    return possible;
 }
 
 std::optional<EffectId> ProgramAnalysis::user_of_label(const Label& label) const {

@@ -32,6 +32,14 @@ struct UndecidedCalls {
     bool locals_shared = false;   ///< some caller shares its locals
 };
 
+/// Some of the calls that may mean a program. Where thousands of programs have one number, each would be
+/// asked about the calls of thousands.
+struct PossibleCallers {
+    static constexpr std::size_t most = 100;
+    std::vector<Caller> first; ///< not more than that
+    bool all;                  ///< there are no others
+};
+
 /// One call in a program and the program of the workspace that it means.
 struct CallSite {
     EffectId effect;
@@ -97,8 +105,8 @@ class ProgramAnalysis {
     [[nodiscard]] const std::vector<CallSite>& calls() const { return calls_; }
     [[nodiscard]] const CallSite* call_at(EffectId effect) const;
     [[nodiscard]] const std::vector<Caller>& callers() const { return callers_; }
-    /// Calls that mean this program or another one, equally near.
-    [[nodiscard]] std::vector<Caller> possible_callers() const;
+    /// Calls that mean this program or another one, equally near: the first of them.
+    [[nodiscard]] PossibleCallers possible_callers() const;
     [[nodiscard]] bool has_possible_callers() const { return !undecided_.empty(); }
     /// It runs on its own: nobody calls it, and it does not return to anybody.
     [[nodiscard]] bool is_main() const { return data_->entry() == dataflow::Entry::main; }

@@ -18,7 +18,9 @@ namespace {
 std::string modal_move_of(const std::string& block) {
     const auto workspace = test::analyse_fanuc("O9001\nG1X0F50.\n" + block + "\n");
     const ProgramAnalysis& analysis = workspace->programs().front();
-    const ModalMove move = modal_move_in(analysis, last_block(analysis.program()).value().span);
+    const Program& program = analysis.program();
+    const Stretch last{static_cast<ItemId>(program.items.size() - 1), last_block(program).value().span};
+    const ModalMove move = modal_move_in(analysis, last);
     return std::string(move.relies ? "relies" : "") + (move.gives_feed ? " feed" : "");
 }
 
@@ -40,8 +42,9 @@ TEST(ModalMoves, AreLookedForInTheirOwnBlock) {
     const auto workspace = test::analyse_fanuc("O9001\nG1X1.F50.\nX2.\nG0X3.\n");
     const ProgramAnalysis& analysis = workspace->programs().front();
     const std::string_view text = analysis.program().text;
+    const auto run = static_cast<ItemId>(analysis.program().items.size() - 1); // all three blocks
     const auto at = static_cast<Offset>(text.find("X2."));
-    const ModalMove move = modal_move_in(analysis, {at, at + 3});
+    const ModalMove move = modal_move_in(analysis, {run, {at, at + 3}});
     EXPECT_TRUE(move.relies);
     EXPECT_FALSE(move.gives_feed);
 }

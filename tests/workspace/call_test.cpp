@@ -88,7 +88,7 @@ TEST(Calls, ALetterThatOnlyACallerWithAChoicePassesMayBeThere) {
             {{"a/macro.nc", macro}, {"b/macro.nc", macro}, {"main.nc", "O1\n" + call + "\nM30\n"}},
             open_workspace);
         const ProgramAnalysis& analysis = program(*workspace, "O9000", "b/macro.nc");
-        EXPECT_EQ(analysis.possible_callers().size(), 1U);
+        EXPECT_EQ(analysis.possible_callers().first.size(), 1U);
         return analysis.facts().all<dataflow::Read>().front().value.vacancy;
     };
     EXPECT_EQ(vacancy("G65P9000A1."), dataflow::Vacancy::vacant);

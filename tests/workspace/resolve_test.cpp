@@ -103,7 +103,7 @@ TEST(Resolve, UnknownCallsKnowTheirCandidates) {
                                                open_workspace);
     const auto callers_of = [&](std::string_view path) {
         for (const ProgramAnalysis& analysis : workspace->programs())
-            if (analysis.file().source->path() == path) return analysis.possible_callers().size();
+            if (analysis.file().source->path() == path) return analysis.possible_callers().first.size();
         throw std::runtime_error("no such file");
     };
     EXPECT_EQ(callers_of("a/sub.nc"), 2U);
@@ -112,6 +112,21 @@ TEST(Resolve, UnknownCallsKnowTheirCandidates) {
     EXPECT_EQ(callers_of("main.nc"), 0U);
     const ProgramAnalysis& main = workspace->programs().front();
     EXPECT_EQ(main.calls().front().candidates, 3U);
+}
+
+TEST(Resolve, OfManyUnknownCallsTheFirstHundredAreKnown) {
+    const auto callers = [](int calls) {
+        std::string main = "O1\n";
+        for (int i = 0; i < calls; ++i) main += "M98P2\n";
+        const auto workspace = test::analyse_files(
+            {{"a/sub.nc", "O2\nM99\n"}, {"b/sub.nc", "O2\nM99\n"}, {"main.nc", main + "M30\n"}},
+            open_workspace);
+        return workspace->programs().front().possible_callers();
+    };
+    EXPECT_EQ(callers(99).first.size(), 99U);
+    EXPECT_TRUE(callers(100).all);
+    EXPECT_EQ(callers(101).first.size(), 100U);
+    EXPECT_FALSE(callers(101).all);
 }
 
 TEST(Resolve, WhatSomeUnknownCallPassesMayBeThere) {
