@@ -7,6 +7,7 @@
 #include "analyzer/workspace/outline.hpp"
 #include "fuzz/harness.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <variant>
@@ -40,6 +41,10 @@ inline void read_whole(std::string_view text, const Dialect& dialect, const Cont
                                   });
     }
     for (const SyntaxError& error : file.syntax_errors) require_inside(file, error.span);
+    const auto begin = [](const auto& part) { return part.span.begin; };
+    require(std::ranges::is_sorted(file.programs, {}, begin), "a program begins before the one before it");
+    require(std::ranges::is_sorted(file.syntax_errors, {}, begin),
+            "an error begins before the one before it");
     require(describe(file) == describe(dialect.read(source, control, Extent::whole)),
             "a text is read in two ways");
     require(outline_for_calls(file) ==

@@ -69,10 +69,10 @@ void offer_remedy(const ProgramFile& file, const SyntaxError& error, Finding& fi
 
 std::string same_cause(const ProgramFile& file, const SyntaxError& error) {
     if (error.kind == SyntaxErrorKind::bare_remark) return error.cure; // whoever wrote the file writes so
-    const auto begun = std::ranges::count_if(
-        file.programs, [&](const Program& program) { return program.span.begin <= error.span.begin; });
-    return std::to_string(begun) + " " + std::to_string(static_cast<int>(error.kind)) + " " +
-           reason_of(error);
+    const auto next = std::ranges::upper_bound(file.programs, error.span.begin, {},
+                                               [](const Program& program) { return program.span.begin; });
+    return std::to_string(next - file.programs.begin()) + " " + std::to_string(static_cast<int>(error.kind)) +
+           " " + reason_of(error);
 }
 
 void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter& reporter,

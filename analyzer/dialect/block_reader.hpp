@@ -95,6 +95,9 @@ class BlockReader {
             if (!raw_.span.empty()) read_block();
         }
         dialect_.close();
+        // That of a comment without an end is found before that of its block.
+        std::ranges::stable_sort(file_.syntax_errors, {},
+                                 [](const SyntaxError& error) { return error.span.begin; });
         for (SyntaxError& error : file_.syntax_errors) {
             error.subject = file_.source->to_utf8(error.subject);
             error.cure = file_.source->to_utf8(error.cure);

@@ -197,6 +197,12 @@ std::string Program::spell(Variable variable) const {
     return std::string(space.prefix) + std::to_string(variable.number);
 }
 
+std::span<const SyntaxError> ProgramFile::syntax_errors_in(Span span) const {
+    const auto begin = [](const SyntaxError& error) { return error.span.begin; };
+    const auto first = std::ranges::lower_bound(syntax_errors, span.begin, {}, begin);
+    return {first, std::ranges::lower_bound(first, syntax_errors.end(), span.end, {}, begin)};
+}
+
 void Program::fit() {
     items.shrink_to_fit();
     expressions.shrink_to_fit();

@@ -446,11 +446,14 @@ struct BlockNumber {
 struct ProgramFile {
     std::shared_ptr<const Source> source;
     const ControlModel* control = nullptr;
-    std::vector<Program> programs;
-    std::vector<SyntaxError> syntax_errors; ///< in file order
+    std::vector<Program> programs;          ///< by where they begin
+    std::vector<SyntaxError> syntax_errors; ///< by where they begin
     std::vector<DirectiveComment> comments; ///< only those that contain "MACLINT", any case
     /// By number, then in text order; see index_block_numbers.
     std::vector<BlockNumber> block_numbers;
+
+    /// The errors that begin in the span.
+    [[nodiscard]] std::span<const SyntaxError> syntax_errors_in(Span span) const;
 };
 
 } // namespace maclint

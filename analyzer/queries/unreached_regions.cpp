@@ -189,10 +189,7 @@ bool misses_a_number(const ProgramAnalysis& analysis) {
 
 /// Unreadable text in it tells why, or a number that is missing or stands twice.
 bool is_explained(const ProgramAnalysis& analysis, const UnreachedRegion& region, bool misses) {
-    const auto& errors = analysis.file().syntax_errors;
-    const auto error = std::ranges::lower_bound(errors, region.text.begin, {},
-                                                [](const SyntaxError& e) { return e.span.begin; });
-    return (error != errors.end() && region.text.contains(error->span.begin)) ||
+    return !analysis.file().syntax_errors_in(region.text).empty() ||
            (region.number && (misses || analysis.graph().with_label(*region.number).size() > 1));
 }
 

@@ -6,6 +6,7 @@
 #include "rules/rule.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -58,18 +59,25 @@ END
 
 namespace {
 
-/// An IF that lacks its THEN, too, is reported by the rule for that.
-bool lacks_then(const ProgramAnalysis& analysis, Span choice) {
-    return std::ranges::any_of(analysis.file().syntax_errors, [&](const SyntaxError& syntax_error) {
-        return syntax_error.kind == SyntaxErrorKind::then_missing && syntax_error.span.begin < choice.end &&
-               choice.begin < syntax_error.span.end;
-    });
+/// Where a THEN is missing, in text order: one place in a block.
+std::vector<Span> places_without_then(const ProgramAnalysis& analysis) {
+    std::vector<Span> places;
+    for (const SyntaxError& error : analysis.file().syntax_errors_in(analysis.program().span))
+        if (error.kind == SyntaxErrorKind::then_missing) places.push_back(error.span);
+    return places;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const flow::RegionFault& fault : queries::nesting_faults(analysis, RegionKind::choice))
-        if (!lacks_then(analysis, analysis.program().effects[fault.effect].span))
+    const auto faults = queries::nesting_faults(analysis, RegionKind::choice);
+    if (faults.empty()) return;
+    const auto without_then = places_without_then(analysis);
+    for (const flow::RegionFault& fault : faults) {
+        const Span choice = analysis.program().effects[fault.effect].span;
+        // An IF that lacks its THEN, too, is reported by the rule for that.
+        const auto place = std::ranges::upper_bound(without_then, choice.begin, {}, &Span::end);
+        if (place == without_then.end() || place->begin >= choice.end)
             report_nesting_fault(analysis, fault, reporter);
+    }
 }
 
 } // namespace
