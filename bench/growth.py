@@ -83,9 +83,9 @@ def limits():
     resource.setrlimit(resource.RLIMIT_CPU, (MOST_SECONDS, MOST_SECONDS + 1))
 
 
-def run(maclint, folder, name, form):
+def run(maclint, folder, name, form, *more):
     """Seconds of processor time and megabytes."""
-    command = [maclint, 'check', '--isolated', '--jobs', '1', '--format', form]
+    command = [maclint, 'check', '--isolated', '--jobs', '1', '--format', form, *more]
     command += ['--dialect', 'dinplus' if name == 'x.ncs' else 'fanuc', '.']
     process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                preexec_fn=limits)

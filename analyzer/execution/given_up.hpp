@@ -1,6 +1,8 @@
 //! Whether searches for paths have met their bound.
 #pragma once
 
+#include "analyzer/workspace/search_memory.hpp"
+
 #include <utility>
 
 namespace maclint::execution {
@@ -16,12 +18,13 @@ class GivenUp {
     ~GivenUp() { innermost = outer_; }
     [[nodiscard]] bool any() const { return any_; }
 
-  private:
-    friend class PathSearch;
-    static void note() {
+    /// A search through the program has met its bound.
+    static void note(SearchMemory& memory) {
+        memory.count(true);
         if (innermost != nullptr) innermost->any_ = true;
     }
 
+  private:
     inline static constinit thread_local GivenUp* innermost = nullptr;
     GivenUp* outer_;
     bool any_ = false;

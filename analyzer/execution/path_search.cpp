@@ -15,11 +15,14 @@ constexpr std::size_t most_visits_in_all = 8000; ///< for all paths that one sea
 
 PathFound PathSearch::find(std::span<const Leg> legs) {
     const std::size_t left = most_visits_in_all - std::min(visits_, most_visits_in_all);
-    PathFound found = analysis_->search_memory().use<PathExplorer>(
+    SearchMemory& memory = analysis_->search_memory();
+    PathFound found = memory.use<PathExplorer>(
         [&] { return std::make_shared<PathExplorer>(*analysis_); },
         [&](PathExplorer& explorer) { return explorer.find(legs, std::min(most_visits, left)); });
-    analysis_->search_memory().count(found.gave_up);
-    if (found.gave_up) GivenUp::note();
+    if (found.gave_up)
+        GivenUp::note(memory);
+    else
+        memory.count(false);
     visits_ += found.visits;
     return found;
 }

@@ -2,12 +2,14 @@
 #include "analyzer/queries/after_zero_test.hpp"
 
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/execution/given_up.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/origins.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,9 @@ using dataflow::Read;
 using dataflow::Use;
 using dataflow::Vacancy;
 using dataflow::Value;
+
+/// So many nodes behind a test are looked at for a use.
+constexpr std::size_t most_nodes = 2000;
 
 class VacantPath {
   public:
@@ -36,6 +41,10 @@ class VacantPath {
         take_edges(test_.node);
         std::size_t next = 0;
         while (next < pending_.size()) { // it grows on the way
+            if (next == most_nodes) {
+                execution::GivenUp::note(analysis_.search_memory());
+                break;
+            }
             const flow::NodeId node = pending_[next++];
             if (const auto use = use_in(node); use && can_follow(analysis_, test_.node, node)) return use;
             if (!sets_variable(node)) take_edges(node);

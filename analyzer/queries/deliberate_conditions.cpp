@@ -12,6 +12,9 @@
 namespace maclint::queries {
 namespace {
 
+/// So many tests before a condition are looked at for what decides it.
+constexpr std::size_t most_tests_before = 1000;
+
 const Guarded* guarded_by(const Program& program, EffectId effect) {
     return std::get_if<Guarded>(&program.effects[effect].what);
 }
@@ -136,16 +139,18 @@ Reason reason_for(const ProgramAnalysis& analysis, const dataflow::Condition& co
             return {Reason::Kind::number, read.variable, *number, program.effects[*set].span, {}};
     }
     const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
-    Reason reason{Reason::Kind::unknown, {}, 0, {}, {}};
-    for (const dataflow::Comparison& other : analysis.facts().all<dataflow::Comparison>()) {
-        if (other.node >= condition.node) break;
-        for (const ExpressionId side : {other.left_expression, other.right_expression}) {
-            const auto variable = plain_variable(program, side);
-            if (variable && std::ranges::find(reads.variables, *variable) != reads.variables.end())
-                reason = tested(other.expression);
-        }
+    const auto is_read = [&](ExpressionId side) {
+        const auto variable = plain_variable(program, side);
+        return variable && std::ranges::find(reads.variables, *variable) != reads.variables.end();
+    };
+    const auto comparisons = analysis.facts().all<dataflow::Comparison>();
+    auto other = std::ranges::lower_bound(comparisons, condition.node, {}, &dataflow::Comparison::node);
+    for (std::size_t i = 0; i < most_tests_before && other != comparisons.begin(); ++i) {
+        --other;
+        if (is_read(other->left_expression) || is_read(other->right_expression))
+            return tested(other->expression);
     }
-    return reason;
+    return {Reason::Kind::unknown, {}, 0, {}, {}};
 }
 
 } // namespace maclint::queries

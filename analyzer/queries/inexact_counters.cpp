@@ -70,6 +70,7 @@ const CounterTest* decisive_test(const ProgramAnalysis& analysis, const dataflow
 
 std::vector<InexactCounter> find_inexact_counters(const ProgramAnalysis& analysis) {
     std::vector<InexactCounter> found;
+    std::unordered_set<const dataflow::Store*> steps;
     for (const dataflow::Loop& loop : analysis.loops()) {
         const auto counter = counter_of(analysis, loop);
         if (!counter || !counter->clamps.empty()) continue;
@@ -78,8 +79,7 @@ std::vector<InexactCounter> find_inexact_counters(const ProgramAnalysis& analysi
         });
         if (inexact == counter->steps.end()) continue;
         const CounterTest* decisive = decisive_test(analysis, loop, *counter);
-        if (decisive == nullptr) continue;
-        if (std::ranges::find(found, *inexact, &InexactCounter::step) != found.end()) continue;
+        if (decisive == nullptr || !steps.insert(*inexact).second) continue;
         InexactCounter one{*inexact, *decisive, {}};
         for (const CounterTest& test : counter->tests) one.tests.push_back(test.comparison);
         found.push_back(std::move(one));
@@ -87,10 +87,10 @@ std::vector<InexactCounter> find_inexact_counters(const ProgramAnalysis& analysi
     return found;
 }
 
-bool decides(const std::vector<InexactCounter>& counters, const dataflow::Comparison& comparison) {
-    return std::ranges::any_of(counters, [&](const InexactCounter& counter) {
-        return std::ranges::find(counter.tests, &comparison) != counter.tests.end();
-    });
+std::unordered_set<const dataflow::Comparison*> tests_of(const std::vector<InexactCounter>& counters) {
+    std::unordered_set<const dataflow::Comparison*> tests;
+    for (const InexactCounter& counter : counters) tests.insert(counter.tests.begin(), counter.tests.end());
+    return tests;
 }
 
 } // namespace maclint::queries

@@ -6,6 +6,7 @@
 #include "analyzer/queries/loop_counter.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include <unordered_set>
 #include <vector>
 
 namespace maclint::queries {
@@ -23,8 +24,8 @@ struct InexactCounter {
 /// Each step once. Not: counters that are clamped to their bound, and bounds that lie between two steps.
 [[nodiscard]] std::vector<InexactCounter> find_inexact_counters(const ProgramAnalysis& analysis);
 
-/// Whether the comparison is a test of one of the counters.
-[[nodiscard]] bool decides(const std::vector<InexactCounter>& counters,
-                           const dataflow::Comparison& comparison);
+/// The tests of all of them.
+[[nodiscard]] std::unordered_set<const dataflow::Comparison*>
+tests_of(const std::vector<InexactCounter>& counters);
 
 } // namespace maclint::queries

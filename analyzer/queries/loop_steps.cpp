@@ -4,6 +4,7 @@
 #include "analyzer/queries/unset_reads.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 namespace maclint::queries {
@@ -43,15 +44,12 @@ StepFault fault_of_all(const ProgramAnalysis& analysis, const Counter& counter) 
 
 std::vector<EndlessCounter> find_endless_counters(const ProgramAnalysis& analysis) {
     std::vector<EndlessCounter> found;
+    std::unordered_set<EffectId> first_steps; // loops that share theirs have one cause
     for (const dataflow::Loop& loop : analysis.loops()) {
         if (loop.can_stop || loop.has_unknown_effects) continue;
         auto counter = counter_of(analysis, loop);
         const StepFault fault = counter ? fault_of_all(analysis, *counter) : StepFault::none;
-        if (fault == StepFault::none) continue;
-        const auto first_step = [](const EndlessCounter& other) {
-            return other.counter.steps.front()->effect;
-        };
-        if (std::ranges::find(found, counter->steps.front()->effect, first_step) == found.end())
+        if (fault != StepFault::none && first_steps.insert(counter->steps.front()->effect).second)
             found.push_back({std::move(*counter), fault});
     }
     return found;

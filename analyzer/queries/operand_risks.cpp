@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/execution/given_up.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
@@ -23,6 +24,9 @@ using dataflow::Application;
 using dataflow::Comparison;
 using dataflow::Symbol;
 using dataflow::Value;
+
+/// So many operands are held against the checks before them.
+constexpr int most_walks = 500;
 
 bool contains(const std::vector<Variable>& variables, Variable variable) {
     return std::ranges::find(variables, variable) != variables.end();
@@ -144,7 +148,11 @@ OperandRisks::OperandRisks(const ProgramAnalysis& analysis)
     : analysis_(analysis) {
     for (const Comparison& comparison : analysis.facts().all<Comparison>()) {
         const bool asks = semantics::is_vacancy_test(comparison.operation);
-        const auto& program = analysis.program();
+        const auto side = [&](ExpressionId expression) {
+            const auto plain = plain_variable(analysis.program(), expression);
+            return plain ? std::optional(dataflow::key_of(*plain)) : std::nullopt;
+        };
+        const std::pair sides(side(comparison.left_expression), side(comparison.right_expression));
         for (const auto& [value, expression] : {std::pair(&comparison.left, comparison.left_expression),
                                                 std::pair(&comparison.right, comparison.right_expression)}) {
             auto variables = given_variables(analysis, *value).variables;
@@ -152,9 +160,13 @@ OperandRisks::OperandRisks(const ProgramAnalysis& analysis)
             if (!variables.empty() && (ends_in_alarm(analysis, comparison.node, true) ||
                                        ends_in_alarm(analysis, comparison.node, false)))
                 add(guarded_, variables);
-            if (const auto plain = plain_variable(program, expression)) add(variables, {*plain});
-            for (const Variable variable : variables)
-                if (!asks) checks_.push_back({variable, &comparison});
+            if (const auto plain = plain_variable(analysis.program(), expression)) add(variables, {*plain});
+            if (asks) continue;
+            for (const Variable variable : variables) {
+                Checks& checks = checks_[dataflow::key_of(variable)];
+                checks.comparisons.push_back(&comparison);
+                checks.sides.insert(sides);
+            }
         }
     }
 }
@@ -168,17 +180,22 @@ std::optional<OperandRisk> OperandRisks::risk_of(const Application& application)
     if (application.operation == Operation::square_root) return risk_of_root(operand);
     const auto variables = harmful_zeros(analysis_, application.operation, operand);
     if (variables.empty()) return std::nullopt;
+    if (++walks_ > most_walks) {
+        execution::GivenUp::note(analysis_.search_memory());
+        return std::nullopt;
+    }
     const auto comes_first = reached_without(analysis_, application.node);
     for (const Variable variable : variables) {
         if (!may_be_anything(variable)) continue;
         const Comparison* passed = nullptr;
-        const auto stops_zero = [&](const Check& check) {
-            if (!(check.variable == variable) || !comes_first[check.comparison->node]) return false;
-            if (!lets_zero_pass(check)) return true;
-            passed = check.comparison;
+        const auto stops_zero = [&](const Comparison* comparison) {
+            if (!comes_first[comparison->node]) return false;
+            if (!lets_zero_pass(variable, *comparison)) return true;
+            passed = comparison;
             return false;
         };
-        if (std::ranges::any_of(checks_, stops_zero)) continue;
+        const Checks* checks = checks_of(variable);
+        if (checks != nullptr && std::ranges::any_of(checks->comparisons, stops_zero)) continue;
         if (passed != nullptr)
             return OperandRisk{OperandRisk::Evidence::lets_zero_pass, variable, nullptr, {}, passed};
         if (is_never_passed_as_zero(analysis_, variable)) continue;
@@ -191,8 +208,7 @@ std::optional<OperandRisk> OperandRisks::risk_of(const Application& application)
 std::optional<OperandRisk> OperandRisks::risk_of_root(const Value& operand) const {
     const auto variables = sides_of_difference(analysis_, operand);
     const auto is_free = [&](Variable variable) {
-        return may_be_anything(variable) &&
-               std::ranges::find(checks_, variable, &Check::variable) == checks_.end();
+        return may_be_anything(variable) && checks_of(variable) == nullptr;
     };
     if (variables.empty() || !std::ranges::all_of(variables, is_free)) return std::nullopt;
     return unchecked(variables.front());
@@ -246,13 +262,17 @@ std::optional<OperandRisk> OperandRisks::shown_by_call(const Application& applic
 
 /// Whether the variable is compared with anything but the counter of a loop.
 bool OperandRisks::is_checked(Variable variable, std::optional<Variable> counter) const {
-    const auto is_counter = [&](ExpressionId expression) {
-        return counter && plain_variable(analysis_.program(), expression) == counter;
-    };
-    return std::ranges::any_of(checks_, [&](const Check& check) {
-        return check.variable == variable && !is_counter(check.comparison->left_expression) &&
-               !is_counter(check.comparison->right_expression);
-    });
+    const Checks* checks = checks_of(variable);
+    if (checks == nullptr || !counter) return checks != nullptr;
+    const dataflow::Key key = dataflow::key_of(*counter);
+    return std::ranges::any_of(checks->sides,
+                               [&](const auto& sides) { return sides.first != key && sides.second != key; });
+}
+
+/// nullptr where nothing compares it.
+const OperandRisks::Checks* OperandRisks::checks_of(Variable variable) const {
+    const auto found = checks_.find(dataflow::key_of(variable));
+    return found == checks_.end() ? nullptr : &found->second;
 }
 
 /// Whether the variable can be anything when the program begins.
@@ -264,10 +284,9 @@ bool OperandRisks::may_be_anything(Variable variable) const {
 
 /// Whether it compares a value that is 0 where the variable is with a number, and ends in an alarm on the
 /// other side than 0 takes.
-bool OperandRisks::lets_zero_pass(const Check& check) const {
-    const Comparison& comparison = *check.comparison;
+bool OperandRisks::lets_zero_pass(Variable variable, const Comparison& comparison) const {
     const auto limit = comparison.right.constant();
-    if (!limit || !contains(zero_with(analysis_, comparison.left), check.variable)) return false;
+    if (!limit || !contains(zero_with(analysis_, comparison.left), variable)) return false;
     const bool side_of_zero =
         semantics::compare(comparison.operation, 0.0, *limit, analysis_.control().vacant_equals_zero);
     return ends_in_alarm(analysis_, comparison.node, !side_of_zero);

@@ -7,7 +7,9 @@
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
+#include <set>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace maclint::queries {
@@ -45,22 +47,25 @@ class OperandRisks {
     risk_of_argument(const dataflow::Read& read, std::optional<Variable> counter = std::nullopt) const;
 
   private:
-    /// A variable whose value at the start, or what is calculated from it, is compared.
-    struct Check {
-        Variable variable;
-        const dataflow::Comparison* comparison;
+    /// Of a variable whose value at the start, or what is calculated from it, is compared.
+    struct Checks {
+        std::vector<const dataflow::Comparison*> comparisons;
+        /// The variables that stand alone on their sides, each pair once: many loops may be alike.
+        std::set<std::pair<std::optional<dataflow::Key>, std::optional<dataflow::Key>>> sides;
     };
+    [[nodiscard]] const Checks* checks_of(Variable variable) const;
     [[nodiscard]] bool is_checked(Variable variable, std::optional<Variable> counter) const;
     [[nodiscard]] std::optional<OperandRisk> shown_by_call(const dataflow::Application& application) const;
     [[nodiscard]] bool may_be_anything(Variable variable) const;
     [[nodiscard]] std::optional<OperandRisk> risk_of_root(const dataflow::Value& operand) const;
     [[nodiscard]] OperandRisk unchecked(Variable variable) const;
-    [[nodiscard]] bool lets_zero_pass(const Check& check) const;
+    [[nodiscard]] bool lets_zero_pass(Variable variable, const dataflow::Comparison& comparison) const;
     [[nodiscard]] std::optional<Variable> checked_beside(Variable variable) const;
 
     const ProgramAnalysis& analysis_;
-    std::vector<Check> checks_;
+    std::unordered_map<dataflow::Key, Checks> checks_;
     std::unordered_map<dataflow::SymbolId, int> looks_; ///< at a value: not again and again at one
+    int walks_ = 0;                                     ///< through the program
     std::vector<Variable> asked_;                       ///< whether it was passed
     std::vector<Variable> guarded_; ///< arguments without which, or with a wrong value, the program stops
 };

@@ -15,6 +15,9 @@ using dataflow::SymbolId;
 
 constexpr int most_operations = 12; ///< that are followed, one in the other
 
+/// So many nodes before a read are looked at for a move: no control reads ahead as far as that.
+constexpr std::size_t most_nodes_before = 2000;
+
 /// The addresses that move the axis; empty: any may.
 std::string_view addresses_of(std::string_view axes, std::int32_t axis) {
     for (; axis > 0; --axis) {
@@ -88,13 +91,6 @@ class Gather {
     std::vector<PositionRead> found_;
 };
 
-bool limits_look_ahead(const Program& program) {
-    return std::ranges::any_of(program.effects, [](const Effect& effect) {
-        const auto* stop = std::get_if<Synchronise>(&effect.what);
-        return stop != nullptr && stop->from_here_on;
-    });
-}
-
 bool ends_moves(const Effect& effect) {
     return std::holds_alternative<Synchronise>(effect.what) || std::holds_alternative<Call>(effect.what) ||
            std::holds_alternative<Stop>(effect.what) ||
@@ -146,6 +142,13 @@ Passed passed_at(const ProgramAnalysis& analysis, flow::NodeId id, std::string_v
 
 } // namespace
 
+bool limits_look_ahead(const Program& program) {
+    return std::ranges::any_of(program.effects, [](const Effect& effect) {
+        const auto* stop = std::get_if<Synchronise>(&effect.what);
+        return stop != nullptr && stop->from_here_on;
+    });
+}
+
 std::vector<PositionRead> positions_in(const ProgramAnalysis& analysis, EffectId effect,
                                        ExpressionId expression) {
     const auto node = analysis.graph().node_of(effect);
@@ -158,11 +161,13 @@ std::vector<PositionRead> positions_in(const ProgramAnalysis& analysis, EffectId
 std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& analysis,
                                                      const PositionRead& read) {
     std::optional<UnfinishedMove> found;
-    if (limits_look_ahead(analysis.program())) return found;
+    std::size_t looked_at = 0;
     flow::walk<flow::Direction::backward>(
         analysis.graph(), {read.node}, [&](flow::EdgeId edge, flow::NodeId from) {
-            if (found || !analysis.data().passable(edge) || !analysis.data().reached(from))
+            if (found || looked_at == most_nodes_before || !analysis.data().passable(edge) ||
+                !analysis.data().reached(from))
                 return flow::Step::refuse;
+            ++looked_at;
             const Passed passed = passed_at(analysis, from, read.addresses);
             if (passed.ends_moves) return flow::Step::end;
             if (passed.move) found = UnfinishedMove{from, *passed.move};

@@ -30,9 +30,11 @@ struct UnfinishedMove {
     Span span;
 };
 
+/// Whether a block takes look-ahead away from all that comes after it.
+[[nodiscard]] bool limits_look_ahead(const Program& program);
+
 /// The nearest such move of the axis that is read: no block that stops look-ahead lies between, no call, and
-/// no M code that a parameter of the control may have made one that does. Nothing in a program that limits
-/// look-ahead.
+/// no M code that a parameter of the control may have made one that does.
 [[nodiscard]] std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& analysis,
                                                                    const PositionRead& read);
 

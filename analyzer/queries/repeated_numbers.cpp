@@ -3,21 +3,69 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace maclint::queries {
 namespace {
 
-/// The place that the jump takes, where it names a plain label.
-std::optional<Span> taken_by(const ProgramAnalysis& analysis, EffectId jump) {
-    const auto& jumps = analysis.graph().jumps;
-    const auto found = std::ranges::find(jumps, jump, &flow::ResolvedJump::jump);
-    return found == jumps.end() || !found->target ? std::nullopt : std::optional(found->target->span);
-}
+using Copies = std::span<const flow::LabelledBlock>;
+
+/// The jumps of a program, gathered once for all numbers.
+class Jumps {
+  public:
+    explicit Jumps(const ProgramAnalysis& analysis)
+        : analysis_(analysis) {
+        for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
+            if (!jump.label)
+                computed_[search_of(jump)].push_back(place_of(jump));
+            else if (const auto* number = std::get_if<std::int64_t>(&*jump.label))
+                naming_[*number].push_back(&jump);
+        }
+        for (auto& [search, places] : computed_) std::ranges::sort(places);
+    }
+
+    /// In text order.
+    [[nodiscard]] std::span<const flow::ResolvedJump* const> naming(std::int64_t number) const {
+        const auto found = naming_.find(number);
+        return found == naming_.end() ? std::span<const flow::ResolvedJump* const>{} : found->second;
+    }
+
+    /// Whether a computed jump finds this block first, of those that bear the label. If any, it is the next
+    /// one before or behind it, or from an end of the program.
+    [[nodiscard]] bool some_computed_finds(const flow::LabelledBlock& copy) const {
+        return std::ranges::any_of(computed_, [&](const auto& entry) {
+            const auto& [search, places] = entry;
+            const auto [low, high] = std::ranges::equal_range(places, copy.block.begin);
+            const auto finds = [&, search = search](Offset place) {
+                const auto* found = analysis_.graph().find_label(copy.label, place, search);
+                return found != nullptr && found->node == copy.node;
+            };
+            return (low != places.begin() && finds(*std::prev(low))) || (low != high && finds(*low)) ||
+                   (high != places.end() && finds(*high)) || finds(places.front()) || finds(places.back());
+        });
+    }
+
+  private:
+    [[nodiscard]] LabelSearch search_of(const flow::ResolvedJump& jump) const {
+        return std::get<Jump>(analysis_.program().effects[jump.jump].what).search;
+    }
+    [[nodiscard]] Offset place_of(const flow::ResolvedJump& jump) const {
+        return analysis_.graph().nodes[jump.node].part.begin;
+    }
+
+    const ProgramAnalysis& analysis_;
+    std::unordered_map<std::int64_t, std::vector<const flow::ResolvedJump*>> naming_;
+    std::map<LabelSearch, std::vector<Offset>> computed_; ///< where they stand
+};
 
 /// In the sections in which a reference or a restart is looked for.
 void add_references(const ProgramAnalysis& analysis, std::vector<RepeatedNumber>& found) {
@@ -36,22 +84,25 @@ void add_references(const ProgramAnalysis& analysis, std::vector<RepeatedNumber>
     }
     for (auto& [wanted, blocks] : places)
         if (blocks.size() > 1)
-            found.push_back({wanted.first, std::move(blocks), users.at(wanted),
-                             taken_by(analysis, users.at(wanted)), Doubling::referenced, std::nullopt});
+            found.push_back({wanted.first, std::move(blocks), users.at(wanted), std::nullopt,
+                             Doubling::referenced, std::nullopt});
 }
 
-using Copies = std::span<const flow::LabelledBlock>;
+/// The place to which the first jump that names the number goes.
+std::optional<Span> taken_by(std::span<const flow::ResolvedJump* const> naming, EffectId jump) {
+    const auto found = std::ranges::find(naming, jump, &flow::ResolvedJump::jump);
+    return found == naming.end() || !(*found)->target ? std::nullopt : std::optional((*found)->target->span);
+}
 
 /// A jump that names the label and goes back, past the block that stands before it.
-const flow::ResolvedJump* find_passing(const ProgramAnalysis& analysis, Copies copies) {
+const flow::ResolvedJump* find_passing(const ProgramAnalysis& analysis,
+                                       std::span<const flow::ResolvedJump* const> naming, Copies copies) {
     const auto& effects = analysis.program().effects;
-    const auto& jumps = analysis.graph().jumps;
-    const auto found = std::ranges::find_if(jumps, [&](const flow::ResolvedJump& jump) {
-        const Offset place = effects[jump.jump].span.begin;
-        return jump.label == copies.front().label && jump.target && place > copies.back().block.begin &&
-               jump.target->node != copies.back().node;
+    const auto found = std::ranges::find_if(naming, [&](const flow::ResolvedJump* jump) {
+        const Offset place = effects[jump->jump].span.begin;
+        return jump->target && place > copies.back().block.begin && jump->target->node != copies.back().node;
     });
-    return found == jumps.end() ? nullptr : &*found;
+    return found == naming.end() ? nullptr : *found;
 }
 
 bool is_jumped_to(const ProgramAnalysis& analysis, const flow::LabelledBlock& copy) {
@@ -70,34 +121,20 @@ const flow::LabelledBlock* find_unreached(const ProgramAnalysis& analysis, Copie
     return found == copies.end() ? nullptr : &*found;
 }
 
-/// Whether a computed jump finds this block first, of those that bear the label.
-bool is_found_by_computed_jump(const ProgramAnalysis& analysis, const flow::LabelledBlock& copy) {
-    const Program& program = analysis.program();
-    const flow::Graph& graph = analysis.graph();
-    return std::ranges::any_of(graph.jumps, [&](const flow::ResolvedJump& jump) {
-        if (jump.label) return false;
-        const Effect& effect = program.effects[jump.jump];
-        const flow::LabelledBlock* found = graph.find_label(copy.label, graph.nodes[jump.node].part.begin,
-                                                            std::get<Jump>(effect.what).search);
-        return found != nullptr && found->node == copy.node;
-    });
-}
-
 /// Blocks that were copied together with the computed jump above them.
-bool have_computed_jumps_of_their_own(const ProgramAnalysis& analysis, Copies copies) {
-    const auto& jumps = analysis.graph().jumps;
-    const bool named = std::ranges::any_of(
-        jumps, [&](const flow::ResolvedJump& jump) { return jump.label == copies.front().label; });
-    return !named && std::ranges::all_of(copies, [&](const flow::LabelledBlock& copy) {
-        return is_found_by_computed_jump(analysis, copy);
-    });
+bool have_computed_jumps_of_their_own(const Jumps& jumps, std::int64_t number, Copies copies) {
+    return jumps.naming(number).empty() && std::ranges::all_of(copies, [&](const flow::LabelledBlock& copy) {
+               return jumps.some_computed_finds(copy);
+           });
 }
 
 /// Of blocks that bear a label to which `user` leads.
-RepeatedNumber judge(const ProgramAnalysis& analysis, std::int64_t number, Copies copies, EffectId user) {
-    RepeatedNumber repeated{number, {}, user, taken_by(analysis, user), Doubling::harmless, std::nullopt};
+RepeatedNumber judge(const ProgramAnalysis& analysis, const Jumps& jumps, std::int64_t number, Copies copies,
+                     EffectId user) {
+    const auto naming = jumps.naming(number);
+    RepeatedNumber repeated{number, {}, user, taken_by(naming, user), Doubling::harmless, std::nullopt};
     for (const flow::LabelledBlock& copy : copies) repeated.blocks.push_back(copy.span);
-    if (const flow::ResolvedJump* jump = find_passing(analysis, copies)) {
+    if (const flow::ResolvedJump* jump = find_passing(analysis, naming, copies)) {
         repeated.user = jump->jump;
         repeated.taken = jump->target->span;
         repeated.doubling = Doubling::passed_over;
@@ -111,7 +148,8 @@ RepeatedNumber judge(const ProgramAnalysis& analysis, std::int64_t number, Copie
 }
 
 void add_jump_targets(const ProgramAnalysis& analysis, std::vector<RepeatedNumber>& found) {
-    const std::span<const flow::LabelledBlock> labels = analysis.graph().labels; // equal ones stand together
+    const Copies labels = analysis.graph().labels; // equal ones stand together
+    std::optional<Jumps> jumps;
     for (std::size_t first = 0; first < labels.size();) {
         std::size_t end = first;
         while (end < labels.size() && labels[end].label == labels[first].label) ++end;
@@ -120,8 +158,10 @@ void add_jump_targets(const ProgramAnalysis& analysis, std::vector<RepeatedNumbe
         const auto* number = std::get_if<std::int64_t>(&copies.front().label);
         if (number == nullptr || copies.size() == 1) continue;
         const auto user = analysis.user_of_label(copies.front().label);
-        if (user && !have_computed_jumps_of_their_own(analysis, copies))
-            found.push_back(judge(analysis, *number, copies, *user));
+        if (!user) continue;
+        if (!jumps) jumps.emplace(analysis);
+        if (!have_computed_jumps_of_their_own(*jumps, *number, copies))
+            found.push_back(judge(analysis, *jumps, *number, copies, *user));
     }
 }
 

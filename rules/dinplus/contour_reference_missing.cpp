@@ -5,8 +5,10 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace maclint::rules {
 
@@ -76,48 +78,49 @@ namespace {
 
 using Role = SectionKind::Role;
 
-/// What the file says of its contours.
-struct Contours {
-    bool described = false; ///< there is a contour section
-    bool complete = true;   ///< no subprogram describes a part of them
-};
-
-Contours contours_of(const ProgramFile& file) {
-    Contours contours;
+/// Whether the file describes contours, and no subprogram a part of them.
+bool describes_whole_contours(const ProgramFile& file) {
+    bool described = false, whole = true;
     for (const Program& program : file.programs)
         for (const Section& section : program.sections) {
             const SectionKind* kind = kind_of(*program.control, section);
             if (kind == nullptr || kind->role != Role::contour) continue;
-            contours.described = true;
+            described = true;
             for_each_block_with_effects(program, section.items, [&](const BlockView& block) {
                 for (const Effect& effect : program.effects_in(block.effects))
-                    contours.complete &= !std::holds_alternative<Call>(effect.what) &&
-                                         !std::holds_alternative<UnreadableBlock>(effect.what);
+                    whole &= !std::holds_alternative<Call>(effect.what) &&
+                             !std::holds_alternative<UnreadableBlock>(effect.what);
             });
         }
-    return contours;
+    return described && whole;
 }
 
-void report(const ProgramFile& file, const Program& program, const BlockUser& user, Reporter& reporter) {
+/// The section of a block of that number, empty without any; nothing where one may be part of a contour.
+std::optional<std::string> wrong_place_of(const ProgramFile& file, std::int64_t number) {
     std::string elsewhere;
-    for (const NumberedBlock& block : find_blocks(file, {user.number})) {
+    for (const NumberedBlock& block : find_blocks(file, {number})) {
         // A subprogram may hold a contour as well as machining.
-        if (block.section == nullptr || block.section->role == user.target ||
+        if (block.section == nullptr || block.section->role == Role::contour ||
             block.section->role == Role::subprogram)
-            return;
+            return std::nullopt;
         elsewhere = block.section->name;
     }
-    const Span span = program.effects[user.effect].span;
-    reporter.report({file, span}, span, elsewhere.empty() ? "missing" : "elsewhere",
-                    {quoted(program, span), std::to_string(user.number), elsewhere});
+    return elsewhere;
 }
 
 void check(const ProgramFile& file, Reporter& reporter) {
-    const Contours contours = contours_of(file);
-    if (!contours.described || !contours.complete) return;
+    if (!describes_whole_contours(file)) return;
+    std::map<std::int64_t, std::optional<std::string>> known;
     for (const Program& program : file.programs)
-        for (const BlockUser& user : find_block_users(program))
-            if (user.target == Role::contour) report(file, program, user, reporter);
+        for (const BlockUser& user : find_block_users(program)) {
+            if (user.target != Role::contour) continue;
+            const auto [at, fresh] = known.try_emplace(user.number);
+            if (fresh) at->second = wrong_place_of(file, user.number);
+            if (!at->second) continue;
+            const Span span = program.effects[user.effect].span;
+            reporter.report({file, span}, span, at->second->empty() ? "missing" : "elsewhere",
+                            {quoted(program, span), std::to_string(user.number), *at->second});
+        }
 }
 
 } // namespace

@@ -5,7 +5,6 @@
 #include "rules/path.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace maclint::rules {
 namespace {
@@ -35,13 +34,16 @@ std::string_view message_for(queries::Reason::Kind kind) {
 
 } // namespace
 
-ConditionWords words_for(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
-                         const std::optional<queries::GuardBefore>& guard, std::string outcome) {
-    const Program& program = analysis.program();
-    const queries::Reason reason = queries::reason_for(analysis, condition, guard);
-    ConditionWords words{message_for(reason.kind),
-                         {quoted(program, program.expressions[condition.expression].span), std::move(outcome),
-                          line_number(analysis.file(), reason.since.begin)},
+ConditionWords ConditionSpeaker::words_for(const dataflow::Condition& condition,
+                                           const std::optional<queries::GuardBefore>& guard) {
+    const Program& program = analysis_.program();
+    const queries::Reason reason = queries::reason_for(analysis_, condition, guard);
+    const std::string outcome = (guard ? guard->makes : condition.truth.can_hold) ? "always" : "never";
+    const Span span = program.expressions[condition.expression].span;
+    ConditionWords words{span,
+                         message_for(reason.kind),
+                         outcome,
+                         {quoted(program, span), outcome, line_number(analysis_.file(), reason.since.begin)},
                          {}};
     if (reason.variable) {
         words.arguments.push_back(program.spell(*reason.variable));
@@ -49,8 +51,9 @@ ConditionWords words_for(const ProgramAnalysis& analysis, const dataflow::Condit
     }
     if (!reason.earlier) return words;
     words.arguments.push_back(quoted(program, reason.since));
-    words.arguments.push_back(words_for_untested(analysis));
-    words.earlier = RelatedLocation{analysis.source(), reason.since, "this test comes before it"};
+    if (!untested_) untested_ = words_for_untested(analysis_);
+    words.arguments.push_back(*untested_);
+    words.earlier = RelatedLocation{analysis_.source(), reason.since, "this test comes before it"};
     return words;
 }
 

@@ -15,13 +15,25 @@
 namespace maclint::rules {
 
 struct ConditionWords {
+    Span span;                   ///< of the condition
     std::string_view message_id; ///< of MAC718
+    std::string outcome;         ///< "always" or "never"
     std::vector<std::string> arguments;
     std::optional<RelatedLocation> earlier; ///< the test that decides it
 };
 
-/// `outcome` is "always" or "never".
-[[nodiscard]] ConditionWords words_for(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
-                                       const std::optional<queries::GuardBefore>& guard, std::string outcome);
+/// Speaks of the conditions of one program.
+class ConditionSpeaker {
+  public:
+    explicit ConditionSpeaker(const ProgramAnalysis& analysis)
+        : analysis_(analysis) {}
+
+    [[nodiscard]] ConditionWords words_for(const dataflow::Condition& condition,
+                                           const std::optional<queries::GuardBefore>& guard);
+
+  private:
+    const ProgramAnalysis& analysis_;
+    std::optional<std::string> untested_; ///< what is said of arguments that nothing tests
+};
 
 } // namespace maclint::rules

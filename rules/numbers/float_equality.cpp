@@ -112,14 +112,13 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const std::vector<queries::InexactCounter> counters = queries::find_inexact_counters(analysis);
+    const auto of_counters = queries::tests_of(queries::find_inexact_counters(analysis));
     const queries::Sums sums = queries::find_sums(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
         const auto inexact = queries::inexact_side(analysis, sums, comparison);
-        if (inexact && !queries::decides(counters, comparison))
-            report(analysis, reporter, comparison, *inexact);
+        if (inexact && !of_counters.contains(&comparison)) report(analysis, reporter, comparison, *inexact);
     }
 }
 

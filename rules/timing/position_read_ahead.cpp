@@ -74,8 +74,9 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    std::set<ExpressionId> said;   // one read, one finding
-    std::set<EffectId> conditions; // one condition, one finding
+    if (queries::limits_look_ahead(program)) return; // where, or on which way, is not asked
+    std::set<ExpressionId> said;                     // one read, one finding
+    std::set<EffectId> conditions;                   // one condition, one finding
     const auto look_at = [&](EffectId effect, ExpressionId value, Span use, std::string_view message) {
         for (const queries::PositionRead& read : queries::positions_in(analysis, effect, value)) {
             const auto move = queries::unfinished_move_before(analysis, read);

@@ -9,6 +9,7 @@
 #include "rules/trace.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace maclint::rules {
 
@@ -63,19 +64,18 @@ bool is_relational(Operation operation) {
 /// A later read of the variable that still may find it vacant.
 const dataflow::Read* later_use(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison,
                                 Variable variable) {
-    const auto& reads = analysis.facts().all<dataflow::Read>();
-    const auto found = std::ranges::find_if(reads, [&](const dataflow::Read& read) {
-        const bool used = read.use == dataflow::Use::word || read.use == dataflow::Use::arithmetic ||
-                          read.use == dataflow::Use::argument || read.use == dataflow::Use::index;
-        return used && read.variable == variable && read.node > comparison.node &&
-               read.value.vacancy == dataflow::Vacancy::maybe;
+    const auto reads = analysis.facts().about<dataflow::Read>(variable);
+    const auto found = std::ranges::find_if(reads, [&](const dataflow::Read* read) {
+        const bool used = read->use == dataflow::Use::word || read->use == dataflow::Use::arithmetic ||
+                          read->use == dataflow::Use::argument || read->use == dataflow::Use::index;
+        return used && read->node > comparison.node && read->value.vacancy == dataflow::Vacancy::maybe;
     });
-    return found == reads.end() ? nullptr : &*found;
+    return found == reads.end() ? nullptr : *found;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    std::vector<Variable> known;
+    std::unordered_set<dataflow::Key> settled;
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (!is_relational(comparison.operation)) continue;
         const bool left = comparison.right.constant().has_value();
@@ -86,10 +86,10 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!variable || !queries::may_hold_vacant(program, *variable) ||
             value.vacancy != dataflow::Vacancy::maybe || value.vacancy_origin == 0)
             continue;
-        if (std::ranges::find(known, *variable) != known.end()) continue;
+        // Reported, or not used after this comparison, and so after no later one.
+        if (!settled.insert(dataflow::key_of(*variable)).second) continue;
         const dataflow::Read* use = later_use(analysis, comparison, *variable);
         if (use == nullptr) continue;
-        known.push_back(*variable);
         const Span span = program.expressions[comparison.expression].span;
         const std::string name = with_letter(analysis, *variable);
         Finding& finding =

@@ -207,6 +207,14 @@ TEST(SequenceNumber, OfBlocksThatWereCopiedWithTheirComputedJumpIsSilent) {
     EXPECT_THAT(doublings("O1\nIF[#501EQ1]GOTO5\n" + table + "GOTO9\nN5\n" + table + "N9M30\n"), IsEmpty());
 }
 
+TEST(SequenceNumber, IsFoundByAComputedJumpFromAnywhere) {
+    // The last jump begins again at the top, where it finds the first N1; the one between finds the second.
+    EXPECT_THAT(doublings("O1\nN1#1=1\nGOTO#500\nN1#1=2\nGOTO#501\nM30\n"), IsEmpty());
+    EXPECT_THAT(doublings("O1\nN1#1=1\nGOTO#500\nGOTO#502\nN1#1=2\nM30\n"), ElementsAre("note 5"));
+    EXPECT_THAT(doublings("O1\nN1#1=1\nN1#1=2\nGOTO#500\nGOTO#501\nM30\n"), ElementsAre("note 3"));
+    EXPECT_THAT(doublings("O1\nGOTO#500\nGOTO#501\nN1#1=1\nGOTO#502\nN1GOTO#503\nM30\n"), IsEmpty());
+}
+
 TEST(SequenceNumber, IsHarmlessWhereEachJumpTakesTheNextBlock) {
     const std::string part = "IF[#1GT0]GOTO5\n#3=-1\nN5 G0 X#3\n";
     EXPECT_THAT(doublings("O1\n" + part + part + "M30\n"), ElementsAre("note 7"));

@@ -1,0 +1,109 @@
+//! How far rules look: what lies beyond is not found, and said to be so where it could be.
+#include "rules/bounds_met.hpp"
+#include "rules/rule.hpp"
+#include "tests/rules/raised.hpp"
+#include "tests/support/analysed.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+using test::lines_raised;
+using test::messages_raised;
+using ::testing::AllOf;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+
+std::string many(int count, const std::string& block) {
+    std::string blocks;
+    for (int i = 0; i < count; ++i) blocks += block + "\n";
+    return blocks;
+}
+
+struct BoundedRun {
+    std::vector<Finding> findings;
+    std::vector<BoundMet> bounds;
+};
+
+BoundedRun run_over(std::string_view code, const std::vector<test::NamedText>& files) {
+    const auto workspace = test::analyse_files(files, {.complete = false, .jobs = 1});
+    BoundedRun met;
+    met.findings = run_rules(*workspace, {{find_rule(code)}}, 1, met.bounds);
+    return met;
+}
+
+/// Two programs of one number, and so many programs that call it, with this block behind the call.
+std::vector<test::NamedText> namesakes(const std::string& text, int callers, const std::string& behind) {
+    std::vector<test::NamedText> files{{"a/x.nc", text}, {"b/x.nc", text}};
+    for (int i = 0; i < callers; ++i) {
+        const std::string number = std::to_string(1000 + i);
+        files.emplace_back(number + ".nc", "O" + number + "\nM98P100\n" + behind + "\nM30\n");
+    }
+    return files;
+}
+
+TEST(Bounds, OfCallsThatMayMeanAProgramTheFirstHundredAreAsked) {
+    // Whoever calls it gives G90 again. Of the last call that is not known.
+    const std::string leaves_g91 = "O100\nG91G1X1.F100\nM99\n";
+    EXPECT_THAT(run_over("MAC501", namesakes(leaves_g91, 100, "G90")).findings, IsEmpty());
+    EXPECT_THAT(run_over("MAC501", namesakes(leaves_g91, 101, "G90")).findings, SizeIs(2));
+
+    // It keeps what the run before has left, unless a caller sets it: the last one may.
+    const std::string stale =
+        "O100\nIF[#4012EQ54]GOTO1\nIF[#4012EQ55]GOTO1\nIF[#4012EQ56]GOTO1\n#3000=1\nN1\n"
+        "IF[#4012EQ54]THEN#103=3\nIF[#4012EQ56]THEN#103=2\nG0X#103\nM99\n";
+    EXPECT_THAT(run_over("MAC216", namesakes(stale, 100, "G90")).findings, SizeIs(2));
+    EXPECT_THAT(run_over("MAC216", namesakes(stale, 101, "G90")).findings, IsEmpty());
+}
+
+TEST(Bounds, AMoveStandsAtMost2000BlocksBeforeAPosition) {
+    const auto offset_after = [](int blocks) {
+        return lines_raised("MAC605", "O9001\nG1X5.F100.\n" + many(blocks, "#1=1") + "#5221=#5021\nM99\n");
+    };
+    EXPECT_THAT(offset_after(1990), SizeIs(1));
+    EXPECT_THAT(offset_after(2010), IsEmpty());
+}
+
+TEST(Bounds, AUseStandsAtMost2000BlocksBehindATestForZero) {
+    const auto use_after = [](int blocks) {
+        return run_over("MAC220",
+                        {{"x.nc", "O9001\nIF[#1EQ0]GOTO9\n" + many(blocks, "#2=1") + "#3=5/#1\nN9M99\n"}});
+    };
+    EXPECT_THAT(use_after(1900).findings, SizeIs(1));
+    EXPECT_THAT(use_after(1900).bounds, IsEmpty());
+    EXPECT_THAT(use_after(2100).findings, IsEmpty());
+    EXPECT_THAT(use_after(2100).bounds, SizeIs(1));
+}
+
+TEST(Bounds, ATestIsLookedForAmong1000BeforeTheOneThatItDecides) {
+    const auto decided = [](int tests) {
+        return messages_raised("MAC718", "O9001\nIF[#1GT5]GOTO9\n" + many(tests, "IF[#2GT5]THEN#3=1") +
+                                             "IF[#1GT10]THEN#4=1\nN9M99\n");
+    };
+    EXPECT_THAT(decided(999), ElementsAre(HasSubstr("[#1GT5]")));
+    EXPECT_THAT(decided(1000), ElementsAre(Not(HasSubstr("[#1GT5]"))));
+}
+
+TEST(Bounds, OfOperandsThatMayBeZero500AreHeldAgainstTheChecks) {
+    const auto divisions = [](int count) {
+        std::string text = "O9001\n";
+        for (int i = 1; i <= count; ++i) text += "#2=1/[#1*" + std::to_string(i) + "]\n";
+        return run_over("MAC702", {{"x.nc", text + "M99\n"}});
+    };
+    EXPECT_THAT(divisions(500).bounds, IsEmpty());
+    EXPECT_THAT(divisions(501).bounds, SizeIs(1));
+    EXPECT_EQ(divisions(501).findings.size(), divisions(500).findings.size());
+}
+
+} // namespace
+} // namespace maclint
