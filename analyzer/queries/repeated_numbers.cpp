@@ -39,18 +39,18 @@ class Jumps {
         return found == naming_.end() ? std::span<const flow::ResolvedJump* const>{} : found->second;
     }
 
-    /// Whether a computed jump finds this block first, of those that bear the label. If any, it is the next
-    /// one before or behind it, or from an end of the program.
+    /// Whether a computed jump finds this block first, of those that bear the label. If any does, it is the
+    /// next one before or behind it, or, of those that go on at the other end, the last.
     [[nodiscard]] bool some_computed_finds(const flow::LabelledBlock& copy) const {
         return std::ranges::any_of(computed_, [&](const auto& entry) {
             const auto& [search, places] = entry;
-            const auto [low, high] = std::ranges::equal_range(places, copy.block.begin);
+            const auto next = std::ranges::lower_bound(places, copy.block.begin);
             const auto finds = [&, search = search](Offset place) {
                 const auto* found = analysis_.graph().find_label(copy.label, place, search);
                 return found != nullptr && found->node == copy.node;
             };
-            return (low != places.begin() && finds(*std::prev(low))) || (low != high && finds(*low)) ||
-                   (high != places.end() && finds(*high)) || finds(places.front()) || finds(places.back());
+            return (next != places.begin() && finds(*std::prev(next))) ||
+                   (next != places.end() && finds(*next)) || finds(places.back());
         });
     }
 

@@ -80,6 +80,21 @@ TEST(DinSections, WordsThatOnlyManualsPrintAreReportedAndUnderstood) {
     EXPECT_EQ(file.syntax_errors[2].cure, "END");
 }
 
+TEST(DinSyntaxErrors, StandInTheOrderOfTheirPlaces) {
+    // The open comment is found before the word in front of it.
+    const ProgramFile file = read_din("MACHINING\nG0 X?? [abc\nM30\nEND\n");
+    ASSERT_EQ(file.syntax_errors.size(), 2U);
+    EXPECT_EQ(file.syntax_errors[0].kind, SyntaxErrorKind::unreadable);
+    EXPECT_EQ(file.syntax_errors[1].kind, SyntaxErrorKind::unterminated_comment);
+    const Span first = file.syntax_errors[0].span;
+    const Span second = file.syntax_errors[1].span;
+    EXPECT_EQ(file.syntax_errors_in({first.begin, second.begin}).size(), 1U);
+    EXPECT_EQ(file.syntax_errors_in({first.begin, second.begin + 1}).size(), 2U);
+    EXPECT_EQ(file.syntax_errors_in({first.begin + 1, second.begin}).size(), 0U);
+    EXPECT_EQ(file.syntax_errors_in({first.begin + 1, second.end}).front().kind,
+              SyntaxErrorKind::unterminated_comment);
+}
+
 TEST(DinSections, LatinOneAndUtf8AreTheSameWord) {
     for (const std::string_view word : {"MUOTORYHM\xC4 Q1\nN1 M8\n", "MUOTORYHM\xC3\x84 Q1\nN1 M8\n"})
         EXPECT_THAT(sections_of(read_din(word).programs.at(0)), ElementsAre("CONTOUR 1 at load")) << word;

@@ -212,7 +212,7 @@ TEST(SequenceNumber, IsFoundByAComputedJumpFromAnywhere) {
     EXPECT_THAT(doublings("O1\nN1#1=1\nGOTO#500\nN1#1=2\nGOTO#501\nM30\n"), IsEmpty());
     EXPECT_THAT(doublings("O1\nN1#1=1\nGOTO#500\nGOTO#502\nN1#1=2\nM30\n"), ElementsAre("note 5"));
     EXPECT_THAT(doublings("O1\nN1#1=1\nN1#1=2\nGOTO#500\nGOTO#501\nM30\n"), ElementsAre("note 3"));
-    EXPECT_THAT(doublings("O1\nGOTO#500\nGOTO#501\nN1#1=1\nGOTO#502\nN1GOTO#503\nM30\n"), IsEmpty());
+    EXPECT_THAT(doublings("O1\nGOTO#500\nN1#1=1\nN1GOTO#501\nGOTO#502\nM30\n"), IsEmpty());
 }
 
 TEST(SequenceNumber, IsHarmlessWhereEachJumpTakesTheNextBlock) {

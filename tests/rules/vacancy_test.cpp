@@ -373,6 +373,8 @@ TEST(MissingArgumentValidation, IsToldOfABoundThatNothingElseIsHeldAgainst) {
     EXPECT_THAT(judged("MAC604", "O9001\nIF[#3EQ#0]THEN#3=9\n" + loop), IsEmpty());
     EXPECT_THAT(judged("MAC604", "O9001\nIF[#4EQ#0]THEN#3000=1\n" + loop), ElementsAre("note 4"));
     // The counter is no check, wherever it is held against the argument; a second counter has nothing to add.
+    EXPECT_THAT(judged("MAC604", "O9001\n#33=0\nWHILE[#3GT#33]DO1\nG1X#33\n#33=#33+1.\nEND1\nM99\n"),
+                ElementsAre("note 3"));
     EXPECT_THAT(judged("MAC604", "O9001\n#33=0\nN1G1X#33\n#33=#33+1.\nIF[#33LT#3]GOTO1\nM99\n"),
                 ElementsAre("note 5"));
     EXPECT_THAT(
