@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <mutex>
-#include <unordered_map>
+#include <optional>
 #include <vector>
 
 namespace maclint {
@@ -24,7 +24,7 @@ struct CallPath {
     std::size_t length = 0; ///< with those that are left out
 };
 
-/// The shortest paths of calls. A search from one program serves all questions that begin there, and goes
+/// The shortest paths of calls. A search serves all questions in a row that begin at one program, and goes
 /// only as far as they want and a bound allows.
 class CallPaths {
   public:
@@ -38,30 +38,31 @@ class CallPaths {
   private:
     /// How a program is reached.
     struct Step {
+        std::uint32_t search = 0; ///< in which
         std::uint32_t caller;
         EffectId call;
         std::uint32_t length; ///< of the path to it
         std::uint32_t near;   ///< the program on the path where the first half of what is told ends
     };
-    struct Search {
-        std::unordered_map<std::uint32_t, Step> reached;
-        std::deque<std::uint32_t> pending;
-        std::size_t looked_at = 0; ///< programs
-    };
     /// Puts the calls of all programs side by side: a search that asks thousands of analyses for them waits
     /// for memory most of its time.
     void gather_calls();
-    /// Goes on until the program is reached, nothing is left or enough is looked at; nullptr for these.
-    [[nodiscard]] const Step* reach(Search& search, std::uint32_t from, std::uint32_t to);
+    void begin(std::uint32_t from);
+    /// Goes on until the program is reached, nothing is left or enough is looked at; false for these.
+    [[nodiscard]] bool reach(std::uint32_t to);
     /// The last `count` calls on the path to the program.
-    [[nodiscard]] static std::vector<Caller> last_calls(const Search& search, std::uint32_t to,
-                                                        std::size_t count);
+    [[nodiscard]] std::vector<Caller> last_calls(std::uint32_t to, std::size_t count) const;
 
     const std::deque<ProgramAnalysis>& programs_;
     std::mutex mutex_;
     flow::SliceTable called_;  ///< by program: the programs that it calls
     flow::SliceTable effects_; ///< by program: the calls of these, in the same order
-    std::unordered_map<std::uint32_t, Search> searches_; ///< by the program where they begin
+    // The search.
+    std::optional<std::uint32_t> from_;
+    std::uint32_t search_ = 0; ///< counts them
+    std::vector<std::uint32_t> reached_;
+    std::size_t next_ = 0;    ///< of these, the first whose calls are not looked at
+    std::vector<Step> steps_; ///< by program
 };
 
 } // namespace maclint
