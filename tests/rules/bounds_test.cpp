@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -16,8 +17,6 @@ namespace {
 
 using test::lines_raised;
 using test::messages_raised;
-using ::testing::AllOf;
-using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -47,7 +46,9 @@ std::vector<test::NamedText> namesakes(const std::string& text, int callers, con
     std::vector<test::NamedText> files{{"a/x.nc", text}, {"b/x.nc", text}};
     for (int i = 0; i < callers; ++i) {
         const std::string number = std::to_string(1000 + i);
-        files.emplace_back(number + ".nc", "O" + number + "\nM98P100\n" + behind + "\nM30\n");
+        std::string text = "O" + number;
+        text += "\nM98P100\n" + behind + "\nM30\n";
+        files.emplace_back(number + ".nc", std::move(text));
     }
     return files;
 }
