@@ -41,8 +41,7 @@ inline void read_whole(std::string_view text, const Dialect& dialect, const Cont
                                   });
     }
     for (const SyntaxError& error : file.syntax_errors) require_inside(file, error.span);
-    const auto begin = [](const auto& part) { return part.span.begin; };
-    require(std::ranges::is_sorted(file.programs, {}, begin), "a program begins before the one before it");
+    const auto begin = [](const SyntaxError& error) { return error.span.begin; };
     require(std::ranges::is_sorted(file.syntax_errors, {}, begin),
             "an error begins before the one before it");
     require(describe(file) == describe(dialect.read(source, control, Extent::whole)),

@@ -67,16 +67,20 @@ void offer_remedy(const ProgramFile& file, const SyntaxError& error, Finding& fi
 
 } // namespace
 
-std::string same_cause(const ProgramFile& file, const SyntaxError& error) {
+std::string SyntaxCauses::of(const SyntaxError& error) {
     if (error.kind == SyntaxErrorKind::bare_remark) return error.cure; // whoever wrote the file writes so
-    const auto next = std::ranges::upper_bound(file.programs, error.span.begin, {},
-                                               [](const Program& program) { return program.span.begin; });
-    return std::to_string(next - file.programs.begin()) + " " + std::to_string(static_cast<int>(error.kind)) +
-           " " + reason_of(error);
+    if (begins_.empty()) {
+        for (const Program& program : file_.programs) begins_.push_back(program.span.begin);
+        std::ranges::sort(begins_);
+    }
+    const auto begun = std::ranges::upper_bound(begins_, error.span.begin) - begins_.begin();
+    return std::to_string(begun) + " " + std::to_string(static_cast<int>(error.kind)) + " " +
+           reason_of(error);
 }
 
 void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter& reporter,
                          const SyntaxMessages& messages) {
+    SyntaxCauses causes(file);
     for (const SyntaxError& error : file.syntax_errors) {
         if (error.kind != kind) continue;
         Finding& finding = reporter.report(
@@ -85,7 +89,7 @@ void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter
         if (error.answer == Answer::stops_if_assumed) finding.severity = Severity::warning;
         if (error.answer == Answer::unknown) finding.severity = Severity::note;
         if (finding.severity != Severity::error) finding.alarm = {};
-        finding.same_cause = same_cause(file, error);
+        finding.same_cause = causes.of(error);
         offer_remedy(file, error, finding);
     }
 }

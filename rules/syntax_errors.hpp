@@ -4,6 +4,8 @@
 #include "rules/rule.hpp"
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace maclint {
 
@@ -21,7 +23,16 @@ struct SyntaxMessages {
 void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter& reporter,
                          const SyntaxMessages& messages = {});
 
-/// For Finding::same_cause.
-[[nodiscard]] std::string same_cause(const ProgramFile& file, const SyntaxError& error);
+/// Tells for Finding::same_cause which errors of a file have one cause.
+class SyntaxCauses {
+  public:
+    explicit SyntaxCauses(const ProgramFile& file)
+        : file_(file) {}
+    [[nodiscard]] std::string of(const SyntaxError& error);
+
+  private:
+    const ProgramFile& file_;
+    std::vector<Offset> begins_; ///< of the programs, sorted: a main part may begin behind its subprograms
+};
 
 } // namespace maclint

@@ -446,7 +446,7 @@ struct BlockNumber {
 struct ProgramFile {
     std::shared_ptr<const Source> source;
     const ControlModel* control = nullptr;
-    std::vector<Program> programs;          ///< by where they begin
+    std::vector<Program> programs;
     std::vector<SyntaxError> syntax_errors; ///< by where they begin
     std::vector<DirectiveComment> comments; ///< only those that contain "MACLINT", any case
     /// By number, then in text order; see index_block_numbers.

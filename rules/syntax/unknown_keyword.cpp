@@ -66,12 +66,13 @@ namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
     report_syntax_error(file, SyntaxErrorKind::unknown_keyword, reporter);
+    SyntaxCauses causes(file);
     for (const SyntaxError& syntax_error : file.syntax_errors)
         if (syntax_error.kind == SyntaxErrorKind::missing_construct)
             reporter
                 .report({file, syntax_error.span}, syntax_error.span, "construct",
                         {syntax_error.subject, syntax_error.cure})
-                .same_cause = same_cause(file, syntax_error);
+                .same_cause = causes.of(syntax_error);
 }
 
 } // namespace

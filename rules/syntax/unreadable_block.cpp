@@ -61,12 +61,13 @@ namespace {
 
 void report(const ProgramFile& file, SyntaxErrorKind kind, std::string_view message, Severity severity,
             Reporter& reporter) {
+    SyntaxCauses causes(file);
     for (const SyntaxError& error : file.syntax_errors) {
         if (error.kind != kind) continue;
         Finding& finding =
             reporter.report({file, error.span}, error.span, message, {error.subject, error.cure});
         finding.severity = severity;
-        finding.same_cause = same_cause(file, error);
+        finding.same_cause = causes.of(error);
     }
 }
 

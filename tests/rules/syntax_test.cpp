@@ -93,6 +93,11 @@ TEST(OneSyntaxError, AnotherWordAndAnotherProgramAreOtherCauses) {
                 ElementsAre("2: error MAC118", "5: error MAC118"));
 }
 
+TEST(OneSyntaxError, OfAMainPartBehindItsSubprogramIsAnotherCause) {
+    const std::string text = "%x.nc\nSUBPROGRAM \"A\"\nG1 X??\nRETURN\nMACHINING\nT1\nG1 X??\nM30\nEND\n";
+    EXPECT_THAT(told(text), ElementsAre("3: error MAC121", "7: error MAC121"));
+}
+
 TEST(OneSyntaxError, ManyLinesAreCountedButNotAllNamed) {
     std::string text = "O1\n";
     for (int i = 0; i < 9; ++i) text += "#1=ABS(#2)\n";
