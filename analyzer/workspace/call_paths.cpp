@@ -4,7 +4,6 @@
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace maclint {
 namespace {
@@ -23,10 +22,9 @@ CallPath CallPaths::between(ProgramIndex from, ProgramIndex to) {
     if (called_.size() == 0) gather_calls();
     if (from_ != from) begin(from);
     if (!reach(to)) return {};
-    const std::size_t length = steps_[to].length;
-    if (length <= CallPath::most) return {last_calls(to, length), length};
-    CallPath path{last_calls(steps_[to].near, half), length};
-    std::ranges::copy(last_calls(to, half), std::back_inserter(path.calls));
+    CallPath path{calls_to(marks_[to].step), 0};
+    path.length = path.calls.size();
+    if (path.length > CallPath::most) path.calls.erase(path.calls.begin() + half, path.calls.end() - half);
     return path;
 }
 
@@ -45,32 +43,32 @@ void CallPaths::gather_calls() {
 void CallPaths::begin(ProgramIndex from) {
     from_ = from;
     ++search_;
-    reached_ = {from};
+    steps_ = {{from, 0, 0}};
     next_ = 0;
-    steps_.resize(called_.size());
-    steps_[from] = {search_, from, 0, 0, from};
+    marks_.resize(called_.size());
+    marks_[from] = {search_, 0};
 }
 
 bool CallPaths::reach(ProgramIndex to) {
-    while (steps_[to].search != search_ && next_ < reached_.size() && reached_.size() <= most_reached) {
-        const ProgramIndex at = reached_[next_++];
-        const Step before = steps_[at];
-        const auto called = called_[at];
-        for (std::size_t i = 0; i < called.size(); ++i) {
-            Step& step = steps_[called[i]];
-            if (step.search == search_) continue;
-            const ProgramIndex near = before.length < half ? called[i] : before.near;
-            step = {search_, at, effects_[at][i], before.length + 1, near};
-            reached_.push_back(called[i]);
+    while (marks_[to].search != search_ && next_ < steps_.size() && steps_.size() <= most_reached) {
+        const auto before = static_cast<std::uint32_t>(next_++);
+        const auto called = called_[steps_[before].program];
+        for (std::uint32_t call = 0; call < called.size(); ++call) {
+            Mark& mark = marks_[called[call]];
+            if (mark.search == search_) continue;
+            mark = {search_, static_cast<std::uint32_t>(steps_.size())};
+            steps_.push_back({called[call], before, call});
         }
     }
-    return steps_[to].search == search_;
+    return marks_[to].search == search_;
 }
 
-std::vector<Caller> CallPaths::last_calls(ProgramIndex to, std::size_t count) const {
+std::vector<Caller> CallPaths::calls_to(std::uint32_t step) const {
     std::vector<Caller> calls;
-    for (ProgramIndex at = to; calls.size() < count; at = calls.back().program)
-        calls.push_back({steps_[at].caller, steps_[at].call});
+    for (; step != 0; step = steps_[step].before) {
+        const ProgramIndex caller = steps_[steps_[step].before].program;
+        calls.push_back({caller, effects_[caller][steps_[step].call]});
+    }
     std::ranges::reverse(calls);
     return calls;
 }

@@ -36,13 +36,11 @@ class CallPaths {
     [[nodiscard]] CallPath between(std::uint32_t from, std::uint32_t to);
 
   private:
-    /// How a program is reached.
+    /// A program that the search has reached, and how.
     struct Step {
-        std::uint32_t search = 0; ///< in which
-        std::uint32_t caller;
-        EffectId call;
-        std::uint32_t length; ///< of the path to it
-        std::uint32_t near;   ///< the program on the path where the first half of what is told ends
+        std::uint32_t program;
+        std::uint32_t before; ///< the place of its caller's step
+        std::uint32_t call;   ///< of its caller's calls that lead to a program, the n-th from 0 on
     };
     /// Puts the calls of all programs side by side: a search that asks thousands of analyses for them waits
     /// for memory most of its time.
@@ -50,8 +48,8 @@ class CallPaths {
     void begin(std::uint32_t from);
     /// Goes on until the program is reached, nothing is left or enough is looked at; false for these.
     [[nodiscard]] bool reach(std::uint32_t to);
-    /// The last `count` calls on the path to the program.
-    [[nodiscard]] std::vector<Caller> last_calls(std::uint32_t to, std::size_t count) const;
+    /// The calls on the path to the step, in order.
+    [[nodiscard]] std::vector<Caller> calls_to(std::uint32_t step) const;
 
     const std::deque<ProgramAnalysis>& programs_;
     std::mutex mutex_;
@@ -60,9 +58,13 @@ class CallPaths {
     // The search.
     std::optional<std::uint32_t> from_;
     std::uint32_t search_ = 0; ///< counts them
-    std::vector<std::uint32_t> reached_;
-    std::size_t next_ = 0;    ///< of these, the first whose calls are not looked at
-    std::vector<Step> steps_; ///< by program
+    std::vector<Step> steps_;  ///< from the first program on, breadth first
+    std::size_t next_ = 0;     ///< the first step whose program's calls are not looked at
+    struct Mark {
+        std::uint32_t search = 0; ///< the last one that reached the program
+        std::uint32_t step = 0;   ///< its place in that
+    };
+    std::vector<Mark> marks_; ///< by program
 };
 
 } // namespace maclint
