@@ -7,6 +7,7 @@ ratio of 2 is linear; the run fails where the even one is above 2.2. The time is
 (for files, and for memory, where a virtual machine pays much for the first touch of each page) stands beside it.
 """
 import argparse
+import contextlib
 import os
 import random
 import resource
@@ -97,15 +98,22 @@ def run(maclint, folder, name, form, *more):
     return used.ru_utime, used.ru_stime, used.ru_maxrss / 1024
 
 
+@contextlib.contextmanager
+def folder_with(files):
+    """A folder that holds the texts of programs by their names, as long as it is wanted."""
+    with tempfile.TemporaryDirectory() as folder:
+        os.mkdir(os.path.join(folder, '.git'))  # nothing outside is read
+        for name, text in files.items():
+            with open(os.path.join(folder, name), 'w', encoding='latin-1', errors='replace', newline='') as file:
+                file.write(text)
+        yield folder
+
+
 def measure(maclint, made, form):
     """The least of some runs: both seconds, megabytes, bytes of text. One run is enough to see that a size is too
     small."""
     files = made if isinstance(made, dict) else {'x.ncs' if made.startswith('MACHINING') else 'x.nc': made}
-    with tempfile.TemporaryDirectory() as folder:
-        os.mkdir(os.path.join(folder, '.git'))  # nothing outside is read
-        for name, text in files.items():
-            with open(os.path.join(folder, name), 'w', encoding='latin-1', newline='') as file:
-                file.write(text)
+    with folder_with(files) as folder:
         first = run(maclint, folder, next(iter(files)), form)
         more = RUNS - 1 if first[0] >= ENOUGH else 0
         runs = [first] + [run(maclint, folder, next(iter(files)), form) for _ in range(more)]

@@ -7,18 +7,19 @@ fails and names the page. It takes some ten minutes.
 """
 import argparse
 import concurrent.futures
+import functools
 import os
 import re
 import subprocess
 import sys
 import tempfile
 
-from growth import run
+from growth import folder_with, run
 
 LIMIT = 2.6
 ENOUGH = 0.3    # seconds of processor time
 FIRST = 500     # copies
-MOST = 16000
+MOST = 64000
 RUNS = 3        # where the first ones are too steep; the least counts
 FURTHER = 1000  # from the sequence numbers of one copy to those of the next
 
@@ -33,7 +34,7 @@ def examples(maclint, folder):
             yield f'{page.removesuffix(".md")} {kind.lower()}', language, example
 
 
-def as_programs(text, n):
+def as_programs(text, _language, n):
     """So many copies, each with program numbers of its own; nothing where programs have none."""
     if not re.search(r'^O\d', text, re.M):
         return None
@@ -66,21 +67,15 @@ def as_one_program(text, language, n):
 
 
 def seconds(maclint, text, language):
-    with tempfile.TemporaryDirectory() as folder:
-        os.mkdir(os.path.join(folder, '.git'))  # nothing outside is read
-        name = 'x.ncs' if language == 'dinplus' else 'x.nc'
-        with open(os.path.join(folder, name), 'w', encoding='latin-1', errors='replace', newline='') as file:
-            file.write(text)
+    name = 'x.ncs' if language == 'dinplus' else 'x.nc'
+    with folder_with({name: text}) as folder:
         return run(maclint, folder, name, 'concise', '--select', 'ALL')[0]
 
 
 def growth(maclint, make, language):
-    """Copies, seconds of so many and of twice as many; nothing where all is over too soon."""
+    """Copies, seconds of so many and of twice as many."""
     n = FIRST
-    text = make(n)
-    if text is None:
-        return None
-    once = seconds(maclint, text, language)
+    once = seconds(maclint, make(n), language)
     while once < ENOUGH and n < MOST:
         n *= 2
         once = seconds(maclint, make(n), language)
@@ -88,7 +83,7 @@ def growth(maclint, make, language):
     if twice > LIMIT * once:
         again = [(seconds(maclint, make(n), language), seconds(maclint, make(2 * n), language)) for _ in range(RUNS - 1)]
         once, twice = (min(first, *others) for first, *others in zip((once, twice), *again))
-    return (n, once, twice) if twice >= ENOUGH else None
+    return n, once, twice
 
 
 def main():
@@ -104,21 +99,20 @@ def main():
         for name, language, text in examples(maclint, folder):
             if chosen.only not in name:
                 continue
-            for kind, make in (('programs', lambda n, text=text: as_programs(text, n)),
-                               ('one program', lambda n, text=text, language=language:
-                                as_one_program(text, language, n))):
-                tasks.append((name, kind, pool.submit(growth, maclint, make, language)))
+            for kind, make in (('programs', as_programs), ('one program', as_one_program)):
+                if make(text, language, 1) is not None:
+                    repeat = functools.partial(make, text, language)
+                    tasks.append((name, kind, pool.submit(growth, maclint, repeat, language)))
         for name, kind, task in tasks:
             try:
-                found = task.result()
+                n, once, twice = task.result()
             except RuntimeError as error:
                 print(f'{name:14}{kind:13}{error}', flush=True)
                 too_steep += 1
                 continue
-            if found is None:
+            if twice < ENOUGH:
                 continue
             measured += 1
-            n, once, twice = found
             if twice > LIMIT * once:
                 print(f'{name:14}{kind:13}{n:6} copies {once:6.2f} s, twice as many {twice:6.2f} s: '
                       f'{twice / once:.2f}  TOO STEEP', flush=True)

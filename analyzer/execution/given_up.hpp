@@ -1,4 +1,4 @@
-//! Whether searches for paths have met their bound.
+//! Whether searches have met their bound: for paths, uses or callers.
 #pragma once
 
 #include "analyzer/workspace/search_memory.hpp"

@@ -3,6 +3,7 @@
 #include "analyzer/queries/leak_use.hpp"
 
 #include "analyzer/dataflow/domain/interner.hpp"
+#include "analyzer/execution/given_up.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
@@ -22,7 +23,7 @@
 namespace maclint::queries {
 namespace {
 
-/// So many nodes are looked at; what is not looked at may rely on the state.
+/// So many nodes are looked at; what lies beyond may rely on the state.
 constexpr std::size_t most_visits = 20'000;
 
 /// What is known on the path to a node.
@@ -67,12 +68,12 @@ class Search {
             const Point point = stack_.back();
             stack_.pop_back();
             if (met_ > most_visits) {
-                all_looked_at_ = false;
+                result_.matters = true;
                 break;
             }
             visit(point);
         }
-        result_.matters |= !all_looked_at_;
+        if (!result_.matters && !all_callers_asked_) execution::GivenUp::note(callee_.search_memory());
         return result_;
     }
 
@@ -111,7 +112,7 @@ class Search {
         if (callers.empty()) {
             PossibleCallers possible = program.possible_callers();
             callers = std::move(possible.first);
-            all_looked_at_ &= possible.all;
+            all_callers_asked_ &= possible.all;
         }
         if (callers.empty())
             result_.matters |= !program.is_main() && !is_given_again(idle);
@@ -306,9 +307,9 @@ class Search {
     };
     std::vector<Returning> waiting_;
     std::set<std::pair<ProgramIndex, std::uint32_t>> returned_;
-    dataflow::Interner<Point> points_;                                ///< met so far
-    std::size_t met_ = 0;                                             ///< so many
-    bool all_looked_at_ = true;                                       ///< callers and nodes
+    dataflow::Interner<Point> points_; ///< met so far
+    std::size_t met_ = 0;              ///< so many
+    bool all_callers_asked_ = true;
     std::map<std::pair<ProgramIndex, flow::NodeId>, bool> loses_own_; ///< by program and call
     LeakUse result_;
 };

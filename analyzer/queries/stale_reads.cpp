@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/execution/given_up.hpp"
 #include "analyzer/execution/path_search.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
@@ -46,11 +47,6 @@ class Search {
             case_of_.try_emplace(tested->begins, cases_.size());
             cases_.push_back(*tested);
         }
-        for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
-            Stores& stores = stores_[dataflow::key_of(store.variable)];
-            stores.nodes.push_back(store.node);
-            stores.last = std::max(stores.last, store.effect);
-        }
     }
 
     std::optional<StaleRead> of(Variable variable) {
@@ -74,6 +70,10 @@ class Search {
     [[nodiscard]] bool has_cases() const { return cases_.size() > 2; }
 
   private:
+    [[nodiscard]] std::span<const dataflow::Store* const> stores_in(Variable variable) const {
+        return analysis_.facts().about<dataflow::Store>(variable);
+    }
+
     [[nodiscard]] double value(ExpressionId number) const {
         return std::get<Literal>(analysis_.program().expressions[number].node).value;
     }
@@ -98,11 +98,10 @@ class Search {
 
     /// The last effect in the text that may change the variable; 0 for none.
     [[nodiscard]] EffectId last_change_of(Variable variable) const {
-        const dataflow::Key key = dataflow::key_of(variable);
-        const auto [known, fresh] = last_changes_.try_emplace(key, 0);
+        const auto [known, fresh] = last_changes_.try_emplace(dataflow::key_of(variable), 0);
         if (!fresh) return known->second;
-        if (const auto stores = stores_.find(key); stores != stores_.end())
-            known->second = stores->second.last;
+        for (const dataflow::Store* store : stores_in(variable))
+            known->second = std::max(known->second, store->effect);
         for (const dataflow::Clobber& clobber : analysis_.facts().all<dataflow::Clobber>())
             if (clobber.may_change(variable)) known->second = std::max(known->second, clobber.effect);
         return known->second;
@@ -130,8 +129,8 @@ class Search {
     [[nodiscard]] CasesThatSet cases_that_set(Variable variable) const {
         CasesThatSet found;
         const Case* first = nullptr; // in the text
-        for (const flow::NodeId node : stores_.at(dataflow::key_of(variable)).nodes) {
-            const Case* decides = case_before(node);
+        for (const dataflow::Store* store : stores_in(variable)) {
+            const Case* decides = case_before(store->node);
             if (decides == nullptr || (first != nullptr && !asks_for_same(*first, *decides)) ||
                 !found.numbers.insert(value(decides->number)).second)
                 continue;
@@ -195,7 +194,8 @@ class Search {
     }
 
     [[nodiscard]] std::vector<flow::NodeId> nodes_that_set(Variable variable) const {
-        std::vector<flow::NodeId> nodes = stores_.at(dataflow::key_of(variable)).nodes;
+        std::vector<flow::NodeId> nodes;
+        for (const dataflow::Store* store : stores_in(variable)) nodes.push_back(store->node);
         for (const dataflow::Clobber& clobber : analysis_.facts().all<dataflow::Clobber>())
             if (clobber.may_change(variable)) nodes.push_back(clobber.node);
         std::ranges::sort(nodes);
@@ -209,11 +209,6 @@ class Search {
     execution::PathSearch search_{analysis_};
     std::vector<Case> cases_;
     std::unordered_map<flow::NodeId, std::size_t> case_of_; ///< the first that begins at the node
-    struct Stores {
-        std::vector<flow::NodeId> nodes;
-        EffectId last = 0; ///< in the text
-    };
-    std::unordered_map<dataflow::Key, Stores> stores_; ///< where each variable is set
     mutable std::unordered_map<dataflow::Key, EffectId> last_changes_;
 };
 
@@ -239,7 +234,9 @@ bool callers_set(const ProgramAnalysis& analysis, Variable variable) {
     };
     if (std::ranges::any_of(analysis.callers(), sets)) return true;
     const PossibleCallers possible = analysis.possible_callers();
-    return !possible.all || std::ranges::any_of(possible.first, sets);
+    if (std::ranges::any_of(possible.first, sets)) return true;
+    if (!possible.all) execution::GivenUp::note(analysis.search_memory());
+    return !possible.all;
 }
 
 std::vector<StaleRead> find_stale_reads(const ProgramAnalysis& analysis) {

@@ -33,7 +33,7 @@ std::optional<Notice> Bounds::searches() const {
     std::string rules;
     for (const std::string_view code : codes) rules.append(rules.empty() ? "" : ", ").append(code);
     return Notice{NoticeKind::left_out, std::string(*files.begin()),
-                  "the search for paths was given up " + in_files(files) + ": findings of " + rules +
+                  "a search was given up " + in_files(files) + ": findings of " + rules +
                       " count for less there, or are missing."};
 }
 

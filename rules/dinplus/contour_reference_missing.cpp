@@ -1,13 +1,11 @@
 //! DIN704: NS or NE names a block that is no contour block.
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/queries/wrong_places.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
-#include <cstdint>
-#include <map>
-#include <optional>
 #include <string>
 
 namespace maclint::rules {
@@ -95,31 +93,21 @@ bool describes_whole_contours(const ProgramFile& file) {
     return described && whole;
 }
 
-/// The section of a block of that number, empty without any; nothing where one may be part of a contour.
-std::optional<std::string> wrong_place_of(const ProgramFile& file, std::int64_t number) {
-    std::string elsewhere;
-    for (const NumberedBlock& block : find_blocks(file, {number})) {
-        // A subprogram may hold a contour as well as machining.
-        if (block.section == nullptr || block.section->role == Role::contour ||
-            block.section->role == Role::subprogram)
-            return std::nullopt;
-        elsewhere = block.section->name;
-    }
-    return elsewhere;
-}
-
 void check(const ProgramFile& file, Reporter& reporter) {
     if (!describes_whole_contours(file)) return;
-    std::map<std::int64_t, std::optional<std::string>> known;
+    queries::WrongPlaces places(file, [](const NumberedBlock& block) {
+        // A subprogram may hold a contour as well as machining.
+        return block.section == nullptr || block.section->role == Role::contour ||
+               block.section->role == Role::subprogram;
+    });
     for (const Program& program : file.programs)
         for (const BlockUser& user : find_block_users(program)) {
             if (user.target != Role::contour) continue;
-            const auto [at, fresh] = known.try_emplace(user.number);
-            if (fresh) at->second = wrong_place_of(file, user.number);
-            if (!at->second) continue;
+            const auto& elsewhere = places.of(user.number);
+            if (!elsewhere) continue;
             const Span span = program.effects[user.effect].span;
-            reporter.report({file, span}, span, at->second->empty() ? "missing" : "elsewhere",
-                            {quoted(program, span), std::to_string(user.number), *at->second});
+            reporter.report({file, span}, span, elsewhere->empty() ? "missing" : "elsewhere",
+                            {quoted(program, span), std::to_string(user.number), *elsewhere});
         }
 }
 

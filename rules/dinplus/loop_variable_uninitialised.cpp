@@ -8,8 +8,6 @@
 #include "rules/rule.hpp"
 
 #include <algorithm>
-#include <unordered_map>
-#include <vector>
 
 namespace maclint::rules {
 
@@ -73,9 +71,6 @@ bool is_shared_and_uninitialised(const ProgramAnalysis& analysis, Variable varia
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.is_main()) return; // a caller may have set it
     const Program& program = analysis.program();
-    std::unordered_map<dataflow::Key, std::vector<flow::NodeId>> stores;
-    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
-        stores[dataflow::key_of(store.variable)].push_back(store.node);
     for (const dataflow::Loop& loop : analysis.loops()) {
         const auto counter = queries::counter_of(analysis, loop);
         if (!counter || !is_shared_and_uninitialised(analysis, counter->variable)) continue;
@@ -85,8 +80,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!path) continue;
         const dataflow::Comparison& test = *counter->tests.front().comparison;
         const Span span = program.expressions[test.expression].span;
-        const bool sometimes = std::ranges::any_of(stores[dataflow::key_of(counter->variable)],
-                                                   [&](flow::NodeId node) { return !loop.holds(node); });
+        const bool sometimes =
+            std::ranges::any_of(analysis.facts().about<dataflow::Store>(counter->variable),
+                                [&](const dataflow::Store* store) { return !loop.holds(store->node); });
         Finding& finding = reporter.report({analysis, test}, span, sometimes ? "some-paths" : "plain",
                                            {program.spell(counter->variable)});
         finding.path = steps_along(analysis, *path);

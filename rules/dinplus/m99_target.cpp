@@ -1,12 +1,10 @@
 //! DIN415: M99 NS names a block that is not there.
 #include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/queries/wrong_places.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
-#include <cstdint>
-#include <map>
-#include <optional>
 #include <string>
 
 namespace maclint::rules {
@@ -50,28 +48,18 @@ END
 
 namespace {
 
-/// The section of a block of the number that is no target, empty without any; nothing where one is a target.
-std::optional<std::string> wrong_place_for(const ProgramAnalysis& analysis, const BlockUser& user) {
-    std::string elsewhere;
-    for (const NumberedBlock& block : find_blocks(analysis.file(), {user.number})) {
-        const bool runs = block.section == nullptr || block.section->role == user.target;
-        if (runs && block.program == &analysis.program()) return std::nullopt;
-        if (block.section != nullptr) elsewhere = block.section->name;
-    }
-    return elsewhere;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    std::map<std::int64_t, std::optional<std::string>> known;
+    queries::WrongPlaces places(analysis.file(), [](const NumberedBlock& block) {
+        return block.section == nullptr || block.section->role == SectionKind::Role::machining;
+    });
     for (const BlockUser& user : find_block_users(program)) {
         if (!user.restarts) continue;
-        const auto [at, fresh] = known.try_emplace(user.number);
-        if (fresh) at->second = wrong_place_for(analysis, user);
-        if (!at->second) continue;
+        const auto& elsewhere = places.of(user.number);
+        if (!elsewhere) continue;
         const Span span = program.effects[user.effect].span;
-        reporter.report({analysis, user.effect}, span, at->second->empty() ? "missing" : "elsewhere",
-                        {quoted(program, span), std::to_string(user.number), *at->second});
+        reporter.report({analysis, user.effect}, span, elsewhere->empty() ? "missing" : "elsewhere",
+                        {quoted(program, span), std::to_string(user.number), *elsewhere});
     }
 }
 

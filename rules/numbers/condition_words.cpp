@@ -34,8 +34,8 @@ std::string_view message_for(queries::Reason::Kind kind) {
 
 } // namespace
 
-ConditionWords ConditionSpeaker::words_for(const dataflow::Condition& condition,
-                                           const std::optional<queries::GuardBefore>& guard) {
+ConditionWords ConditionMessages::words_for(const dataflow::Condition& condition,
+                                            const std::optional<queries::GuardBefore>& guard) {
     const Program& program = analysis_.program();
     const queries::Reason reason = queries::reason_for(analysis_, condition, guard);
     const std::string outcome = (guard ? guard->makes : condition.truth.can_hold) ? "always" : "never";

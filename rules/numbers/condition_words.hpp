@@ -22,10 +22,10 @@ struct ConditionWords {
     std::optional<RelatedLocation> earlier; ///< the test that decides it
 };
 
-/// Speaks of the conditions of one program.
-class ConditionSpeaker {
+/// Finds the words for the conditions of one program.
+class ConditionMessages {
   public:
-    explicit ConditionSpeaker(const ProgramAnalysis& analysis)
+    explicit ConditionMessages(const ProgramAnalysis& analysis)
         : analysis_(analysis) {}
 
     [[nodiscard]] ConditionWords words_for(const dataflow::Condition& condition,

@@ -104,9 +104,9 @@ bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condi
     return !deliberate.may_be_meant(condition, guard);
 }
 
-void report(const ProgramAnalysis& analysis, Reporter& reporter, ConditionSpeaker& speaker,
+void report(const ProgramAnalysis& analysis, Reporter& reporter, ConditionMessages& wording,
             const dataflow::Condition& condition, const std::optional<queries::GuardBefore>& guard) {
-    ConditionWords words = speaker.words_for(condition, guard);
+    ConditionWords words = wording.words_for(condition, guard);
     Finding& finding =
         reporter.report({analysis, condition}, words.span, words.message_id, std::move(words.arguments));
     if (words.earlier) finding.related.push_back(*std::move(words.earlier));
@@ -115,14 +115,14 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, ConditionSpeake
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const bool may_repeat = analysis.regions().balance_unknown; // by a loop that cannot be read
-    ConditionSpeaker speaker(analysis);
+    ConditionMessages wording(analysis);
     std::optional<queries::DeliberateConditions> deliberate; // most programs have no such condition
     for (const dataflow::Condition& condition : analysis.facts().all<dataflow::Condition>()) {
         const auto guard = queries::guard_that_decides(analysis, condition);
         if (!guard && (may_repeat || condition.truth.can_hold == condition.truth.can_fail)) continue;
         if (!deliberate) deliberate.emplace(analysis);
         if (is_defect(analysis, condition, guard, *deliberate))
-            report(analysis, reporter, speaker, condition, guard);
+            report(analysis, reporter, wording, condition, guard);
     }
 }
 

@@ -74,7 +74,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    if (queries::limits_look_ahead(program)) return; // where, or on which way, is not asked
+    if (queries::limits_look_ahead(program)) return; // wherever its block stands
     std::set<ExpressionId> said;                     // one read, one finding
     std::set<EffectId> conditions;                   // one condition, one finding
     const auto look_at = [&](EffectId effect, ExpressionId value, Span use, std::string_view message) {

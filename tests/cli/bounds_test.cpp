@@ -44,7 +44,7 @@ TEST(Bounds, AreSaidOnceForAllFiles) {
 TEST(Bounds, OfSearchesNameTheRulesThatTheyTouch) {
     EXPECT_THAT(notices_on({{"a.nc", contradiction_over(2)}}), IsEmpty());
     EXPECT_THAT(notices_on({{"a.nc", contradiction_over(3000)}}),
-                ElementsAre("a.nc: the search for paths was given up in this file: findings of MAC209 count "
+                ElementsAre("a.nc: a search was given up in this file: findings of MAC209 count "
                             "for less there, or are missing."));
 }
 

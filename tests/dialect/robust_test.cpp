@@ -1,5 +1,6 @@
 //! Any bytes: no crash, no hang, and no byte of a file lost.
 #include "tests/dialect/reading.hpp"
+#include "tests/support/lines.hpp"
 
 #include <ctime>
 #include <filesystem>
@@ -14,6 +15,7 @@
 namespace maclint {
 namespace {
 
+using test::copies_of;
 using test::read;
 
 /// Of the processor: other work on the machine does not count.
@@ -25,13 +27,6 @@ double seconds_to_read(std::string_view text) {
     const std::clock_t start = std::clock();
     const ProgramFile file = read(text);
     return seconds_since(start);
-}
-
-std::string repeated(std::string_view text, std::size_t count) {
-    std::string out;
-    out.reserve(text.size() * count);
-    for (std::size_t i = 0; i < count; ++i) out += text;
-    return out;
 }
 
 std::string noise(std::size_t size, unsigned lowest, unsigned highest) {
@@ -86,13 +81,13 @@ TEST(FanucReader, EveryByteIsInABlockOrBetweenBlocks) {
 }
 
 TEST(FanucReader, LineOfTenMegabytesIsOneOversizedBlock) {
-    const std::string line = "#1=" + repeated("[1+", 3'500'000);
+    const std::string line = "#1=" + copies_of("[1+", 3'500'000);
     const std::clock_t start = std::clock();
     const ProgramFile file = read(line);
     EXPECT_LT(seconds_since(start), 2.0);
     ASSERT_EQ(file.syntax_errors.size(), 1U);
     EXPECT_EQ(file.syntax_errors[0].kind, SyntaxErrorKind::oversized_block);
-    EXPECT_LT(seconds_to_read(repeated("X1.Y2. ", 1'500'000)), 1.0) << "a plain block may be of any length";
+    EXPECT_LT(seconds_to_read(copies_of("X1.Y2. ", 1'500'000)), 1.0) << "a plain block may be of any length";
 }
 
 TEST(FanucReader, MegabyteOfNoiseTakesUnderASecond) {
@@ -127,14 +122,14 @@ TEST(FanucReader, GoodBlocksAfterNoiseAreReadAsEver) {
 TEST(FanucReader, BracketsWithoutEndAreNoTrouble) {
     EXPECT_LT(seconds_to_read("#1=" + std::string(100'000, '[')), 1.0);
     EXPECT_LT(seconds_to_read("#1=" + std::string(4000, '[') + "1" + std::string(90, ']')), 1.0);
-    EXPECT_LT(seconds_to_read("#1=" + repeated("[1+", 1000)), 1.0);
-    EXPECT_LT(seconds_to_read("#1=" + repeated("-1", 2000)), 1.0);
+    EXPECT_LT(seconds_to_read("#1=" + copies_of("[1+", 1000)), 1.0);
+    EXPECT_LT(seconds_to_read("#1=" + copies_of("-1", 2000)), 1.0);
 }
 
 TEST(FanucReader, RowsThatTheParserIsSlowOnAreNotParsed) {
-    const auto block_of = [](std::string_view text) { return repeated(text, 4090 / text.size()) + "\n"; };
+    const auto block_of = [](std::string_view text) { return copies_of(text, 4090 / text.size()) + "\n"; };
     for (const char* row : {"N", "O", ",", ",1", "[#1]", "-", "[", "#", "DPRNT["})
-        EXPECT_LT(seconds_to_read(repeated(block_of(row), 64)), 1.0) << row;
+        EXPECT_LT(seconds_to_read(copies_of(block_of(row), 64)), 1.0) << row;
 }
 
 TEST(FanucReader, LongBlocksOfNamesAreRead) {
@@ -155,16 +150,16 @@ TEST(FanucReader, NulsAndMarksAndNothingAtAll) {
     EXPECT_TRUE(read(std::string(100'000, '\0')).programs.empty());
     EXPECT_TRUE(read("%").programs.empty());
     EXPECT_LT(seconds_to_read(std::string(1'000'000, '%')), 2.0);
-    EXPECT_LT(seconds_to_read(repeated("% ", 500'000)), 2.0);
-    EXPECT_LT(seconds_to_read(repeated("%\nO1\n", 100'000)), 2.0);
+    EXPECT_LT(seconds_to_read(copies_of("% ", 500'000)), 2.0);
+    EXPECT_LT(seconds_to_read(copies_of("%\nO1\n", 100'000)), 2.0);
     EXPECT_LT(seconds_to_read(std::string(1'000'000, '(')), 2.0);
-    EXPECT_LT(seconds_to_read(repeated("(", 500'000) + repeated("(A)", 200'000)), 2.0);
+    EXPECT_LT(seconds_to_read(copies_of("(", 500'000) + copies_of("(A)", 200'000)), 2.0);
 }
 
 TEST(FanucReader, TimeGrowsWithTheSizeOfTheFile) {
     const std::string block = "N10 IF[#1EQ#0]GOTO10\n#1=#2+[#3*SIN[#4]]\nG1X#1Y#2\n";
-    const double once = seconds_to_read(repeated(block, 2000));
-    EXPECT_LT(seconds_to_read(repeated(block, 8000)), once * 12 + 0.2);
+    const double once = seconds_to_read(copies_of(block, 2000));
+    EXPECT_LT(seconds_to_read(copies_of(block, 8000)), once * 12 + 0.2);
 }
 
 TEST(FanucReader, DamagedProgramsOfTheOuterCorpusAreRead) {

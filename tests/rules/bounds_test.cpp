@@ -3,7 +3,9 @@
 #include "rules/rule.hpp"
 #include "tests/rules/raised.hpp"
 #include "tests/support/analysed.hpp"
+#include "tests/support/lines.hpp"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +17,7 @@
 namespace maclint {
 namespace {
 
+using test::copies_of;
 using test::lines_raised;
 using test::messages_raised;
 using ::testing::ElementsAre;
@@ -22,12 +25,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
-
-std::string many(int count, const std::string& block) {
-    std::string blocks;
-    for (int i = 0; i < count; ++i) blocks += block + "\n";
-    return blocks;
-}
 
 struct BoundedRun {
     std::vector<Finding> findings;
@@ -46,39 +43,43 @@ std::vector<test::NamedText> namesakes(const std::string& text, int callers, con
     std::vector<test::NamedText> files{{"a/x.nc", text}, {"b/x.nc", text}};
     for (int i = 0; i < callers; ++i) {
         const std::string number = std::to_string(1000 + i);
-        std::string text = "O" + number;
-        text += "\nM98P100\n" + behind + "\nM30\n";
-        files.emplace_back(number + ".nc", std::move(text));
+        std::string caller = "O" + number;
+        caller += "\nM98P100\n" + behind + "\nM30\n";
+        files.emplace_back(number + ".nc", std::move(caller));
     }
     return files;
 }
 
 TEST(Bounds, OfCallsThatMayMeanAProgramTheFirstHundredAreAsked) {
-    // Whoever calls it gives G90 again. Of the last call that is not known.
     const std::string leaves_g91 = "O100\nG91G1X1.F100\nM99\n";
-    EXPECT_THAT(run_over("MAC501", namesakes(leaves_g91, 100, "G90")).findings, IsEmpty());
-    EXPECT_THAT(run_over("MAC501", namesakes(leaves_g91, 101, "G90")).findings, SizeIs(2));
+    EXPECT_THAT(run_over("MAC501", namesakes(leaves_g91, 101, "X5.")).findings, SizeIs(2));
+    // Whoever is asked gives G90 again; the last one is not asked.
+    EXPECT_THAT(run_over("MAC501", namesakes(leaves_g91, 100, "G90")).bounds, IsEmpty());
+    EXPECT_THAT(run_over("MAC501", namesakes(leaves_g91, 101, "G90")).bounds, SizeIs(2));
+    EXPECT_THAT(run_over("MAC501", namesakes(leaves_g91, 101, "G90")).findings, IsEmpty());
 
-    // It keeps what the run before has left, unless a caller sets it: the last one may.
+    // It reads what the run before has left, unless a caller sets it: the last one may.
     const std::string stale =
         "O100\nIF[#4012EQ54]GOTO1\nIF[#4012EQ55]GOTO1\nIF[#4012EQ56]GOTO1\n#3000=1\nN1\n"
         "IF[#4012EQ54]THEN#103=3\nIF[#4012EQ56]THEN#103=2\nG0X#103\nM99\n";
     EXPECT_THAT(run_over("MAC216", namesakes(stale, 100, "G90")).findings, SizeIs(2));
     EXPECT_THAT(run_over("MAC216", namesakes(stale, 101, "G90")).findings, IsEmpty());
+    EXPECT_THAT(run_over("MAC216", namesakes(stale, 101, "G90")).bounds, SizeIs(2));
 }
 
 TEST(Bounds, AMoveStandsAtMost2000BlocksBeforeAPosition) {
-    const auto offset_after = [](int blocks) {
-        return lines_raised("MAC605", "O9001\nG1X5.F100.\n" + many(blocks, "#1=1") + "#5221=#5021\nM99\n");
+    const auto offset_after = [](std::size_t blocks) {
+        return lines_raised("MAC605",
+                            "O9001\nG1X5.F100.\n" + copies_of("#1=1\n", blocks) + "#5221=#5021\nM99\n");
     };
     EXPECT_THAT(offset_after(1990), SizeIs(1));
     EXPECT_THAT(offset_after(2010), IsEmpty());
 }
 
 TEST(Bounds, AUseStandsAtMost2000BlocksBehindATestForZero) {
-    const auto use_after = [](int blocks) {
-        return run_over("MAC220",
-                        {{"x.nc", "O9001\nIF[#1EQ0]GOTO9\n" + many(blocks, "#2=1") + "#3=5/#1\nN9M99\n"}});
+    const auto use_after = [](std::size_t blocks) {
+        return run_over("MAC220", {{"x.nc", "O9001\nIF[#1EQ0]GOTO9\n" + copies_of("#2=1\n", blocks) +
+                                                "#3=5/#1\nN9M99\n"}});
     };
     EXPECT_THAT(use_after(1900).findings, SizeIs(1));
     EXPECT_THAT(use_after(1900).bounds, IsEmpty());
@@ -87,8 +88,8 @@ TEST(Bounds, AUseStandsAtMost2000BlocksBehindATestForZero) {
 }
 
 TEST(Bounds, ATestIsLookedForAmong1000BeforeTheOneThatItDecides) {
-    const auto decided = [](int tests) {
-        return messages_raised("MAC718", "O9001\nIF[#1GT5]GOTO9\n" + many(tests, "IF[#2GT5]THEN#3=1") +
+    const auto decided = [](std::size_t tests) {
+        return messages_raised("MAC718", "O9001\nIF[#1GT5]GOTO9\n" + copies_of("IF[#2GT5]THEN#3=1\n", tests) +
                                              "IF[#1GT10]THEN#4=1\nN9M99\n");
     };
     EXPECT_THAT(decided(999), ElementsAre(HasSubstr("[#1GT5]")));

@@ -142,8 +142,21 @@ TEST(DuplicateBlock, CountsOnlyWhereTheReferenceLooks) {
 TEST(RestartTarget, MustStandInTheMachiningPart) {
     EXPECT_THAT(lines("DIN415", "FINISHED\nN1 G0 X0 Z0\nMACHINING\nN2 T1\nN3 M99 NS1\nEND\n"),
                 ElementsAre(5));
+    EXPECT_THAT(lines("DIN415", "MACHINING\nN2 T1\nN3 M99 NS2\nEND\n"), IsEmpty());
+    // From a subprogram, too: it is the program that begins again.
+    const std::string main = "MACHINING\nN2 T1\nN3 L\"A\" V1\nN4 M30\nSUBPROGRAM \"A\"\n";
+    EXPECT_THAT(lines("DIN415", main + "N5 M99 NS2\nRETURN\nEND\n"), IsEmpty());
+    EXPECT_THAT(lines("DIN415", main + "N5 M99 NS5\nRETURN\nEND\n"), ElementsAre(6));
     EXPECT_THAT(lines("DIN415", "MACHINING\nN2 T1\nN3 M99\nEND\n"), IsEmpty());
     EXPECT_THAT(lines("DIN415", "MACHINING\nN2 T1\nN3 M99 NS#l1\nEND\n"), IsEmpty());
+}
+
+TEST(BlockReferences, SayWhereTheirBlockStands) {
+    EXPECT_THAT(
+        messages("DIN415", "FINISHED\nN1 G0 X0 Z0\nMACHINING\nN3 M99 NS1\nN4 M99 NS9\nEND\n"),
+        ElementsAre(HasSubstr("N1, which stands in FINISHED"), HasSubstr("N9, which does not exist")));
+    EXPECT_THAT(messages("DIN704", "FINISHED\nN1 G0 X0 Z0\nMACHINING\nN2 T1\nN3 G810 NS2 P2\nM30\nEND\n"),
+                ElementsAre(HasSubstr("N2, which stands in MACHINING")));
 }
 
 // ---- what stays on

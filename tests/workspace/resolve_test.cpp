@@ -1,6 +1,7 @@
 //! Which program a call means: the nearest one of its name, seen from the file of the call.
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "tests/support/analysed.hpp"
+#include "tests/support/lines.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -115,12 +116,12 @@ TEST(Resolve, UnknownCallsKnowTheirCandidates) {
 }
 
 TEST(Resolve, OfManyUnknownCallsTheFirstHundredAreKnown) {
-    const auto callers = [](int calls) {
-        std::string main = "O1\n";
-        for (int i = 0; i < calls; ++i) main += "M98P2\n";
-        const auto workspace = test::analyse_files(
-            {{"a/sub.nc", "O2\nM99\n"}, {"b/sub.nc", "O2\nM99\n"}, {"main.nc", main + "M30\n"}},
-            open_workspace);
+    const auto callers = [](std::size_t calls) {
+        const auto workspace =
+            test::analyse_files({{"a/sub.nc", "O2\nM99\n"},
+                                 {"b/sub.nc", "O2\nM99\n"},
+                                 {"main.nc", "O1\n" + test::copies_of("M98P2\n", calls) + "M30\n"}},
+                                open_workspace);
         return workspace->programs().front().possible_callers();
     };
     EXPECT_EQ(callers(99).first.size(), 99U);
