@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/flow/graph.hpp"
+#include "analyzer/flow/met_nodes.hpp"
 #include "analyzer/flow/solve.hpp"
 
 #include <cstddef>
@@ -23,14 +24,14 @@ enum class Step : std::uint8_t {
 template<Direction direction, class Ask>
 void walk(const Graph& graph, std::vector<NodeId> from, const Ask& step) {
     constexpr bool forward = direction == Direction::forward;
-    std::vector<bool> met(graph.nodes.size(), false);
+    MetNodes met(graph.nodes.size());
     for (std::size_t next = 0; next < from.size(); ++next) {
         const NodeId at = from[next];
         for (const EdgeId id : forward ? graph.out[at] : graph.in[at]) {
             const NodeId node = forward ? graph.edges[id].to : graph.edges[id].from;
-            if (met[node]) continue;
+            if (met.contains(node)) continue;
             const Step taken = step(id, node);
-            met[node] = taken != Step::refuse;
+            if (taken != Step::refuse) met.insert(node);
             if (taken == Step::go_on) from.push_back(node);
         }
     }
