@@ -91,6 +91,7 @@ class Building {
         for (const Loose& loose : loose_) graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
         resolve_jumps();
         resolve_returns();
+        std::ranges::stable_sort(graph_.exits, {}, &Exit::node); // who runs off the end came last
         graph_.nodes.shrink_to_fit();
         graph_.edges.shrink_to_fit();
         index_effects();
@@ -620,6 +621,11 @@ EdgesByNode::EdgesByNode(std::size_t nodes, std::span<const Edge> edges, NodeId 
 
 std::span<const LabelledBlock> Graph::with_label(const Label& label) const {
     const auto found = std::ranges::equal_range(labels, label, {}, &LabelledBlock::label);
+    return {found.begin(), found.end()};
+}
+
+std::span<const Exit> Graph::exits_at(NodeId node) const {
+    const auto found = std::ranges::equal_range(exits, node, {}, &Exit::node);
     return {found.begin(), found.end()};
 }
 

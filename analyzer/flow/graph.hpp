@@ -103,7 +103,7 @@ struct Graph {
     std::vector<Node> nodes; ///< in text order; node 0 is the entry; at least one
     std::vector<Edge> edges;
     EdgesByNode out, in;
-    std::vector<Exit> exits;
+    std::vector<Exit> exits;                 ///< sorted by node
     std::vector<LabelledBlock> labels; ///< those that something may name, by label, then in text order
     std::vector<ResolvedJump> jumps;   ///< in text order
     std::vector<std::uint32_t>
@@ -124,6 +124,8 @@ struct Graph {
     [[nodiscard]] std::span<const LabelledBlock> with_label(const Label& label) const;
     /// The node in which the effect runs; nothing in parts that are never executed.
     [[nodiscard]] std::optional<NodeId> node_of(EffectId effect) const;
+    /// Those where the program may be left after the node.
+    [[nodiscard]] std::span<const Exit> exits_at(NodeId node) const;
     /// Edges on a shortest path from `from` to `to`, or nothing when there is none or the search has met
     /// `most_nodes` nodes. An edge that `usable` refuses is not taken.
     [[nodiscard]] std::optional<std::vector<EdgeId>>

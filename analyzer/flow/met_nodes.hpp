@@ -1,48 +1,54 @@
 //! Which nodes of a graph a walk has met.
 #pragma once
 
+#include "analyzer/source/platform/kept_by_thread.hpp"
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_set>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace maclint::flow {
 
-/// Takes time and memory for the nodes that are met, not for those of the graph: many a walk through a long
-/// program ends after a few.
+/// Takes time for the nodes that are met, not for those of the graph: many a walk through a long program ends
+/// after a few. The thread keeps the memory for its next walk.
 class MetNodes {
   public:
     /// For the nodes 0 to `nodes` - 1.
     explicit MetNodes(std::size_t nodes)
-        : nodes_(nodes) {
-        if (nodes <= most_cleared) by_node_.resize(nodes);
+        : marks_(taken_from_thread()) {
+        if (marks_->walk_of.size() < nodes)
+            marks_->walk_of.resize(std::max(nodes, 2 * marks_->walk_of.size()), 0);
+        if (++marks_->walk != 0) return;
+        std::ranges::fill(marks_->walk_of, 0);
+        marks_->walk = 1;
     }
+    MetNodes(const MetNodes&) = delete;
+    MetNodes& operator=(const MetNodes&) = delete;
+    ~MetNodes() { Kept::get().push_back(std::move(marks_)); }
 
-    [[nodiscard]] bool contains(std::uint32_t node) const {
-        return by_node_.empty() ? few_.contains(node) : by_node_[node];
-    }
-
-    void insert(std::uint32_t node) {
-        if (!by_node_.empty()) {
-            by_node_[node] = true;
-            return;
-        }
-        few_.insert(node);
-        if (few_.size() * share < nodes_) return;
-        by_node_.resize(nodes_);
-        for (const std::uint32_t met : few_) by_node_[met] = true;
-        few_ = {};
-    }
+    [[nodiscard]] bool contains(std::uint32_t node) const { return marks_->walk_of[node] == marks_->walk; }
+    void insert(std::uint32_t node) { marks_->walk_of[node] = marks_->walk; }
 
   private:
-    /// So many bits are cleared as fast as one node is met.
-    static constexpr std::size_t most_cleared = 4096;
-    /// Once one node in so many is met, a bit for each pays.
-    static constexpr std::size_t share = 64;
+    struct Marks {
+        std::vector<std::uint32_t> walk_of; ///< of every node: the last walk that has met it
+        std::uint32_t walk = 0;             ///< the number of the present one, from 1
+    };
+    /// Those of walks that have ended: within a step of a walk another one may begin.
+    using Kept = platform::KeptByThread<std::vector<std::unique_ptr<Marks>>, MetNodes>;
 
-    std::size_t nodes_;
-    std::unordered_set<std::uint32_t> few_; ///< while there are no bits
-    std::vector<bool> by_node_;
+    static std::unique_ptr<Marks> taken_from_thread() {
+        auto& kept = Kept::get();
+        if (kept.empty()) return std::make_unique<Marks>();
+        auto marks = std::move(kept.back());
+        kept.pop_back();
+        return marks;
+    }
+
+    std::unique_ptr<Marks> marks_;
 };
 
 } // namespace maclint::flow

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/execution/given_up.hpp"
 #include "analyzer/flow/walk.hpp"
 
 #include <algorithm>
@@ -14,6 +15,10 @@ namespace maclint::queries {
 namespace {
 
 constexpr int most_blocks = 64; ///< from a condition to a store that it decides
+
+/// So many nodes are looked at behind all stores of a program, and so many more for each store.
+constexpr std::size_t most_nodes = 1'000'000;
+constexpr std::size_t nodes_of_a_store = 1000;
 
 bool only_calculates(const Effect& effect) {
     return std::holds_alternative<Assign>(effect.what) || std::holds_alternative<Guarded>(effect.what) ||
@@ -49,8 +54,10 @@ class Reads {
 /// Looks from one store on.
 class Search {
   public:
-    Search(const ProgramAnalysis& analysis, const dataflow::Store& store)
+    /// So many nodes may still be looked at.
+    Search(const ProgramAnalysis& analysis, const dataflow::Store& store, std::size_t& nodes_left)
         : analysis_(analysis)
+        , nodes_left_(nodes_left)
         , graph_(analysis.graph())
         , store_(store)
         , found_{&store, {}, false, false, false, false, {}} {
@@ -69,21 +76,36 @@ class Search {
             found_.replaced_by.push_back(next);
         else
             go_on();
+        if (is_left_out()) return std::nullopt;
         // A loop that nothing ends has rules of its own.
         if (found_.replaced_by.empty() && !found_.may_end) return std::nullopt;
         std::ranges::sort(found_.replaced_by, {}, &dataflow::Store::effect);
         if (found_.replaced_by.size() == 1 && !found_.may_end)
             found_.only_if = deciding_condition(found_.replaced_by.front()->node);
-        if (left_out_ || (!own_ && found_.may_end)) return std::nullopt;
+        if (is_left_out()) return std::nullopt;
         return std::move(found_);
     }
 
   private:
+    /// Whether nothing is told, whatever comes.
+    [[nodiscard]] bool is_left_out() const { return left_out_ || (!own_ && found_.may_end); }
+
+    /// At one more node.
+    bool may_look_further() {
+        if (nodes_left_ == 0) {
+            left_out_ = true;
+            execution::GivenUp::note(analysis_.search_memory());
+        } else {
+            --nodes_left_;
+        }
+        return !left_out_;
+    }
+
     void go_on() {
         pass(store_.node);
         flow::walk<flow::Direction::forward>(graph_, {store_.node},
                                              [&](flow::EdgeId edge, flow::NodeId node) {
-                                                 if (!analysis_.data().passable(edge))
+                                                 if (!analysis_.data().passable(edge) || is_left_out())
                                                      return flow::Step::refuse;
                                                  if (const dataflow::Store* next = store_in(node, 0)) {
                                                      found_.replaced_by.push_back(next);
@@ -95,11 +117,12 @@ class Search {
     }
 
     void pass(flow::NodeId node) {
+        if (!may_look_further()) return;
         const flow::Node& at = graph_.nodes[node];
         const bool calculates =
             !at.is_run && std::ranges::all_of(analysis_.program().effects_in(at.effects), only_calculates);
         left_out_ |= !own_ && !calculates;
-        found_.may_end |= std::ranges::find(graph_.exits, node, &flow::Exit::node) != graph_.exits.end();
+        found_.may_end |= !graph_.exits_at(node).empty();
     }
 
     /// The store in the node that replaces the value; notes what is set there before.
@@ -140,12 +163,12 @@ class Search {
     }
 
     /// Whether the other outcome of the decision leads to the node.
-    [[nodiscard]] bool leads_around(const flow::Edge& taken, flow::NodeId to) const {
+    [[nodiscard]] bool leads_around(const flow::Edge& taken, flow::NodeId to) {
         bool leads = false;
         flow::walk<flow::Direction::forward>(graph_, {taken.from}, [&](flow::EdgeId id, flow::NodeId node) {
             const flow::Edge& edge = graph_.edges[id];
             const bool same_way = edge.from == taken.from && edge.to == taken.to;
-            if (same_way || !analysis_.data().passable(id)) return flow::Step::refuse;
+            if (same_way || !analysis_.data().passable(id) || !may_look_further()) return flow::Step::refuse;
             leads |= node == to;
             return node == to || node == taken.from ? flow::Step::end : flow::Step::go_on;
         });
@@ -153,6 +176,7 @@ class Search {
     }
 
     const ProgramAnalysis& analysis_;
+    std::size_t& nodes_left_;
     const flow::Graph& graph_;
     const dataflow::Store& store_;
     DeadStore found_;
@@ -170,13 +194,15 @@ bool saves_modal_code(const Program& program, const dataflow::Store& store) {
 std::vector<DeadStore> find_dead_stores(const ProgramAnalysis& analysis) {
     std::vector<DeadStore> dead;
     std::optional<Reads> reads; // most programs have no dead store
-    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
+    const auto& stores = analysis.facts().all<dataflow::Store>();
+    std::size_t nodes_left = most_nodes + nodes_of_a_store * stores.size();
+    for (const dataflow::Store& store : stores) {
         if (saves_modal_code(analysis.program(), store) ||
             analysis.liveness().is_live_after(store.effect, store.variable))
             continue;
         if (!reads) reads.emplace(analysis);
         if (reads->hold_unreached(store.variable)) continue;
-        auto found = Search(analysis, store).run();
+        auto found = Search(analysis, store, nodes_left).run();
         if (!found) continue;
         found->read_elsewhere |= reads->hold(store.variable);
         dead.push_back(*std::move(found));

@@ -195,9 +195,8 @@ class Search {
                 push({point.program, program.graph().edges[id].to, 0, point.call, point.idle, point.channels,
                       point.inside});
         if (point.inside) return;
-        for (const flow::Exit& exit : program.graph().exits)
-            if (exit.node == point.node &&
-                (exit.kind == flow::ExitKind::returns || exit.kind == flow::ExitKind::runs_off))
+        for (const flow::Exit& exit : program.graph().exits_at(point.node))
+            if (exit.kind == flow::ExitKind::returns || exit.kind == flow::ExitKind::runs_off)
                 return_to_callers(program, point.idle);
     }
 

@@ -9,7 +9,6 @@
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/exits.hpp"
-#include "analyzer/queries/passed_values.hpp"
 #include "analyzer/semantics/concrete.hpp"
 #include "analyzer/workspace/bind.hpp"
 
@@ -63,7 +62,8 @@ Value value_of(dataflow::SymbolId symbol) {
 }
 
 /// Of `90-#1` what makes it 90 when it is 0.
-std::vector<Variable> right_angle_with(const ProgramAnalysis& analysis, const Value& operand) {
+std::vector<Variable> right_angle_with(const ProgramAnalysis& analysis, const Value& operand,
+                                       ZeroSources& zeros) {
     const auto& table = analysis.data().table();
     const Symbol& symbol = table.symbols[operand.symbol];
     if (symbol.kind != Symbol::Kind::result || (static_cast<Operation>(symbol.a) != Operation::subtract &&
@@ -71,7 +71,7 @@ std::vector<Variable> right_angle_with(const ProgramAnalysis& analysis, const Va
         return {};
     for (const auto& [constant, other] : {std::pair(symbol.b, symbol.c), std::pair(symbol.c, symbol.b)}) {
         const auto angle = table.number_of(constant);
-        if (angle && fails(Operation::tangent, *angle)) return zero_with(analysis, value_of(other));
+        if (angle && fails(Operation::tangent, *angle)) return zeros.of(other);
     }
     return {};
 }
@@ -91,10 +91,10 @@ std::vector<Variable> sides_of_difference(const ProgramAnalysis& analysis, const
 
 /// The variables each of which leaves the operation without a value when it is 0.
 std::vector<Variable> harmful_zeros(const ProgramAnalysis& analysis, Operation operation,
-                                    const Value& operand) {
-    if (operation == Operation::tangent) return right_angle_with(analysis, operand);
+                                    const Value& operand, ZeroSources& zeros) {
+    if (operation == Operation::tangent) return right_angle_with(analysis, operand, zeros);
     const bool takes_no_zero = operation == Operation::divide || operation == Operation::logarithm;
-    return takes_no_zero ? zero_with(analysis, operand) : std::vector<Variable>{};
+    return takes_no_zero ? zeros.of(operand.symbol) : std::vector<Variable>{};
 }
 
 /// Whether a caller, or a program that it calls, may store something in the variable.
@@ -145,7 +145,8 @@ std::vector<bool> reached_without(const ProgramAnalysis& analysis, flow::NodeId 
 } // namespace
 
 OperandRisks::OperandRisks(const ProgramAnalysis& analysis)
-    : analysis_(analysis) {
+    : analysis_(analysis)
+    , zeros_(analysis) {
     for (const Comparison& comparison : analysis.facts().all<Comparison>()) {
         const bool asks = semantics::is_vacancy_test(comparison.operation);
         const auto side = [&](ExpressionId expression) {
@@ -178,7 +179,7 @@ std::optional<OperandRisk> OperandRisks::risk_of(const Application& application)
         return std::nullopt;
     if (const auto shown = shown_by_call(application)) return shown;
     if (application.operation == Operation::square_root) return risk_of_root(operand);
-    const auto variables = harmful_zeros(analysis_, application.operation, operand);
+    const auto variables = harmful_zeros(analysis_, application.operation, operand, zeros_);
     if (variables.empty()) return std::nullopt;
     if (++walks_ > most_walks) {
         execution::GivenUp::note(analysis_.search_memory());
@@ -284,9 +285,9 @@ bool OperandRisks::may_be_anything(Variable variable) const {
 
 /// Whether it compares a value that is 0 where the variable is with a number, and ends in an alarm on the
 /// other side than 0 takes.
-bool OperandRisks::lets_zero_pass(Variable variable, const Comparison& comparison) const {
+bool OperandRisks::lets_zero_pass(Variable variable, const Comparison& comparison) {
     const auto limit = comparison.right.constant();
-    if (!limit || !contains(zero_with(analysis_, comparison.left), variable)) return false;
+    if (!limit || !contains(zeros_.of(comparison.left.symbol), variable)) return false;
     const bool side_of_zero =
         semantics::compare(comparison.operation, 0.0, *limit, analysis_.control().vacant_equals_zero);
     return ends_in_alarm(analysis_, comparison.node, !side_of_zero);

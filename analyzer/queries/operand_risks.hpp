@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/queries/passed_values.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
@@ -59,10 +60,11 @@ class OperandRisks {
     [[nodiscard]] bool may_be_anything(Variable variable) const;
     [[nodiscard]] std::optional<OperandRisk> risk_of_root(const dataflow::Value& operand) const;
     [[nodiscard]] OperandRisk unchecked(Variable variable) const;
-    [[nodiscard]] bool lets_zero_pass(Variable variable, const dataflow::Comparison& comparison) const;
+    [[nodiscard]] bool lets_zero_pass(Variable variable, const dataflow::Comparison& comparison);
     [[nodiscard]] std::optional<Variable> checked_beside(Variable variable) const;
 
     const ProgramAnalysis& analysis_;
+    ZeroSources zeros_;
     std::unordered_map<dataflow::Key, Checks> checks_;
     std::unordered_map<dataflow::SymbolId, int> looks_; ///< at a value: not again and again at one
     int walks_ = 0;                                     ///< through the program

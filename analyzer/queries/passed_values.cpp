@@ -4,7 +4,6 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/semantics/concrete.hpp"
 #include "analyzer/workspace/bind.hpp"
 
@@ -37,42 +36,6 @@ void collect(const dataflow::ValueTable& table, SymbolId id, int depth, GivenVar
         for (const SymbolId operand : operands_of(symbol)) collect(table, operand, depth - 1, given);
     } else if (symbol.kind != Symbol::Kind::constant && symbol.kind != Symbol::Kind::vacant) {
         given.closed = false;
-    }
-}
-
-/// Whether what a joined value of the variable can be is the value at the start, or a number other than 0
-/// that the program stores: `IF[#6EQ#0]THEN#6=1.`
-bool has_only_defaults(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node) {
-    const auto& facts = analysis.facts();
-    return std::ranges::none_of(facts.about<dataflow::Store>(variable),
-                                [&](const dataflow::Store* store) {
-                                    return !store->value.constant() || store->value.can_be(0);
-                                }) &&
-           std::ranges::none_of(
-               facts.all<dataflow::Clobber>(),
-               [&](const dataflow::Clobber& clobber) { return clobber.may_change(variable); }) &&
-           WithoutAssignment(analysis).leads_to(variable, node);
-}
-
-void collect_zeros(const ProgramAnalysis& analysis, SymbolId id, int depth, std::vector<Variable>& zeros) {
-    const Symbol& symbol = table_of(analysis).symbols[id];
-    if (symbol.kind == Symbol::Kind::entry) zeros.push_back(dataflow::variable_of(symbol.a));
-    if (symbol.kind == Symbol::Kind::joined && dataflow::is_variable_key(symbol.a) &&
-        has_only_defaults(analysis, dataflow::variable_of(symbol.a), symbol.b))
-        zeros.push_back(dataflow::variable_of(symbol.a));
-    if (symbol.kind != Symbol::Kind::result || depth == 0) return;
-    switch (static_cast<Operation>(symbol.a)) {
-    case Operation::multiply: collect_zeros(analysis, symbol.c, depth - 1, zeros); [[fallthrough]];
-    case Operation::divide:
-    case Operation::negate:
-    case Operation::absolute:
-    case Operation::sine:
-    case Operation::tangent:
-    case Operation::square_root:
-    case Operation::round:
-    case Operation::truncate:
-    case Operation::round_up: collect_zeros(analysis, symbol.b, depth - 1, zeros); break;
-    default: break;
     }
 }
 
@@ -151,10 +114,48 @@ GivenVariables given_variables(const ProgramAnalysis& analysis, const dataflow::
     return given;
 }
 
-std::vector<Variable> zero_with(const ProgramAnalysis& analysis, const dataflow::Value& value) {
-    std::vector<Variable> zeros;
-    collect_zeros(analysis, value.symbol, most_operations, zeros);
-    return zeros;
+const std::vector<Variable>& ZeroSources::of(SymbolId value) {
+    const auto [known, fresh] = known_.try_emplace(value);
+    if (fresh) collect(value, most_operations, known->second);
+    return known->second;
+}
+
+/// Whether a number other than 0 is all that the program ever gives the variable: `IF[#6EQ#0]THEN#6=1.`
+bool ZeroSources::has_only_defaults(Variable variable) {
+    const auto [known, fresh] = has_only_defaults_.try_emplace(variable);
+    if (!fresh) return known->second;
+    const auto& facts = analysis_.facts();
+    const auto is_default = [](const dataflow::Store* store) {
+        return store->value.constant() && !store->value.can_be(0);
+    };
+    const auto changes = [&](const dataflow::Clobber& clobber) { return clobber.may_change(variable); };
+    return known->second = std::ranges::all_of(facts.about<dataflow::Store>(variable), is_default) &&
+                           std::ranges::none_of(facts.all<dataflow::Clobber>(), changes);
+}
+
+void ZeroSources::collect(SymbolId id, int depth, std::vector<Variable>& zeros) {
+    const Symbol& symbol = table_of(analysis_).symbols[id];
+    if (symbol.kind == Symbol::Kind::entry) zeros.push_back(dataflow::variable_of(symbol.a));
+    if (symbol.kind == Symbol::Kind::joined && dataflow::is_variable_key(symbol.a)) {
+        // What is joined may still be the value at the start.
+        const Variable variable = dataflow::variable_of(symbol.a);
+        if (has_only_defaults(variable) && without_assignment_.leads_to(variable, symbol.b))
+            zeros.push_back(variable);
+    }
+    if (symbol.kind != Symbol::Kind::result || depth == 0) return;
+    switch (static_cast<Operation>(symbol.a)) {
+    case Operation::multiply: collect(symbol.c, depth - 1, zeros); [[fallthrough]];
+    case Operation::divide:
+    case Operation::negate:
+    case Operation::absolute:
+    case Operation::sine:
+    case Operation::tangent:
+    case Operation::square_root:
+    case Operation::round:
+    case Operation::truncate:
+    case Operation::round_up: collect(symbol.b, depth - 1, zeros); break;
+    default: break;
+    }
 }
 
 std::optional<PassedValue> value_for(const ProgramAnalysis& analysis, const Caller& caller,

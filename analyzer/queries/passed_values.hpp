@@ -2,9 +2,11 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace maclint::queries {
@@ -18,10 +20,25 @@ struct GivenVariables {
 
 [[nodiscard]] GivenVariables given_variables(const ProgramAnalysis& analysis, const dataflow::Value& value);
 
-/// The variables each of which makes the value 0 where it is 0 at the program's start: #6 of `#6`, `ABS[#6]`,
+/// The variables each of which makes a value 0 where it is 0 at the program's start: #6 of `#6`, `ABS[#6]`,
 /// `2*#6`, also where the program may have replaced it by a number other than 0. Sums and differences have
-/// none.
-[[nodiscard]] std::vector<Variable> zero_with(const ProgramAnalysis& analysis, const dataflow::Value& value);
+/// none. Each value is looked at once.
+class ZeroSources {
+  public:
+    explicit ZeroSources(const ProgramAnalysis& analysis)
+        : analysis_(analysis)
+        , without_assignment_(analysis) {}
+    [[nodiscard]] const std::vector<Variable>& of(dataflow::SymbolId value);
+
+  private:
+    void collect(dataflow::SymbolId id, int depth, std::vector<Variable>& zeros);
+    [[nodiscard]] bool has_only_defaults(Variable variable);
+
+    const ProgramAnalysis& analysis_;
+    WithoutAssignment without_assignment_;
+    std::unordered_map<Variable, bool, VariableHash> has_only_defaults_; ///< as far as it was asked
+    std::unordered_map<dataflow::SymbolId, std::vector<Variable>> known_;
+};
 
 /// What a value is for one call.
 struct PassedValue {

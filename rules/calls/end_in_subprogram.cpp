@@ -80,9 +80,7 @@ namespace {
 /// Whether nothing but an end stands behind the call. No edge leads on from a call that never comes back.
 bool is_last(const ProgramAnalysis& calling, flow::NodeId call) {
     const flow::NodeId next = call + 1;
-    const auto& exits = calling.graph().exits;
-    return next == calling.graph().nodes.size() ||
-           std::ranges::find(exits, next, &flow::Exit::node) != exits.end();
+    return next == calling.graph().nodes.size() || !calling.graph().exits_at(next).empty();
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

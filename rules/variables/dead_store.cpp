@@ -6,6 +6,7 @@
 #include "rules/trace.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 namespace maclint::rules {
 
@@ -76,6 +77,8 @@ END
 
 namespace {
 
+constexpr std::size_t most_named = 8; ///< assignments that replace the value
+
 /// The same value comes again: nothing is lost.
 bool is_only_repeated(const queries::DeadStore& dead) {
     return std::ranges::any_of(dead.replaced_by, [&](const dataflow::Store* next) {
@@ -114,7 +117,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         Finding& finding = reporter.report({analysis, dead.store->effect}, span, message, std::move(words));
         if (dead.may_end || !dead.read_elsewhere) finding.severity = Severity::note;
         if (message == "never") finding.same_cause = program.name + " " + program.spell(dead.store->variable);
-        for (const dataflow::Store* next : dead.replaced_by)
+        for (const dataflow::Store* next : dead.replaced_by | std::views::take(most_named))
             finding.related.push_back(related_at_effect(analysis, next->effect, "replaces the value"));
         trace(finding, analysis, dead.store->node, "the value is stored");
     }

@@ -135,7 +135,7 @@ TEST(Edges, WhatIsDecidedAtTheVeryEndHasAPlaceAfterIt) {
                 UnorderedElementsAre("1 if 2", "2 next 3a", "3a back 1", "1 unless 3b"));
     EXPECT_THAT(exits_in("fanuc", "WHILE[#1LT5]DO1\n#1=#1+1\nEND1\n"), ElementsAre("3b runs off"));
     EXPECT_THAT(exits_in("fanuc", "#1=1\n#2=2\n"), ElementsAre("2 runs off"));
-    EXPECT_THAT(exits_in("fanuc", "#1=1\n/#2=2\n"), ElementsAre("2 runs off", "1 runs off"));
+    EXPECT_THAT(exits_in("fanuc", "#1=1\n/#2=2\n"), ElementsAre("1 runs off", "2 runs off"));
 }
 
 TEST(Edges, AProgramEndsInOneOfManyKinds) {

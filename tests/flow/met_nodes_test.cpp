@@ -31,5 +31,20 @@ TEST(MetNodes, AreTheSameInSmallAndInLargeGraphs) {
     for (const std::uint32_t nodes : {1U, 64U, 4096U, 4097U, 20'000U}) meet_every_third_of(nodes);
 }
 
+TEST(MetNodes, AreNoneOfTheWalkBeforeNorOfTheOneAround) {
+    MetNodes around(10);
+    around.insert(3);
+    for (const std::size_t nodes : {10U, 20U}) {
+        MetNodes within(nodes);
+        EXPECT_FALSE(within.contains(3));
+        within.insert(4);
+    }
+    MetNodes later(20);
+    EXPECT_FALSE(later.contains(3));
+    EXPECT_FALSE(later.contains(4));
+    EXPECT_TRUE(around.contains(3));
+    EXPECT_FALSE(around.contains(4));
+}
+
 } // namespace
 } // namespace maclint::flow

@@ -107,5 +107,34 @@ TEST(Bounds, OfOperandsThatMayBeZero500AreHeldAgainstTheChecks) {
     EXPECT_EQ(divisions(501).findings.size(), divisions(500).findings.size());
 }
 
+TEST(Bounds, BehindAllStoresAMillionNodesAreLookedAtAndAThousandForEach) {
+    constexpr std::size_t stores = 32;
+    const auto stored_before = [](std::size_t tests) {
+        std::string text = "O1\n";
+        for (std::size_t i = 1; i <= stores; ++i) text += "#" + std::to_string(i) + "=#100+1\n";
+        return run_over("MAC213", {{"x.nc", text + copies_of("IF[#100EQ1]GOTO9\n", tests) + "N9M30\n"}});
+    };
+    EXPECT_THAT(stored_before(16'100).findings, SizeIs(stores));
+    EXPECT_THAT(stored_before(16'100).bounds, IsEmpty());
+    EXPECT_THAT(stored_before(16'150).findings, SizeIs(stores - 1));
+    EXPECT_THAT(stored_before(16'150).bounds, SizeIs(1));
+}
+
+TEST(Bounds, OfTheAssignmentsThatReplaceAValueEightAreNamed) {
+    const auto replaced_by = [](int assignments) {
+        std::string text = "O9001\n#1=#100+1\n";
+        for (int i = 1; i < assignments; ++i) {
+            const std::string label = std::to_string(i);
+            text.append("IF[#100EQ").append(label).append("]GOTO").append(label).append("\n");
+        }
+        text += "#1=#101+1\nG0X#1\nM99\n";
+        for (int i = 1; i < assignments; ++i)
+            text += "N" + std::to_string(i) + "#1=#102+" + std::to_string(i) + "\nG0X#1\nM99\n";
+        return run_over("MAC213", {{"x.nc", text}}).findings.at(0).related.size();
+    };
+    EXPECT_EQ(replaced_by(7), 7U);
+    EXPECT_EQ(replaced_by(9), 8U);
+}
+
 } // namespace
 } // namespace maclint
