@@ -1,9 +1,10 @@
 """`./dev bench rules`: whether what a rule does grows faster than the programs that it looks at.
 
-Every example of every rule's page, good and bad, is repeated: as so many programs of one file, and as so many
-parts of one program. The number is doubled until a run of all rules takes long enough to be measured, and once
-more: a ratio of 2 is linear. The memory behind the processor's caches makes up to 2.6 of it; beyond that the run
-fails and names the page. It takes some ten minutes.
+Every example of every rule's page, good and bad, is repeated: as so many programs of one file, as so many parts of
+one program, and as parts that may be skipped, with one of some other blocks behind each: two rules are slow together
+that are quick alone. The number is doubled until a run of all rules takes long enough to be measured, and once more:
+a ratio of 2 is linear. The memory behind the processor's caches makes up to 2.6 of it; beyond that the run fails and
+names the page. It takes some fifteen minutes.
 """
 import argparse
 import concurrent.futures
@@ -22,6 +23,15 @@ FIRST = 500     # copies
 MOST = 64000
 RUNS = 3        # where the first ones are too steep; the least counts
 FURTHER = 1000  # from the sequence numbers of one copy to those of the next
+
+# What stands behind each part, by language; N991 is free there.
+OTHERS = {
+    'fanuc': ['IF[#1EQ7]THEN#3000=1(X)', '/M99', '/M30', '#1=#2+5\n#1=#3+6', 'M98P9001', 'G65P9001A1.', 'GOTO#1\nN991',
+              'WHILE[#1LT5]DO1\n#1=#1+1\nEND1', '#[#1]=#[#2+1]', '#150=#151+#3', 'IF[#1EQ#0]GOTO991\n#1=1\nN991',
+              'G90G1X#1F100', 'IF[#1LE0]GOTO991\n#3=5/#1\nN991', '#150=#4003\nG#150', '#151=#5041'],
+    'dinplus': ['IF #l1==7\nTHEN\nM0\nENDIF', '#l1=#l2+5\n#l1=#l3+6', 'L"S9001" V1', 'WHILE #l1<5\n#l1=#l1+1\nENDWHILE',
+                'G41', 'G1 X#l1', '#g1=#l2', 'T1', 'INPUT("X",#l1)', 'IF NDEF(#l1)\nTHEN\n#l1=1\nENDIF'],
+}
 
 
 def examples(maclint, folder):
@@ -66,6 +76,18 @@ def as_one_program(text, language, n):
     return '\n'.join(head + copies + tail) + '\n'
 
 
+def among_others(others, text, language, n):
+    """So many copies of the body that may be skipped, and the other blocks behind each. Where it jumps to is in it."""
+    head, body, tail = parts_of(text, language)
+    if not body or (language == 'dinplus' and not head):
+        return None
+    if language == 'dinplus':
+        return '\n'.join(head + (body + others.split('\n')) * n + tail) + '\n'
+    targets = set(re.findall(r'(?<=GOTO)\d+', ''.join(body))) - set(re.findall(r'^N(\d+)', '\n'.join(body), re.M))
+    part = ['/GOTO990'] + body + [f'N{target}' for target in sorted(targets)] + ['N990'] + others.split('\n')
+    return as_one_program('\n'.join(head + part + ['M30', '%']), language, n)
+
+
 def seconds(maclint, text, language):
     name = 'x.ncs' if language == 'dinplus' else 'x.nc'
     with folder_with({name: text}) as folder:
@@ -90,16 +112,19 @@ def main():
     options = argparse.ArgumentParser(description=__doc__.split('\n', maxsplit=1)[0])
     options.add_argument('--maclint', default='build/maclint', help='the executable')
     options.add_argument('--only', default='', help='only pages with this in their name')
+    options.add_argument('--turn', type=int, default=0, help='another number: other blocks behind each part')
     options.add_argument('--jobs', type=int, default=1, help='runs side by side')
     chosen = options.parse_args()
     maclint = os.path.abspath(chosen.maclint)
     too_steep = measured = 0
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(chosen.jobs) as pool:
         tasks = []
-        for name, language, text in examples(maclint, folder):
+        for turn, (name, language, text) in enumerate(examples(maclint, folder), chosen.turn):
             if chosen.only not in name:
                 continue
-            for kind, make in (('programs', as_programs), ('one program', as_one_program)):
+            others = OTHERS[language][turn % len(OTHERS[language])]
+            for kind, make in (('programs', as_programs), ('one program', as_one_program),
+                               ('behind ' + others.split('\n', maxsplit=1)[0], functools.partial(among_others, others))):
                 if make(text, language, 1) is not None:
                     repeat = functools.partial(make, text, language)
                     tasks.append((name, kind, pool.submit(growth, maclint, repeat, language)))
@@ -107,14 +132,14 @@ def main():
             try:
                 n, once, twice = task.result()
             except RuntimeError as error:
-                print(f'{name:14}{kind:13}{error}', flush=True)
+                print(f'{name:14}{kind:34}{error}', flush=True)
                 too_steep += 1
                 continue
             if twice < ENOUGH:
                 continue
             measured += 1
             if twice > LIMIT * once:
-                print(f'{name:14}{kind:13}{n:6} copies {once:6.2f} s, twice as many {twice:6.2f} s: '
+                print(f'{name:14}{kind:34}{n:6} copies {once:6.2f} s, twice as many {twice:6.2f} s: '
                       f'{twice / once:.2f}  TOO STEEP', flush=True)
                 too_steep += 1
     print(f'{len(tasks)} texts, {measured} of them long enough to be measured, {too_steep} too steep')
