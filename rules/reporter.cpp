@@ -2,6 +2,7 @@
 #include "rules/reporter.hpp"
 
 #include "analyzer/program/model.hpp"
+#include "analyzer/source/work_limit.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
@@ -31,6 +32,7 @@ std::string_view alarm_in(const ProgramFile& file, const Rule& rule) {
 Finding& Reporter::report(const Cause& cause, Span span, std::string_view message_id,
                           std::vector<std::string> arguments) {
     const ProgramFile& file = *cause.file;
+    if (!WorkLimit::is_innermost_met()) sure_ = findings_.size();
     return findings_.emplace_back(Finding{.rule = rule_,
                                           .cause = cause,
                                           .severity = severity_in(file, *rule_),
@@ -42,6 +44,12 @@ Finding& Reporter::report(const Cause& cause, Span span, std::string_view messag
                                           .path = {},
                                           .fix = {},
                                           .alarm = alarm_in(file, *rule_)});
+}
+
+std::vector<Finding> Reporter::take() {
+    if (WorkLimit::is_innermost_met())
+        findings_.erase(findings_.begin() + static_cast<std::ptrdiff_t>(sure_), findings_.end());
+    return std::move(findings_);
 }
 
 bool Reporter::has_message(std::string_view id) const {

@@ -3,6 +3,7 @@
 
 #include "rules/finding.hpp"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,16 +17,18 @@ class Reporter {
     explicit Reporter(const Rule& rule)
         : rule_(&rule) {}
 
-    /// Adds a finding and gives it back, to be filled with related places, a path or a fix.
+    /// Adds a finding and gives it back, to be filled with related places, a path or a fix. Where the thread's
+    /// WorkLimit is met meanwhile it is not told.
     Finding& report(const Cause& cause, Span span, std::string_view message_id,
                     std::vector<std::string> arguments);
     /// Whether the rule has a message of that name.
     [[nodiscard]] bool has_message(std::string_view id) const;
-    [[nodiscard]] std::vector<Finding> take() { return std::move(findings_); }
+    [[nodiscard]] std::vector<Finding> take();
 
   private:
     const Rule* rule_;
     std::vector<Finding> findings_;
+    std::size_t sure_ = 0; ///< so many were whole before a limit was met
 };
 
 } // namespace maclint

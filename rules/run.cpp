@@ -1,5 +1,6 @@
 //! Runs rules over a workspace, files in parallel.
 #include "analyzer/execution/given_up.hpp"
+#include "analyzer/source/work_limit.hpp"
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
@@ -48,6 +49,15 @@ Severity one_less(Severity severity) {
     return severity == Severity::error ? Severity::warning : Severity::note;
 }
 
+/// What a rule may look at in one program: so much, and so much more for each node of its graph.
+constexpr std::size_t most_work = 2'000'000;
+constexpr std::size_t work_for_a_node = 100;
+
+std::size_t work_for(const ProgramFile&) { return most_work; }
+std::size_t work_for(const ProgramAnalysis& program) {
+    return most_work + work_for_a_node * program.graph().nodes.size();
+}
+
 /// Everything that the selected rules find in a file or a program.
 template<class Thing>
 std::vector<Finding> check(const Selection& selection, const Thing& thing, std::vector<BoundMet>& met) {
@@ -56,8 +66,10 @@ std::vector<Finding> check(const Selection& selection, const Thing& thing, std::
         if (!applies_to(*rule, control_of(thing))) continue;
         Reporter reporter(*rule);
         const execution::GivenUp given_up;
+        const WorkLimit limit(work_for(thing));
         run_check(*rule, thing, reporter);
-        if (given_up.any() && !rule->stands_without_path) met.push_back({path_of(thing), rule->code});
+        if ((given_up.any() && !rule->stands_without_path) || limit.is_met())
+            met.push_back({path_of(thing), rule->code});
         for (Finding& finding : reporter.take()) {
             const Proof proof = rule->stands_without_path ? Proof::path : finding.proof;
             if (proof == Proof::no_path) continue;

@@ -1,15 +1,49 @@
 //! Whether a call ends a loop around it by an alarm.
 #pragma once
 
+#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/loops.hpp"
 #include "analyzer/dataflow/solver/analysis.hpp"
 
+#include <map>
+#include <tuple>
+#include <vector>
+
 namespace maclint::dataflow {
 
-/// Whether the program that is called may stop in some round of the loop, though not in the first: what
-/// decides that is read from the machine, unknown, or changed by the loop or by what it calls.
-[[nodiscard]] bool may_stop_later(const Program& program, const flow::Graph& graph, const Analysis& analysis,
-                                  const CallMade& made, const Loop& loop);
+/// The calls of one loop, each of which may be asked about.
+class LoopStops {
+  public:
+    /// The references must outlive it.
+    LoopStops(const Program& program, const flow::Graph& graph, const Analysis& analysis, const Loop& loop)
+        : program_(program)
+        , graph_(graph)
+        , analysis_(analysis)
+        , loop_(loop) {}
+
+    /// Whether the program that is called may stop in some round of the loop, though not in the first: what
+    /// decides that is read from the machine, unknown, or changed by the loop or by what it calls. True as
+    /// well where too much would have to be looked at.
+    [[nodiscard]] bool may_stop_later(const CallMade& made);
+
+  private:
+    static constexpr int most_assignments = 8; ///< one made of another
+
+    [[nodiscard]] bool passes_other_numbers(const CallMade& made, Variable variable);
+    [[nodiscard]] bool differs(ExpressionId expression, flow::NodeId at, int left);
+    [[nodiscard]] bool differs(Variable variable, flow::NodeId at, int left);
+    [[nodiscard]] bool is_made_of_others(Variable variable, flow::NodeId at, int left);
+    [[nodiscard]] bool is_always_made(const Store& store, flow::NodeId at);
+    [[nodiscard]] const std::vector<bool>& nodes_before(const Store& store);
+
+    const Program& program_;
+    const flow::Graph& graph_;
+    const Analysis& analysis_;
+    const Loop& loop_;
+    std::map<std::tuple<Key, flow::NodeId, int>, bool> differs_; ///< as far as it was asked
+    std::map<EffectId, std::vector<bool>> before_; ///< by store: nodes that a round may come to before it
+};
 
 } // namespace maclint::dataflow

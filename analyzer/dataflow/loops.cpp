@@ -48,8 +48,9 @@ class LoopSearch {
             Loop loop = loop_of(edge);
             if (budget_ == 0) break; // its body is not complete
             loop.changes = LoopChanges(loop, analysis_.facts());
+            LoopStops stops(program_, graph_, analysis_, loop);
             for_each_in_body(loop, analysis_.facts().all<CallMade>(), [&](const CallMade& call) {
-                loop.can_stop = loop.can_stop || may_stop_later(program_, graph_, analysis_, call, loop);
+                loop.can_stop = loop.can_stop || stops.may_stop_later(call);
             });
             loops.push_back(std::move(loop));
         }

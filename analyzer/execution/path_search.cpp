@@ -2,6 +2,7 @@
 #include "analyzer/execution/path_search.hpp"
 
 #include "analyzer/execution/given_up.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 
@@ -14,6 +15,7 @@ constexpr std::size_t most_visits_in_all = 8000; ///< for all paths that one sea
 } // namespace
 
 PathFound PathSearch::find(std::span<const Leg> legs) {
+    const WorkLimit::Pause pause; // it has bounds of its own
     const std::size_t left = most_visits_in_all - std::min(visits_, most_visits_in_all);
     SearchMemory& memory = analysis_->search_memory();
     PathFound found = memory.use<PathExplorer>(

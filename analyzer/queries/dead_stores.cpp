@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/execution/given_up.hpp"
 #include "analyzer/flow/walk.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <set>
@@ -192,6 +193,7 @@ bool saves_modal_code(const Program& program, const dataflow::Store& store) {
 } // namespace
 
 std::vector<DeadStore> find_dead_stores(const ProgramAnalysis& analysis) {
+    const WorkLimit::Pause pause; // it has a bound of its own
     std::vector<DeadStore> dead;
     std::optional<Reads> reads; // most programs have no dead store
     const auto& stores = analysis.facts().all<dataflow::Store>();

@@ -7,6 +7,7 @@
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/queries/saved_state.hpp"
 #include "analyzer/queries/sections.hpp"
+#include "analyzer/source/work_limit.hpp"
 #include "analyzer/workspace/written_as_macro.hpp"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ const flow::Exit* find_other_exit(const ProgramAnalysis& analysis) {
 const dataflow::Store* find_save_put_back(const ProgramAnalysis& analysis) {
     for (const dataflow::Store* save : saves_of(analysis))
         if (std::ranges::any_of(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
-                return read.use == dataflow::Use::word && store_of(analysis, read.value) == save;
+                return WorkLimit::allows() && read.use == dataflow::Use::word && store_of(analysis, read.value) == save;
             }))
             return save;
     return nullptr;

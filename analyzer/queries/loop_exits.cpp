@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <variant>
@@ -56,6 +57,7 @@ bool repeats_whole_program(const ProgramAnalysis& analysis, const dataflow::Loop
     if (behind.empty() || !std::holds_alternative<Return>(behind.front().what)) return false;
     bool moves = false;
     for (flow::NodeId node = 0; node < nodes.size(); ++node) {
+        if (!WorkLimit::allows()) return false;
         if (!analysis.data().reached(node) || !is_move(program, nodes[node])) continue;
         if (!cycle.holds(node)) return false;
         moves = true;
@@ -65,7 +67,7 @@ bool repeats_whole_program(const ProgramAnalysis& analysis, const dataflow::Loop
 
 bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return std::ranges::any_of(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
-        return is_endless_by_jumps(cycle) && cycle.holds(loop.head);
+        return WorkLimit::allows() && is_endless_by_jumps(cycle) && cycle.holds(loop.head);
     });
 }
 
@@ -98,7 +100,7 @@ bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& cond
     const dataflow::ReadSet reads = dataflow::variables_of(analysis.program(), condition.expression);
     if (analysis.control().loops_left_by_jump || !reads.closed || !reads.variables.empty()) return false;
     return std::ranges::any_of(analysis.loops(), [&](const dataflow::Loop& loop) {
-        const flow::Region* region = region_of(analysis, loop);
+        const flow::Region* region = WorkLimit::allows() ? region_of(analysis, loop) : nullptr;
         return region != nullptr && region->open == condition.effect && !loop.can_stop;
     });
 }

@@ -10,6 +10,7 @@
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/semantics/concrete.hpp"
+#include "analyzer/source/work_limit.hpp"
 #include "analyzer/workspace/bind.hpp"
 
 #include <algorithm>
@@ -243,6 +244,7 @@ std::optional<OperandRisk> OperandRisks::shown_by_call(const Application& applic
     const GivenVariables given = given_variables(analysis_, operand);
     if (!given.closed || given.variables.empty()) return std::nullopt;
     for (const Caller& caller : analysis_.callers()) {
+        if (!WorkLimit::allows()) return std::nullopt;
         const ProgramAnalysis& calling = calling_program(analysis_, caller);
         const auto node = calling.graph().node_of(caller.effect);
         if (caller.program == analysis_.index() || !node || !calling.data().reached(*node) ||

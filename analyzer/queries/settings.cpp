@@ -49,6 +49,12 @@ bool Settings::is_setting(const dataflow::Read& read, int depth) const {
 }
 
 bool Settings::is_setting(const dataflow::Store& store, int depth) const {
+    const auto [known, fresh] = known_.try_emplace({store.effect, depth}, false); // stays where it is
+    if (fresh) known->second = is_made_of_settings(store, depth);
+    return known->second;
+}
+
+bool Settings::is_made_of_settings(const dataflow::Store& store, int depth) const {
     if (std::holds_alternative<Literal>(analysis_.program().expressions[store.expression].node)) return true;
     if (!dataflow::variables_of(analysis_.program(), store.expression).closed) return false;
     const auto reads = analysis_.facts().at<dataflow::Read>(store.effect);

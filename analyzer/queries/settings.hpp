@@ -6,7 +6,9 @@
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include <map>
 #include <unordered_map>
+#include <utility>
 
 namespace maclint::queries {
 
@@ -24,10 +26,13 @@ class Settings {
   private:
     [[nodiscard]] bool is_setting(const dataflow::Read& read, int depth) const;
     [[nodiscard]] bool is_setting(const dataflow::Store& store, int depth) const;
+    [[nodiscard]] bool is_made_of_settings(const dataflow::Store& store, int depth) const;
 
     const ProgramAnalysis& analysis_;
     std::unordered_map<dataflow::Key, bool>
         only_numbers_; ///< whether all assignments to a variable are numbers
+    /// The answers so far, by store and by the steps that are left: sums of sums are made of few stores.
+    mutable std::map<std::pair<EffectId, int>, bool> known_;
 };
 
 } // namespace maclint::queries

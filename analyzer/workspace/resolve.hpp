@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -53,8 +54,18 @@ class CallResolver {
         std::unordered_map<std::string_view, Nearest> below; ///< a folder, as seen from it; no local programs
         std::unordered_map<std::size_t, Nearest> in_file, local; ///< only the file sees local ones
     };
+    /// A language, and a number or name in it.
     template<class Name>
-    using Index = std::map<std::pair<std::string_view, Name>, ProgramsByName>; // by language too
+    using Called = std::pair<std::string_view, Name>;
+    struct CalledHash {
+        template<class Name>
+        std::size_t operator()(const Called<Name>& called) const {
+            constexpr std::size_t odd = 31; // numbers in a row stay side by side
+            return odd * std::hash<std::string_view>{}(called.first) + std::hash<Name>{}(called.second);
+        }
+    };
+    template<class Name>
+    using Index = std::unordered_map<Called<Name>, ProgramsByName, CalledHash>;
 
     void add(ProgramsByName& programs_by_name, std::size_t file, const ProgramOutline& program,
              ProgramIndex index);

@@ -257,14 +257,14 @@ class WorkspaceBuilder {
 
     /// All labels of callers that the program's text names (M99 P), reached or not.
     static std::vector<dataflow::CallersLabel> labels_returned_to(const Program& program) {
-        std::vector<dataflow::CallersLabel> labels;
+        std::set<dataflow::CallersLabel> labels;
         for_each_effect(program, [&](EffectId id) {
             const auto* back = std::get_if<Return>(&program.effects[id].what);
             if (back == nullptr || !back->resume_label) return;
             if (const auto label = flow::constant_target(program, *back->resume_label))
-                labels.push_back(dataflow::callers_label(program, *label));
+                labels.insert(dataflow::callers_label(program, *label));
         });
-        return labels;
+        return {labels.begin(), labels.end()};
     }
 
     /// What a callee spells are labels of its caller; a name that the caller lacks is that of no block.

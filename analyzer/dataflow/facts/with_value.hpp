@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/facts.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 
@@ -16,7 +17,7 @@ template<OfAVariable T, class Property>
     const auto of_value = facts.with<T>(symbol);
     return std::ranges::any_of(
         of_variable.size() < of_value.size() ? of_variable : of_value, [&](const T* fact) {
-            return fact->variable == variable && fact->value.symbol == symbol && property(*fact);
+            return WorkLimit::allows() && fact->variable == variable && fact->value.symbol == symbol && property(*fact);
         });
 }
 

@@ -161,7 +161,9 @@ Truth Transfer::evaluate_chain(const State& state, std::span<const ExpressionId>
         apart.can_hold = all ? apart.can_hold && part.can_hold : apart.can_hold || part.can_hold;
         apart.can_fail = all ? apart.can_fail || part.can_fail : apart.can_fail && part.can_fail;
     }
-    if (!(all ? apart.can_hold : apart.can_fail)) return apart;
+    // Chains within are asked apart alone then: else each level of brackets would double the work.
+    if (!(all ? apart.can_hold : apart.can_fail) || in_chain_) return apart;
+    in_chain_ = true;
     FactLists* const facts = std::exchange(facts_, nullptr); // what is read is recorded already
     State agreed = state;
     for (const ExpressionId operand : operands) {
@@ -170,6 +172,7 @@ Truth Transfer::evaluate_chain(const State& state, std::span<const ExpressionId>
         if (agreed.reached) refine(agreed, operand, all);
         if (!agreed.reached) break;
     }
+    in_chain_ = false;
     facts_ = facts;
     compared_.reset(); // of a state that only some paths lead to
     if (!agreed.reached) (all ? apart.can_hold : apart.can_fail) = false;

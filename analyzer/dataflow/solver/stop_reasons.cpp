@@ -26,7 +26,7 @@ class StopReasonSearch {
         if (reasons_.anything) return reasons_;
         go_back();
         for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node)
-            if (leads_[node]) add_decisions(node);
+            if (leads_[node] && !reasons_.anything) add_decisions(node);
         // The list grows: what a variable is made of decides, too.
         for (std::size_t i = 0; i < reasons_.variables.size() && !reasons_.anything; ++i)
             add_what_sets(reasons_.variables[i]);
@@ -77,6 +77,8 @@ class StopReasonSearch {
     /// next.
     [[nodiscard]] bool operator_decides(flow::NodeId node, const flow::Edge& way) const {
         if (way.jump) return false;
+        // The node is shared by jumps, or by returns, which may go anywhere from there.
+        if (way.kind == flow::EdgeKind::computed || way.kind == flow::EdgeKind::resume) return true;
         std::vector<flow::NodeId> targets;
         for (const flow::EdgeId id : graph_.out[node]) {
             const flow::Edge& edge = graph_.edges[id];

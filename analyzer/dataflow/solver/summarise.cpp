@@ -6,6 +6,8 @@
 #include "analyzer/dataflow/solver/stop_reasons.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace maclint::dataflow {
 namespace {
@@ -170,8 +172,10 @@ class Summariser {
 
     void add_resume_label(const Return& back) {
         if (!back.resume_label) return;
-        if (const auto label = flow::constant_target(program_, *back.resume_label))
-            summary_.resume_labels.push_back(callers_label(program_, *label));
+        const auto target = flow::constant_target(program_, *back.resume_label);
+        if (!target) return;
+        CallersLabel label = callers_label(program_, *target);
+        if (resume_labels_.insert(label).second) summary_.resume_labels.push_back(std::move(label));
     }
 
     const Program& program_;
@@ -181,6 +185,7 @@ class Summariser {
     const FactLists& facts_;
     const std::vector<bool>& reached_;
     Summary summary_;
+    std::set<CallersLabel> resume_labels_; ///< those of the summary: many returns may name one
 };
 
 } // namespace

@@ -131,6 +131,7 @@ class Transfer {
         Value left, right;
     };
     std::optional<Compared> compared_;
+    bool in_chain_ = false; ///< conditions of an AND or OR are asked one after the other
     bool follows_one_path_ = false;
     MachineTime machine_time_;
     bool follows_calls_ = true;
