@@ -176,9 +176,12 @@ class BlockReader {
     // ---- comments that speak to maclint
 
     void record_comments() {
-        for (const Span comment : raw_.comments)
-            if (addresses_maclint(text_.substr(comment.begin, comment.length())))
-                file_.comments.push_back({comment, holds_no_code(), raw_.span, {}});
+        std::optional<bool> alone; // the same for all of them
+        for (const Span comment : raw_.comments) {
+            if (!addresses_maclint(text_.substr(comment.begin, comment.length()))) continue;
+            if (!alone) alone = holds_no_code();
+            file_.comments.push_back({comment, *alone, raw_.span, {}});
+        }
     }
 
     /// Whether the block has nothing but its number beside its comments.

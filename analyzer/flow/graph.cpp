@@ -203,11 +203,14 @@ class Building {
             // The effect itself ends its node, so that rules find the state in front of it.
             const bool header = std::holds_alternative<RegionMark>(what);
             if (header && i > begin) flush(begin, i);
-            const std::vector<Loose> falling_in = header ? divert_before_case(i) : std::vector<Loose>{};
+            std::vector<Loose> falling_in = header ? divert_before_case(i) : std::vector<Loose>{};
             const NodeId node = flush(header ? i : begin, i + 1);
             begin = i + 1;
             leave(node, i);
-            loose_.insert(loose_.end(), falling_in.begin(), falling_in.end());
+            if (falling_in.empty()) continue;
+            // Of many cases one after the other each falls into the next: they are not copied.
+            falling_in.insert(falling_in.end(), loose_.begin(), loose_.end());
+            loose_ = std::move(falling_in);
         }
         if (begin < end) flush(begin, end);
     }

@@ -1,6 +1,8 @@
 //! Pairs loops and choices with a stack, the way a control does when it meets DO and END.
 #include "analyzer/flow/regions.hpp"
 
+#include "analyzer/source/work_limit.hpp"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -271,13 +273,14 @@ std::optional<RegionId> Regions::loop_around(const Program& program, Offset offs
         all, offset, {}, [&](const Region& p) { return program.effects[p.open].span.end; });
     if (after == all.begin()) return std::nullopt;
     std::optional<RegionId> id = static_cast<RegionId>(after - all.begin() - 1);
-    while (id && !(is_loop(all[*id].region_kind) && holds(program, *id, offset))) id = all[*id].closed_around;
+    while (id && !(is_loop(all[*id].region_kind) && holds(program, *id, offset)))
+        id = WorkLimit::allows() ? all[*id].closed_around : std::nullopt;
     return id;
 }
 
 std::optional<RegionId> Regions::entered(const Program& program, Offset from, Offset to) const {
     std::optional<RegionId> entered;
-    for (auto id = loop_around(program, to); id; id = all[*id].closed_around)
+    for (auto id = loop_around(program, to); id && WorkLimit::allows(); id = all[*id].closed_around)
         if (holds(program, *id, to) && !holds(program, *id, from)) entered = id;
     return entered;
 }

@@ -1,6 +1,8 @@
 //! Looks through the calls of a workspace that mean one program.
 #include "analyzer/queries/callers.hpp"
 
+#include "analyzer/source/work_limit.hpp"
+
 #include <algorithm>
 #include <string_view>
 #include <variant>
@@ -17,8 +19,11 @@ std::string_view folder_of(const ProgramAnalysis& analysis) {
 /// The first of the program's callers with that property.
 template<class Property>
 const Caller* find_caller(const ProgramAnalysis& analysis, const Property& property) {
-    const auto found = std::ranges::find_if(analysis.callers(), property);
-    return found == analysis.callers().end() ? nullptr : &*found;
+    for (const Caller& caller : analysis.callers()) {
+        if (!WorkLimit::allows()) return nullptr;
+        if (property(caller)) return &caller;
+    }
+    return nullptr;
 }
 
 } // namespace

@@ -50,8 +50,8 @@ const flow::Exit* find_other_exit(const ProgramAnalysis& analysis) {
 
 const dataflow::Store* find_save_put_back(const ProgramAnalysis& analysis) {
     for (const dataflow::Store* save : saves_of(analysis))
-        if (std::ranges::any_of(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
-                return WorkLimit::allows() && read.use == dataflow::Use::word && store_of(analysis, read.value) == save;
+        if (any_within_limit(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
+                return read.use == dataflow::Use::word && store_of(analysis, read.value) == save;
             }))
             return save;
     return nullptr;

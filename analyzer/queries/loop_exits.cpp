@@ -66,8 +66,8 @@ bool repeats_whole_program(const ProgramAnalysis& analysis, const dataflow::Loop
 }
 
 bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
-    return std::ranges::any_of(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
-        return WorkLimit::allows() && is_endless_by_jumps(cycle) && cycle.holds(loop.head);
+    return any_within_limit(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
+        return is_endless_by_jumps(cycle) && cycle.holds(loop.head);
     });
 }
 
@@ -99,8 +99,8 @@ bool is_loop_condition(const ProgramAnalysis& analysis, const dataflow::Conditio
 bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     const dataflow::ReadSet reads = dataflow::variables_of(analysis.program(), condition.expression);
     if (analysis.control().loops_left_by_jump || !reads.closed || !reads.variables.empty()) return false;
-    return std::ranges::any_of(analysis.loops(), [&](const dataflow::Loop& loop) {
-        const flow::Region* region = WorkLimit::allows() ? region_of(analysis, loop) : nullptr;
+    return any_within_limit(analysis.loops(), [&](const dataflow::Loop& loop) {
+        const flow::Region* region = region_of(analysis, loop);
         return region != nullptr && region->open == condition.effect && !loop.can_stop;
     });
 }

@@ -5,6 +5,7 @@
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/provoking_calls.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ bool is_as_passed(const ProgramAnalysis& analysis, const dataflow::Read& read) {
 }
 
 bool is_asked_for(const ProgramAnalysis& analysis, const dataflow::Read& wanted) {
-    return std::ranges::any_of(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
+    return any_within_limit(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
         const bool asks = read.use == dataflow::Use::vacancy_test || read.use == dataflow::Use::comparison;
         return asks && (read.value.symbol == wanted.value.symbol || read.variable == wanted.variable);
     });
@@ -44,6 +45,7 @@ const Caller* call_that_comes_to(execution::PathSearch& search, const ProgramAna
     if (read.node != 0 && std::ranges::binary_search(changing, flow::NodeId{0})) return nullptr;
     std::set<std::vector<flow::NodeId>> in_vain; // calls that go the same ways
     for (const Caller& caller : analysis.callers()) {
+        if (!WorkLimit::allows(analysis.graph().nodes.size())) return nullptr;
         const std::vector<bool> reached = nodes_reached_by(analysis, caller, changing);
         if (!reached[read.node]) continue;
         std::vector<flow::NodeId> barred = changing;
@@ -73,7 +75,7 @@ std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analy
         if (known || read.use != dataflow::Use::arithmetic || !is_as_passed(analysis, read) ||
             std::ranges::find(formals, read.variable) == formals.end() || is_asked_for(analysis, read))
             continue;
-        if (std::ranges::any_of(callers, [&](const Caller& caller) {
+        if (any_within_limit(callers, [&](const Caller& caller) {
                 return argument_for(analysis, caller, read.variable) != nullptr;
             }))
             continue;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace maclint::queries {
@@ -107,14 +108,14 @@ std::vector<MissingTolerance> find_missing_tolerances(const ProgramAnalysis& ana
     std::vector<Compared> all;
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>())
         if (const auto compared = search.look_at(comparison)) all.push_back(*compared);
+    std::map<const VariableRange*, const Compared*> tolerant; // the first of each kind of position
+    for (const Compared& compared : all)
+        if (compared.tolerance) tolerant.try_emplace(compared.positions, &compared);
     std::vector<MissingTolerance> missing;
     for (const Compared& exact : all) {
         if (exact.tolerance) continue;
-        const auto tolerant = std::ranges::find_if(all, [&](const Compared& other) {
-            return other.tolerance && other.positions == exact.positions;
-        });
-        if (tolerant != all.end())
-            missing.push_back({exact.comparison, tolerant->comparison, *tolerant->tolerance});
+        if (const auto other = tolerant.find(exact.positions); other != tolerant.end())
+            missing.push_back({exact.comparison, other->second->comparison, *other->second->tolerance});
     }
     return missing;
 }

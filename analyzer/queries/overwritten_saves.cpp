@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -56,7 +57,9 @@ PutBack values_put_back(const ProgramAnalysis& analysis) {
 bool reaches(const ProgramAnalysis& analysis, const dataflow::Store& store,
              const dataflow::ModalWrite& write) {
     std::vector<flow::NodeId> others;
-    for (const dataflow::Store* other : analysis.facts().about<dataflow::Store>(store.variable))
+    const auto all = analysis.facts().about<dataflow::Store>(store.variable);
+    if (!WorkLimit::allows(all.size())) return false;
+    for (const dataflow::Store* other : all)
         if (other->node != store.node) others.push_back(other->node);
     return store.node != write.node && can_follow(analysis, store.node, write.node, others);
 }
@@ -71,7 +74,9 @@ std::vector<const dataflow::Store*> stores_for(const ProgramAnalysis& analysis,
         return stores;
     }
     for (const dataflow::Store* store : analysis.facts().about<dataflow::Store>(variable))
-        if (saved_before(analysis, *store) && reaches(analysis, *store, write)) stores.push_back(store);
+        if (!WorkLimit::allows())
+            break;
+        else if (saved_before(analysis, *store) && reaches(analysis, *store, write)) stores.push_back(store);
     return stores;
 }
 

@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 
@@ -129,6 +130,7 @@ Passed passed_at(const ProgramAnalysis& analysis, flow::NodeId id, std::string_v
     Passed passed;
     for_each_block_with_words(program, node.stretch(),
                               [&](const BlockView& block, std::span<const Word> words) {
+                                  (void)WorkLimit::allows(); // a long run is walked through as one node
                                   const bool moves = block.moves || motion != effects.end();
                                   if (moves && names_one_of(words, addresses))
                                       passed = {false, block.moves ? block.span : motion->span};

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/queries/conditions.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <span>
@@ -83,7 +84,7 @@ const Case* repeated_case(const Program& program, std::span<const Case> cases) {
     if (reads(program, last.value, last.variable) || reads(program, last.condition, last.variable))
         return nullptr;
     for (auto earlier = cases.rbegin() + 1; earlier != cases.rend(); ++earlier) {
-        if (reads(program, earlier->condition, earlier->variable)) return nullptr;
+        if (!WorkLimit::allows() || reads(program, earlier->condition, earlier->variable)) return nullptr;
         if (earlier->variable == last.variable &&
             same_expression(program, earlier->condition, last.condition))
             return &*earlier;

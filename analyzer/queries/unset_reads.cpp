@@ -7,6 +7,7 @@
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/origins.hpp"
 #include "analyzer/queries/vacant_uses.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -177,19 +178,6 @@ bool lacks_a_value(const ProgramAnalysis& analysis, const dataflow::Read& read) 
            is_owed_to_unset_variable(analysis, read.value);
 }
 
-/// `seen` are effects that were looked at before.
-bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect, ExpressionId expression,
-                              std::set<EffectId>& seen) {
-    if (!seen.insert(effect).second) return false;
-    const auto& expressions = analysis.program().expressions;
-    return std::ranges::any_of(analysis.facts().at<dataflow::Read>(effect), [&](const dataflow::Read& read) {
-        if (!expressions[expression].span.covers(expressions[read.expression].span)) return false;
-        if (lacks_a_value(analysis, read)) return true;
-        const dataflow::Store* store = store_of(analysis, read.value);
-        return store != nullptr && is_owed_to_missing_value(analysis, store->effect, store->expression, seen);
-    });
-}
-
 } // namespace
 
 bool may_hold_vacant(const Program& program, Variable variable) {
@@ -202,8 +190,22 @@ bool is_owed_to_unset_variable(const ProgramAnalysis& analysis, const dataflow::
 }
 
 bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect, ExpressionId expression) {
-    std::set<EffectId> seen;
-    return is_owed_to_missing_value(analysis, effect, expression, seen);
+    const auto& expressions = analysis.program().expressions;
+    std::vector<std::pair<EffectId, ExpressionId>> made_by{{effect, expression}}; // still to be looked at
+    std::set<EffectId> seen{effect};
+    while (!made_by.empty()) {
+        const auto [by, value] = made_by.back();
+        made_by.pop_back();
+        for (const dataflow::Read& read : analysis.facts().at<dataflow::Read>(by)) {
+            if (!WorkLimit::allows()) return false;
+            if (!expressions[value].span.covers(expressions[read.expression].span)) continue;
+            if (lacks_a_value(analysis, read)) return true;
+            const dataflow::Store* store = store_of(analysis, read.value);
+            if (store != nullptr && seen.insert(store->effect).second)
+                made_by.emplace_back(store->effect, store->expression);
+        }
+    }
+    return false;
 }
 
 std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {

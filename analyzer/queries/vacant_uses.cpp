@@ -7,6 +7,7 @@
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <set>
@@ -31,11 +32,12 @@ bool is_refused(const ProgramAnalysis& analysis, Variable variable) {
 /// Whether the variable is set nowhere but behind IF and THEN in the same block.
 bool is_set_under_conditions(const ProgramAnalysis& analysis, Variable variable) {
     const auto& items = analysis.program().items;
-    return std::ranges::all_of(analysis.facts().about<dataflow::Store>(variable), [&](const auto* store) {
+    const auto stands_alone = [&](const dataflow::Store* store) {
         // What stands behind a condition is not among the effects of the block itself.
         const auto* block = std::get_if<Block>(&items[analysis.graph().nodes[store->node].item]);
-        return block != nullptr && store->effect - block->effects.first >= block->effects.count;
-    });
+        return block == nullptr || store->effect - block->effects.first < block->effects.count;
+    };
+    return !any_within_limit(analysis.facts().about<dataflow::Store>(variable), stands_alone);
 }
 
 /// S[#10] in a block of its own, behind IF[#1EQ1]THEN#10=800: without a value the speed stays as it is, and
@@ -52,6 +54,8 @@ bool is_setting_for_some_cases(const ProgramAnalysis& analysis, const dataflow::
            is_set_under_conditions(analysis, read.variable);
 }
 
+constexpr std::size_t most_copies = 1000;
+
 /// Follows the value through the assignments that copy it; `seen` are effects that were looked at before.
 bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read, std::set<EffectId>& seen) {
     using dataflow::Use;
@@ -67,6 +71,8 @@ bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read, std::s
     const dataflow::Store& store = stores.front();
     if (!analysis.liveness().is_live_after(store.effect, store.variable)) return false;
     if (read.use != Use::copy) return true;
+    // Nothing is known at the end of a long chain of copies.
+    if (seen.size() == most_copies) return true;
     if (!seen.insert(read.effect).second) return false;
     return dataflow::any_with_value<dataflow::Read>(
         analysis.facts(), store.variable, store.value.symbol, [&](const dataflow::Read& later) {

@@ -51,4 +51,14 @@ class WorkLimit {
     bool is_met_ = false;
 };
 
+/// Whether one of the things has the property, each of which is looked at; false where the limit is met.
+template<class Things, class Property>
+[[nodiscard]] bool any_within_limit(const Things& things, const Property& property) {
+    for (const auto& thing : things) {
+        if (!WorkLimit::allows()) return false;
+        if (property(thing)) return true;
+    }
+    return false;
+}
+
 } // namespace maclint

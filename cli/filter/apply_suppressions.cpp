@@ -18,10 +18,6 @@ namespace {
 constexpr std::string_view unused_suppression = "MAC001";
 constexpr std::string_view unknown_rule = "MAC002";
 
-bool names(const RuleToken& token, const Rule& rule) {
-    return std::ranges::find(token.rules, &rule) != token.rules.end();
-}
-
 /// A token that is ready to suppress.
 struct Allowance {
     const Directive* directive;
@@ -44,7 +40,7 @@ class Suppressions {
             by_token_.emplace(allowances_[i].token, i);
             place(i);
         }
-        std::ranges::stable_sort(blocks_, {}, [](const auto& block) { return block.first.begin; });
+        std::ranges::stable_sort(blocks_, {}, &Span::begin);
     }
 
     /// The allowance that the finding falls under; findings come in the order of their places.
@@ -75,9 +71,12 @@ class Suppressions {
         const Allowance& allowance = allowances_[index];
         const DirectiveComment& comment = *allowance.directive->comment;
         switch (allowance.directive->verb) {
-        case Verb::allow:
-            blocks_.emplace_back(comment.alone ? comment.next_block : comment.block, index);
+        case Verb::allow: {
+            const Span block = comment.alone ? comment.next_block : comment.block;
+            blocks_.push_back(block);
+            for (const Rule* rule : allowance.token->rules) of_block_.insert_or_assign({block.begin, rule}, index);
             break;
+        }
         case Verb::allow_file:
             for (const Rule* rule : allowance.token->rules) of_file_.emplace(rule, index);
             break;
@@ -86,18 +85,15 @@ class Suppressions {
         }
     }
 
-    /// Blocks do not overlap: those that begin last before the finding are the ones that can hold it.
+    /// Blocks do not overlap: one that begins last before the finding is the one that can hold it. Of several
+    /// allowances there the last one counts.
     Allowance* of_block(const Finding& finding) {
-        auto at = std::ranges::upper_bound(blocks_, finding.span.begin, {},
-                                           [](const auto& block) { return block.first.begin; });
-        if (at == blocks_.begin()) return nullptr;
-        const Span span = std::prev(at)->first;
-        const bool inside = span.contains(finding.span.begin);
-        while (inside && at != blocks_.begin() && std::prev(at)->first.begin == span.begin) {
-            --at;
-            if (names(*allowances_[at->second].token, *finding.rule)) return &allowances_[at->second];
-        }
-        return nullptr;
+        const auto after = std::ranges::upper_bound(blocks_, finding.span.begin, {}, &Span::begin);
+        if (after == blocks_.begin()) return nullptr;
+        const Span block = *std::prev(after);
+        if (!block.contains(finding.span.begin)) return nullptr;
+        const auto found = of_block_.find({block.begin, finding.rule});
+        return found == of_block_.end() ? nullptr : &allowances_[found->second];
     }
 
     void pass_switches(Offset place) {
@@ -118,7 +114,8 @@ class Suppressions {
 
     std::vector<Allowance> allowances_;
     std::unordered_map<const RuleToken*, std::size_t> by_token_;
-    std::vector<std::pair<Span, std::size_t>> blocks_;
+    std::vector<Span> blocks_; ///< for which something is allowed, by where they begin
+    std::map<std::pair<Offset, const Rule*>, std::size_t> of_block_; ///< by where it begins
     std::unordered_map<const Rule*, std::size_t> of_file_;
     std::vector<const Directive*> switches_;
     std::size_t next_switch_ = 0;

@@ -8,8 +8,7 @@
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
-#include <algorithm>
-#include <vector>
+#include <set>
 
 namespace maclint::rules {
 
@@ -58,10 +57,9 @@ M30
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    std::vector<dataflow::OriginId> said;
+    std::set<dataflow::OriginId> said;
     const auto report = [&](dataflow::OriginId call, flow::NodeId node, std::string_view message, Span left) {
-        if (std::ranges::find(said, call) != said.end()) return;
-        said.push_back(call);
+        if (!said.insert(call).second) return;
         const Span span = queries::span_of_origin(analysis, call);
         Finding& finding =
             reporter.report(cause_at(analysis, call), span, message,

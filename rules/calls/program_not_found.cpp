@@ -1,6 +1,7 @@
 //! MAC402: a call of a program that is not there.
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/sections.hpp"
+#include "analyzer/source/work_limit.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -62,7 +63,7 @@ namespace {
 
 /// The file holds a program up to its last word, and so all that belongs to it.
 bool is_closed(const ProgramAnalysis& analysis) {
-    return std::ranges::any_of(analysis.file().programs, [](const Program& program) {
+    return any_within_limit(analysis.file().programs, [](const Program& program) {
         return queries::has_section(program, SectionKind::Role::end);
     });
 }

@@ -28,6 +28,8 @@ OriginId joined_origin(const Value& a, const Value& b) {
 States::States(const Program& program, EntryKnowledge knowledge)
     : program_(program)
     , knowledge_(std::move(knowledge)) {
+    for (const Variable variable : handed_down()) handed_down_.push_back(key_of(variable));
+    std::ranges::sort(handed_down_);
     entry_modals_.reserve(program.control->groups.size());
     for (std::size_t i = 0; i < program.control->groups.size(); ++i) {
         const ModalGroup& group = program.control->groups[i];
@@ -48,8 +50,7 @@ State States::at_entry() const {
 
 bool States::may_be_handed_down(Variable variable) const {
     if (!program_.control->spaces[variable.space].handed_down) return false;
-    const auto& known = knowledge_.handed_down;
-    return !known || std::ranges::find(*known, variable) != known->end();
+    return !knowledge_.handed_down || std::ranges::binary_search(handed_down_, key_of(variable));
 }
 
 Vacancy States::vacancy_at_entry(Variable variable) const {

@@ -159,6 +159,7 @@ class States {
     PersistentMap maps_;
     Root entry_values_ = 0; ///< those that were asked for
     std::vector<ModalId> entry_modals_;
+    std::vector<Key> handed_down_; ///< variables that are known to be, sorted
 };
 
 /// With more possible codes than this a modal group counts as unknown.

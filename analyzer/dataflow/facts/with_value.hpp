@@ -15,9 +15,9 @@ template<OfAVariable T, class Property>
                                   const Property& property) {
     const auto of_variable = facts.about<T>(variable);
     const auto of_value = facts.with<T>(symbol);
-    return std::ranges::any_of(
+    return any_within_limit(
         of_variable.size() < of_value.size() ? of_variable : of_value, [&](const T* fact) {
-            return WorkLimit::allows() && fact->variable == variable && fact->value.symbol == symbol && property(*fact);
+            return fact->variable == variable && fact->value.symbol == symbol && property(*fact);
         });
 }
 

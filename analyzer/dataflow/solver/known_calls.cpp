@@ -87,7 +87,6 @@ KnownStart Transfer::known_at(const State& state, const Call& call, std::span<co
     FactLists* const facts = std::exchange(facts_, nullptr); // what is read is recorded already
     KnownStart start;
     const auto know = [&](Variable variable, const Value& value) {
-        if (std::ranges::find(deciding, variable) == deciding.end()) return;
         if (const auto number = value.constant())
             start.known.push_back({variable, number});
         else if (value.vacancy == Vacancy::vacant)
@@ -106,7 +105,7 @@ KnownStart Transfer::known_at(const State& state, const Call& call, std::span<co
             }
             const Value value = evaluate(state, argument.value, Use::argument);
             start.arguments->emplace_back(*letter, value.vacancy);
-            know(*letter, value);
+            if (std::ranges::find(deciding, *letter) != deciding.end()) know(*letter, value);
         }
     }
     facts_ = facts;

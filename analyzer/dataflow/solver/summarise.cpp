@@ -81,7 +81,9 @@ class Summariser {
         return written;
     }
 
-    /// Variables that a caller may have handed down and that this program, or one that it calls, writes.
+    static constexpr std::size_t most_written = 1000;
+    /// Variables that a caller may have handed down and that this program, or one that it calls, writes; of
+    /// too many it is not kept which.
     [[nodiscard]] std::optional<std::vector<std::string>> written_for_callers() const {
         const auto& spaces = program_.control->spaces;
         std::vector<std::string> written;
@@ -101,6 +103,7 @@ class Summariser {
         }
         std::ranges::sort(written);
         written.erase(std::ranges::unique(written).begin(), written.end());
+        if (written.size() > most_written) return std::nullopt;
         return written;
     }
 

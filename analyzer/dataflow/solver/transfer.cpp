@@ -25,7 +25,10 @@ Transfer::Transfer(const Program& program, const flow::Graph& graph, States& sta
     , index_reaches_(program)
     , modal_call_group_(program.control->group_with(ModalRole::macro_call))
     , constants_(program.expressions.size(), 0)
-    , origins_(program.effects.size(), 0) {}
+    , origins_(program.effects.size(), 0) {
+    for (const Variable variable : program.handed_down) own_handed_down_.push_back(key_of(variable));
+    std::ranges::sort(own_handed_down_);
+}
 
 /// The effect as an origin. An effect belongs to one node.
 OriginId Transfer::here() {
@@ -418,7 +421,7 @@ void Transfer::change_handed_down(State& state, const Summary& summary) {
     const auto& written = summary.written_for_callers;
     const auto may_be_written = [&](Variable variable) {
         return !program_.control->spaces[variable.space].written_once &&
-               (!written || std::ranges::find(*written, program_.spell(variable)) != written->end());
+               (!written || std::ranges::binary_search(*written, program_.spell(variable)));
     };
     for (const Variable variable : program_.handed_down) {
         if (!may_be_written(variable)) continue;
@@ -426,8 +429,7 @@ void Transfer::change_handed_down(State& state, const Summary& summary) {
         clobber(state, meant, opaque_variable(meant));
     }
     for (const Variable variable : states_.handed_down()) {
-        const auto& own = program_.handed_down;
-        if (may_be_written(variable) && std::ranges::find(own, variable) == own.end())
+        if (!std::ranges::binary_search(own_handed_down_, key_of(variable)) && may_be_written(variable))
             clobber(state, variable, opaque_variable(variable));
     }
 }

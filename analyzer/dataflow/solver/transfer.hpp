@@ -119,6 +119,7 @@ class Transfer {
     std::optional<GroupId> modal_call_group_;
     FactLists* facts_ = nullptr;
     std::vector<ModalId> written_groups_; ///< of one channel, while they are collected
+    std::vector<Key> own_handed_down_;    ///< variables that the program hands down, sorted
     std::vector<SymbolId> constants_;     ///< of the literals met so far; 0: not met
     std::vector<OriginId> origins_;       ///< of the effects met so far; 0: not met
     flow::NodeId node_ = 0;

@@ -191,6 +191,9 @@ AfterMark after_mark(std::string_view text, Offset mark) {
 std::optional<std::string_view> folder_mark(std::string_view text, Span block) {
     std::string_view line = text.substr(block.begin, block.length());
     if (!line.starts_with("&F=") && !line.starts_with("&f=")) return std::nullopt;
+    // T: no control has folders as deep as that
+    constexpr std::size_t longest = 255;
+    if (line.size() > longest) return std::nullopt;
     constexpr std::string_view around = "/ \t";
     const std::size_t first = line.find_first_not_of(around, 3);
     if (first == std::string_view::npos) return std::string_view{};
