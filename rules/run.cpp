@@ -8,6 +8,7 @@
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
 #include "rules/word_check.hpp"
+#include "rules/work_for.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -47,15 +48,6 @@ const ControlModel& control_of(const ProgramAnalysis& program) { return program.
 
 Severity one_less(Severity severity) {
     return severity == Severity::error ? Severity::warning : Severity::note;
-}
-
-/// What a rule may look at in one program: so much, and so much more for each node of its graph.
-constexpr std::size_t most_work = 2'000'000;
-constexpr std::size_t work_for_a_node = 100;
-
-std::size_t work_for(const ProgramFile&) { return most_work; }
-std::size_t work_for(const ProgramAnalysis& program) {
-    return most_work + work_for_a_node * program.graph().nodes.size();
 }
 
 /// Everything that the selected rules find in a file or a program.

@@ -59,9 +59,8 @@ class InescapableCycleSearch {
     [[nodiscard]] bool a_call_may_stop(const Loop& cycle) const {
         bool may_stop = false;
         LoopStops stops(program_, graph_, analysis_, cycle);
-        for_each_in_body(cycle, analysis_.facts().all<CallMade>(), [&](const CallMade& call) {
-            may_stop = may_stop || stops.may_stop_later(call);
-        });
+        for_each_in_body(cycle, analysis_.facts().all<CallMade>(),
+                         [&](const CallMade& call) { may_stop = may_stop || stops.may_stop_later(call); });
         return may_stop;
     }
 

@@ -43,8 +43,9 @@ bool LoopStops::passes_other_numbers(const CallMade& made, Variable variable) {
 
 bool LoopStops::differs(ExpressionId expression, flow::NodeId at, int left) {
     const ReadSet reads = variables_of(program_, expression);
-    return !reads.closed ||
-           std::ranges::any_of(reads.variables, [&](Variable variable) { return differs(variable, at, left); });
+    return !reads.closed || std::ranges::any_of(reads.variables, [&](Variable variable) {
+        return differs(variable, at, left);
+    });
 }
 
 /// Whether it may be another number in another round, at a node of the loop. A variable that is set anew in
@@ -64,8 +65,7 @@ bool LoopStops::is_made_of_others(Variable variable, flow::NodeId at, int left) 
         if (only != nullptr) return true;
         only = store;
     }
-    return only != nullptr &&
-           (!is_always_made(*only, at) || differs(only->expression, only->node, left - 1));
+    return only != nullptr && (!is_always_made(*only, at) || differs(only->expression, only->node, left - 1));
 }
 
 /// Whether each round makes the assignment before it comes to the node.

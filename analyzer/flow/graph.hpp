@@ -103,7 +103,7 @@ struct Graph {
     std::vector<Node> nodes; ///< in text order; node 0 is the entry; at least one
     std::vector<Edge> edges;
     EdgesByNode out, in;
-    std::vector<Exit> exits;                 ///< sorted by node
+    std::vector<Exit> exits;           ///< sorted by node
     std::vector<LabelledBlock> labels; ///< those that something may name, by label, then in text order
     std::vector<ResolvedJump> jumps;   ///< in text order
     std::vector<std::uint32_t>

@@ -195,8 +195,13 @@ bool saves_modal_code(const Program& program, const dataflow::Store& store) {
 std::vector<DeadStore> find_dead_stores(const ProgramAnalysis& analysis) {
     const WorkLimit::Pause pause; // it has a bound of its own
     std::vector<DeadStore> dead;
-    std::optional<Reads> reads; // most programs have no dead store
     const auto& stores = analysis.facts().all<dataflow::Store>();
+    if (stores.empty()) return dead;
+    if (!analysis.liveness().is_known()) {
+        execution::GivenUp::note(analysis.search_memory());
+        return dead;
+    }
+    std::optional<Reads> reads; // most programs have no dead store
     std::size_t nodes_left = most_nodes + nodes_of_a_store * stores.size();
     for (const dataflow::Store& store : stores) {
         if (saves_modal_code(analysis.program(), store) ||

@@ -42,9 +42,8 @@ Span last_block_before(const ProgramAnalysis& analysis, const flow::Exit& exit, 
 
 bool is_on_every_path(const ProgramAnalysis& analysis, flow::NodeId node) {
     const auto leaves = [&](flow::NodeId at) {
-        return std::ranges::any_of(analysis.graph().exits_at(at), [](const flow::Exit& exit) {
-            return exit.kind != flow::ExitKind::alarm;
-        });
+        return std::ranges::any_of(analysis.graph().exits_at(at),
+                                   [](const flow::Exit& exit) { return exit.kind != flow::ExitKind::alarm; });
     };
     if (node == 0) return true;
     bool left = leaves(0);

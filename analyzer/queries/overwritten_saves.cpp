@@ -76,7 +76,8 @@ std::vector<const dataflow::Store*> stores_for(const ProgramAnalysis& analysis,
     for (const dataflow::Store* store : analysis.facts().about<dataflow::Store>(variable))
         if (!WorkLimit::allows())
             break;
-        else if (saved_before(analysis, *store) && reaches(analysis, *store, write)) stores.push_back(store);
+        else if (saved_before(analysis, *store) && reaches(analysis, *store, write))
+            stores.push_back(store);
     return stores;
 }
 

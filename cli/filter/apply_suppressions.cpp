@@ -74,7 +74,8 @@ class Suppressions {
         case Verb::allow: {
             const Span block = comment.alone ? comment.next_block : comment.block;
             blocks_.push_back(block);
-            for (const Rule* rule : allowance.token->rules) of_block_.insert_or_assign({block.begin, rule}, index);
+            for (const Rule* rule : allowance.token->rules)
+                of_block_.insert_or_assign({block.begin, rule}, index);
             break;
         }
         case Verb::allow_file:

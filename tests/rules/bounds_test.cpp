@@ -136,5 +136,73 @@ TEST(Bounds, OfTheAssignmentsThatReplaceAValueEightAreNamed) {
     EXPECT_EQ(replaced_by(9), 8U);
 }
 
+TEST(Bounds, WhatARuleLooksAtInOneProgram) {
+    // Each case is held against all before it.
+    const auto cases = [](std::size_t count) {
+        std::string text = "O1\nIF[#500EQ0]THEN#101=1\nIF[#500EQ0]THEN#101=2\n";
+        for (std::size_t i = 1; i <= count; ++i) {
+            const std::string number = std::to_string(i);
+            text.append("IF[#500EQ").append(number).append("]THEN#101=3\n");
+        }
+        return run_over("MAC719", {{"x.nc", text + "IF[#500EQ0]THEN#101=5\nG1X#101F1.\nM30\n"}});
+    };
+    EXPECT_THAT(cases(1500).findings, SizeIs(2));
+    EXPECT_THAT(cases(1500).bounds, IsEmpty());
+    // The one that is being told when the limit is met is left out, too.
+    EXPECT_THAT(cases(4000).findings, IsEmpty());
+    EXPECT_THAT(cases(4000).bounds, SizeIs(1));
+}
+
+TEST(Bounds, BlocksTimesVariablesOfAProgramWhoseValuesAreLost) {
+    const auto variables = [](std::size_t count) {
+        std::string text = "MACHINING\nN1 #l1=#g1+1\nN2 #l1=#g1+2\n";
+        for (std::size_t i = 1; i <= count; ++i) text += "#g" + std::to_string(i) + "=1\n";
+        return run_over("MAC213", {{"x.ncs", text + "N3 G0 X#l1\nM30\nEND\n"}});
+    };
+    EXPECT_THAT(variables(10'000).findings, SizeIs(1));
+    EXPECT_THAT(variables(10'000).bounds, IsEmpty());
+    EXPECT_THAT(variables(30'000).findings, IsEmpty());
+    EXPECT_THAT(variables(30'000).bounds, SizeIs(1));
+}
+
+// ---- what took a power of its depth, and would not end
+
+TEST(Bounds, ConditionsInBracketsTakeNoPowerOfTheirDepth) {
+    std::string condition = "[#500EQ1]";
+    for (int i = 1; i < 100; ++i) {
+        const std::string test = "[#" + std::to_string(500 + i) + "EQ" + std::to_string(i) + "]";
+        condition = "[" + condition + (i % 2 == 0 ? "AND" : "OR") + test + "]";
+    }
+    EXPECT_THAT(messages_raised("MAC701", "O1\nIF" + condition + "GOTO10\nN10M30\n"), IsEmpty());
+}
+
+/// `#101=#100+#100+…`, `#102=#101+#101+…` and so on up to `last`.
+std::string sums_of_sums(int last) {
+    std::string text;
+    for (int variable = 101; variable <= last; ++variable) {
+        const std::string summand = "#" + std::to_string(variable - 1);
+        text += "#" + std::to_string(variable) + "=" + summand;
+        for (int i = 0; i < 60; ++i) text += "+" + summand;
+        text += "\n";
+    }
+    return text;
+}
+
+TEST(Bounds, SumsOfSumsTakeNoPowerOfTheirDepth) {
+    EXPECT_THAT(
+        messages_raised("MAC701", "O1\n#100=1\n" + sums_of_sums(107) + "IF[#107GT5]GOTO9\nG0X1\nN9M30\n"),
+        IsEmpty());
+    // What decides over the alarm of a program that is called in a loop.
+    EXPECT_THAT(lines_raised("MAC319", "O1\nWHILE[#500LT5]DO1\n#100=#100+1\n" + sums_of_sums(108) +
+                                           "M98P2\nEND1\nM30\nO2\nIF[#108LT-5]THEN#3000=1(NO)\nM99\n"),
+                IsEmpty());
+}
+
+TEST(Bounds, AValueMayComeFromAHundredThousandAssignments) {
+    EXPECT_THAT(
+        lines_raised("MAC702", "O1\n#4=0\n" + copies_of("#5=#4*1\n#4=#5*1\n", 64'000) + "#6=1/#4\nM30\n"),
+        SizeIs(1));
+}
+
 } // namespace
 } // namespace maclint

@@ -90,6 +90,13 @@ class LiveVariables {
                    program_.effects[id].what);
     }
 
+    [[nodiscard]] std::size_t words() const { return sets_.none().size(); }
+    /// All variables that the program names.
+    [[nodiscard]] std::vector<Variable> all() const {
+        LiveSet all = sets_.none();
+        sets_.add_if(all, [](SpaceId) { return true; });
+        return sets_.members(all);
+    }
     [[nodiscard]] std::vector<Variable> members(const LiveSet& live) const { return sets_.members(live); }
     [[nodiscard]] bool holds(const LiveSet& live, Variable variable) const {
         return sets_.holds(live, variable);
@@ -160,9 +167,18 @@ class LiveVariables {
     std::unordered_map<flow::NodeId, LiveSet> at_exit_;
 };
 
+namespace {
+
+/// Of 8 bytes for all sets of a program together: no program that somebody has written comes near.
+constexpr std::size_t most_words = 8'000'000;
+
+} // namespace
+
 Liveness::Liveness(const Program& program, const flow::Graph& graph, Locals locals)
     : graph_(&graph)
     , variables_(std::make_unique<const LiveVariables>(program, graph, locals)) {
+    if (variables_->words() * graph.nodes.size() > most_words) return;
+    is_known_ = true;
     const std::vector<LiveSet> sets = flow::solve<flow::Direction::backward>(graph, *variables_);
     if (!sets.empty()) words_ = sets.front().size();
     after_.reserve(sets.size() * words_);
@@ -181,7 +197,7 @@ LiveSet Liveness::after(flow::NodeId node) const {
 
 bool Liveness::is_live_after(EffectId effect, Variable variable) const {
     const auto node = graph_->node_of(effect);
-    if (!node) return true;
+    if (!node || !is_known_) return true;
     LiveSet live = after(*node);
     const Slice effects = graph_->nodes[*node].effects;
     for (Id i = effects.first + effects.count; i > effect + 1;) variables_->go_back_over(*node, --i, live);
@@ -189,6 +205,7 @@ bool Liveness::is_live_after(EffectId effect, Variable variable) const {
 }
 
 std::vector<Variable> Liveness::live_before(flow::NodeId node) const {
+    if (!is_known_) return variables_->all();
     LiveSet live = after(node);
     variables_->run(node, live);
     return variables_->members(live);

@@ -23,12 +23,15 @@ class Liveness {
     /// them.
     enum class Locals : std::uint8_t { end_with_it, outlive_it };
 
-    /// Solves at once. The references must outlive the liveness.
+    /// Solves at once, unless blocks and variables are too many to keep all of both. The references must
+    /// outlive the liveness.
     Liveness(const Program& program, const flow::Graph& graph, Locals locals);
     Liveness(Liveness&&) noexcept;
     Liveness& operator=(Liveness&&) noexcept;
     ~Liveness();
 
+    /// Whether it was solved.
+    [[nodiscard]] bool is_known() const { return is_known_; }
     /// Whether what the variable holds after the effect may be read: here, by a called program, or when this
     /// one has ended. True where nothing is known, as of a variable that the program does not name.
     [[nodiscard]] bool is_live_after(EffectId effect, Variable variable) const;
@@ -40,6 +43,7 @@ class Liveness {
 
     const flow::Graph* graph_;
     std::unique_ptr<const LiveVariables> variables_;
+    bool is_known_ = false;
     std::size_t words_ = 0;            ///< of a set
     std::vector<std::uint64_t> after_; ///< the sets of all nodes, one after the other
 };

@@ -59,6 +59,13 @@ Span span_in(std::string_view text, std::string_view name) {
 
 } // namespace
 
+const Variable* OpenProgram::alias_of(std::string_view name) const {
+    if (const auto own = aliases.find(name); own != aliases.end()) return &own->second;
+    if (inherited == nullptr) return nullptr;
+    const auto shared = inherited->find(name);
+    return shared == inherited->end() ? nullptr : &shared->second;
+}
+
 OpenProgram& Programs::open(std::string name) {
     OpenProgram& program = open_.emplace_back(
         OpenProgram{.builder = ProgramBuilder(std::move(name), source_.bytes(), control_)});
@@ -119,21 +126,27 @@ void Programs::open_subprogram(const SectionWord& word, Span heading) {
     else // word processors make other quotation marks of them
         name = rest.substr(0, rest.find_first_not_of("0123456789"));
     name = trim(name.substr(0, name.find('[')));
-    VariablesByName aliases = inherited(main()); // also when the subprograms stand first
+    const auto names = inherited(main()); // also when the subprograms stand first
     current_ = open_.size();
     OpenProgram& opened = open(std::string(name.empty() ? word.word : name));
-    opened.aliases = std::move(aliases);
+    opened.inherited = names;
     opened.builder.set_local();
     opened.builder.set_started(Program::Started::by_call);
     opened.builder.set_name_span(name.empty() ? heading : span_in(source_.bytes(), name));
 }
 
 /// Names of VAR that stand for variables which all programs share are known in local subprograms, too.
-VariablesByName Programs::inherited(const OpenProgram& main) {
-    VariablesByName result;
+std::shared_ptr<const VariablesByName> Programs::inherited(const OpenProgram& main) {
+    // Names are only ever added.
+    if (inherited_ != nullptr && inherited_from_ == main_ && inherited_of_ == main.aliases.size())
+        return inherited_;
+    auto names = std::make_shared<VariablesByName>();
     for (const auto& alias : main.aliases)
-        if (control().spaces[alias.second.space].scope != Scope::frame) result.insert(alias);
-    return result;
+        if (control().spaces[alias.second.space].scope != Scope::frame) names->insert(alias);
+    inherited_ = std::move(names);
+    inherited_from_ = main_;
+    inherited_of_ = main.aliases.size();
+    return inherited_;
 }
 
 void Programs::begin_section(const SectionKind& kind, Span heading) {

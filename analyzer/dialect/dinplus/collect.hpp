@@ -7,6 +7,7 @@
 #include "analyzer/program/model.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -38,7 +39,7 @@ class Programs {
     void open_subprogram(const SectionWord& word, Span heading);
     void begin_section(const SectionKind& kind, Span heading);
     void leave_section();
-    [[nodiscard]] static VariablesByName inherited(const OpenProgram& main);
+    [[nodiscard]] std::shared_ptr<const VariablesByName> inherited(const OpenProgram& main);
 
     static constexpr std::size_t nothing = SIZE_MAX;
 
@@ -47,6 +48,9 @@ class Programs {
     ProgramFile& file_;
     std::vector<OpenProgram> open_; ///< one for each program of the file
     std::size_t main_ = nothing;
+    // What subprograms have inherited last, from which program, and how many names that had declared by then.
+    std::shared_ptr<const VariablesByName> inherited_;
+    std::size_t inherited_from_ = nothing, inherited_of_ = 0;
     std::size_t current_ = nothing;
 };
 

@@ -126,8 +126,8 @@ std::optional<Variable> variable_named(std::string_view written, const OpenProgr
     const std::string_view name = written.substr(begin);
     if (name.starts_with("__")) return transfer_variable(name.substr(2));
     if (name.starts_with('_')) {
-        const auto alias = program.aliases.find(name);
-        return alias == program.aliases.end() ? std::nullopt : std::optional(alias->second);
+        const Variable* alias = program.alias_of(name);
+        return alias == nullptr ? std::nullopt : std::optional(*alias);
     }
     const std::optional<FamilyId> family = begin == 0 ? std::nullopt : family_of(name.front());
     const std::optional<std::int64_t> number = read_integer(name);

@@ -163,10 +163,7 @@ ExpressionId BlockLowering::lower_indirect(const Node& node) {
     return load_selected(*family, 0, computed, span(node));
 }
 
-const Variable* BlockLowering::alias_of(std::string_view name) const {
-    const auto row = open_->aliases.find(name);
-    return row == open_->aliases.end() ? nullptr : &row->second;
-}
+const Variable* BlockLowering::alias_of(std::string_view name) const { return open_->alias_of(name); }
 
 /// A name is known by what stands after `#`, `_` included.
 Variable BlockLowering::named_variable(const Node& node, SpaceId space) {

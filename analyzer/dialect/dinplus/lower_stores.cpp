@@ -34,7 +34,7 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value) {
         if (variable) initialise(value, span(value));
     }
     if (variable) builder_->add_alias(own, *variable);
-    open_->aliases.emplace(written, variable.value_or(own));
+    if (open_->alias_of(written) == nullptr) open_->aliases.emplace(written, variable.value_or(own));
     return variable.has_value();
 }
 

@@ -6,7 +6,9 @@
 #include "analyzer/source/span.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace maclint::dinplus {
@@ -23,9 +25,14 @@ struct OpenProgram {
     bool declares = false; ///< it is VAR or CONST
 
     // Of the blocks before; set by the lowering.
-    VariablesByName aliases = {};              ///< VAR: `#_depth=#l1`
+    VariablesByName aliases = {}; ///< VAR: `#_depth=#l1`
+    /// Those of the main program that its local subprograms know, too; nullptr: none. They share them.
+    std::shared_ptr<const VariablesByName> inherited = {};
     std::vector<ExpressionId> selections = {}; ///< values of the open SWITCHes
     std::optional<Span> waiting_if = {};       ///< an IF whose THEN has not come
+
+    /// The variable that the name stands for; nullptr where nothing has declared it.
+    [[nodiscard]] const Variable* alias_of(std::string_view name) const;
 };
 
 } // namespace maclint::dinplus
