@@ -45,7 +45,7 @@ const Caller* call_that_comes_to(execution::PathSearch& search, const ProgramAna
     if (read.node != 0 && std::ranges::binary_search(changing, flow::NodeId{0})) return nullptr;
     std::set<std::vector<flow::NodeId>> in_vain; // calls that go the same ways
     for (const Caller& caller : analysis.callers()) {
-        if (!WorkLimit::allows(analysis.graph().nodes.size())) return nullptr;
+        if (!WorkLimit::allows()) return nullptr;
         const std::vector<bool> reached = nodes_reached_by(analysis, caller, changing);
         if (!reached[read.node]) continue;
         std::vector<flow::NodeId> barred = changing;
