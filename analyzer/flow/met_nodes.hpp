@@ -27,7 +27,7 @@ class MetNodes {
     }
     MetNodes(const MetNodes&) = delete;
     MetNodes& operator=(const MetNodes&) = delete;
-    ~MetNodes() { Kept::get().push_back(std::move(marks_)); }
+    ~MetNodes() { Kept::get().free.push_back(std::move(marks_)); } // there is room for all that were made
 
     [[nodiscard]] bool contains(std::uint32_t node) const { return marks_->walk_of[node] == marks_->walk; }
     void insert(std::uint32_t node) { marks_->walk_of[node] = marks_->walk; }
@@ -37,14 +37,23 @@ class MetNodes {
         std::vector<std::uint32_t> walk_of; ///< of every node: the last walk that has met it
         std::uint32_t walk = 0;             ///< the number of the present one, from 1
     };
-    /// Those of walks that have ended: within a step of a walk another one may begin.
-    using Kept = platform::KeptByThread<std::vector<std::unique_ptr<Marks>>, MetNodes>;
+    /// Within a step of a walk another one may begin.
+    struct AllMarks {
+        std::vector<std::unique_ptr<Marks>> free; ///< those of walks that have ended
+        std::size_t made = 0;
+    };
+    using Kept = platform::KeptByThread<AllMarks>;
 
     static std::unique_ptr<Marks> taken_from_thread() {
-        auto& kept = Kept::get();
-        if (kept.empty()) return std::make_unique<Marks>();
-        auto marks = std::move(kept.back());
-        kept.pop_back();
+        AllMarks& all = Kept::get();
+        if (all.free.empty()) {
+            all.free.reserve(all.made + 1);
+            auto marks = std::make_unique<Marks>();
+            ++all.made;
+            return marks;
+        }
+        auto marks = std::move(all.free.back());
+        all.free.pop_back();
         return marks;
     }
 
