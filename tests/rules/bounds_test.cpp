@@ -170,8 +170,8 @@ TEST(Bounds, BlocksTimesVariablesOfAProgramWhoseValuesAreLost) {
 TEST(Bounds, ConditionsInBracketsTakeNoPowerOfTheirDepth) {
     std::string condition = "[#500EQ1]";
     for (int i = 1; i < 40; ++i) {
-        const std::string test = "[#" + std::to_string(500 + i) + "EQ" + std::to_string(i) + "]";
-        condition = "[" + condition + (i % 2 == 0 ? "AND" : "OR") + test + "]";
+        condition.insert(0, "[").append(i % 2 == 0 ? "AND" : "OR");
+        condition.append("[#").append(std::to_string(500 + i)).append("EQ1]]");
     }
     EXPECT_THAT(lines_raised("MAC301", "O1\nIF" + condition + "GOTO10\nN10M30\n"), IsEmpty());
 }
