@@ -55,10 +55,8 @@ class Reads {
 /// Looks from one store on.
 class Search {
   public:
-    /// So many nodes may still be looked at.
-    Search(const ProgramAnalysis& analysis, const dataflow::Store& store, std::size_t& nodes_left)
+    Search(const ProgramAnalysis& analysis, const dataflow::Store& store)
         : analysis_(analysis)
-        , nodes_left_(nodes_left)
         , graph_(analysis.graph())
         , store_(store)
         , found_{&store, {}, false, false, false, false, {}} {
@@ -91,17 +89,6 @@ class Search {
     /// Whether nothing is told, whatever comes.
     [[nodiscard]] bool is_left_out() const { return left_out_ || (!own_ && found_.may_end); }
 
-    /// At one more node.
-    bool may_look_further() {
-        if (nodes_left_ == 0) {
-            left_out_ = true;
-            execution::GivenUp::note(analysis_.search_memory());
-        } else {
-            --nodes_left_;
-        }
-        return !left_out_;
-    }
-
     void go_on() {
         pass(store_.node);
         flow::walk<flow::Direction::forward>(graph_, {store_.node},
@@ -118,7 +105,6 @@ class Search {
     }
 
     void pass(flow::NodeId node) {
-        if (!may_look_further()) return;
         const flow::Node& at = graph_.nodes[node];
         const bool calculates =
             !at.is_run && std::ranges::all_of(analysis_.program().effects_in(at.effects), only_calculates);
@@ -164,12 +150,12 @@ class Search {
     }
 
     /// Whether the other outcome of the decision leads to the node.
-    [[nodiscard]] bool leads_around(const flow::Edge& taken, flow::NodeId to) {
+    [[nodiscard]] bool leads_around(const flow::Edge& taken, flow::NodeId to) const {
         bool leads = false;
         flow::walk<flow::Direction::forward>(graph_, {taken.from}, [&](flow::EdgeId id, flow::NodeId node) {
             const flow::Edge& edge = graph_.edges[id];
             const bool same_way = edge.from == taken.from && edge.to == taken.to;
-            if (same_way || !analysis_.data().passable(id) || !may_look_further()) return flow::Step::refuse;
+            if (same_way || !analysis_.data().passable(id)) return flow::Step::refuse;
             leads |= node == to;
             return node == to || node == taken.from ? flow::Step::end : flow::Step::go_on;
         });
@@ -177,7 +163,6 @@ class Search {
     }
 
     const ProgramAnalysis& analysis_;
-    std::size_t& nodes_left_;
     const flow::Graph& graph_;
     const dataflow::Store& store_;
     DeadStore found_;
@@ -193,7 +178,6 @@ bool saves_modal_code(const Program& program, const dataflow::Store& store) {
 } // namespace
 
 std::vector<DeadStore> find_dead_stores(const ProgramAnalysis& analysis) {
-    const WorkLimit::Pause pause; // it has a bound of its own
     std::vector<DeadStore> dead;
     const auto& stores = analysis.facts().all<dataflow::Store>();
     if (stores.empty()) return dead;
@@ -202,14 +186,18 @@ std::vector<DeadStore> find_dead_stores(const ProgramAnalysis& analysis) {
         return dead;
     }
     std::optional<Reads> reads; // most programs have no dead store
-    std::size_t nodes_left = most_nodes + nodes_of_a_store * stores.size();
+    const WorkLimit limit(most_nodes + nodes_of_a_store * stores.size());
     for (const dataflow::Store& store : stores) {
         if (saves_modal_code(analysis.program(), store) ||
             analysis.liveness().is_live_after(store.effect, store.variable))
             continue;
         if (!reads) reads.emplace(analysis);
         if (reads->hold_unreached(store.variable)) continue;
-        auto found = Search(analysis, store, nodes_left).run();
+        auto found = Search(analysis, store).run();
+        if (limit.is_met()) {
+            execution::GivenUp::note(analysis.search_memory());
+            break;
+        }
         if (!found) continue;
         found->read_elsewhere |= reads->hold(store.variable);
         dead.push_back(*std::move(found));

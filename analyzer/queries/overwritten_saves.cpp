@@ -73,11 +73,10 @@ std::vector<const dataflow::Store*> stores_for(const ProgramAnalysis& analysis,
         if (only->variable == variable) stores.push_back(only);
         return stores;
     }
-    for (const dataflow::Store* store : analysis.facts().about<dataflow::Store>(variable))
-        if (!WorkLimit::allows())
-            break;
-        else if (saved_before(analysis, *store) && reaches(analysis, *store, write))
-            stores.push_back(store);
+    for (const dataflow::Store* store : analysis.facts().about<dataflow::Store>(variable)) {
+        if (!WorkLimit::allows()) break;
+        if (saved_before(analysis, *store) && reaches(analysis, *store, write)) stores.push_back(store);
+    }
     return stores;
 }
 

@@ -4,8 +4,6 @@
 #include "analyzer/dataflow/facts/facts.hpp"
 #include "analyzer/source/work_limit.hpp"
 
-#include <algorithm>
-
 namespace maclint::dataflow {
 
 /// Whether a fact about the variable whose value is the result of that computation has the property. What is

@@ -163,13 +163,11 @@ ExpressionId BlockLowering::lower_indirect(const Node& node) {
     return load_selected(*family, 0, computed, span(node));
 }
 
-const Variable* BlockLowering::alias_of(std::string_view name) const { return open_->alias_of(name); }
-
 /// A name is known by what stands after `#`, `_` included.
 Variable BlockLowering::named_variable(const Node& node, SpaceId space) {
     std::string_view written = text(node);
     written.remove_prefix(std::min(written.find_first_not_of("# \t"), written.size()));
-    if (const Variable* alias = alias_of(written)) return *alias;
+    if (const Variable* alias = open_->alias_of(written)) return *alias;
     return {space, builder_->number_of_name(space, written)};
 }
 

@@ -94,7 +94,6 @@ class BlockLowering : private TreeLowering {
     };
     [[nodiscard]] std::optional<Numbered> numbered(const Node& variable) const;
     [[nodiscard]] Variable named_variable(const Node& node, SpaceId space);
-    [[nodiscard]] const Variable* alias_of(std::string_view name) const;
     [[nodiscard]] std::optional<Variable> variable_of(const Node& node);
 
     // ---- the tree
