@@ -9,7 +9,7 @@
 namespace maclint::dataflow {
 namespace {
 
-/// Of so many assignments it is looked at where in a round they are made.
+/// Of so many nodes it is looked at what a round may do before it comes to them.
 constexpr std::size_t most_placed = 16;
 
 bool adds_nothing(const Store& store) { return store.step && store.step->amount.constant() == 0.0; }
@@ -22,11 +22,28 @@ bool LoopStops::may_stop_later(const CallMade& made) {
     if (reasons.anything) return true;
     const auto& call = std::get<Call>(program_.effects[made.effect].what);
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
-    return std::ranges::any_of(reasons.variables, [&](Variable variable) {
+    const bool differs_somewhere = std::ranges::any_of(reasons.variables, [&](Variable variable) {
         const VariableSpace& space = program_.control->spaces[variable.space];
         if (space.named) return true; // numbered differently in each program
         if (space.scope == Scope::frame && !shared_frame) return passes_other_numbers(made, variable);
         return differs(variable, made.node, most_assignments);
+    });
+    return differs_somewhere || (!is_made_in_each_round(made) && !may_go_on_always(reasons));
+}
+
+/// Whether the program is called in the first round, too: it may stop there or never.
+bool LoopStops::is_made_in_each_round(const CallMade& made) {
+    const auto programmed_at = graph_.node_of(made.effect); // a modal call is made after moves from there on
+    if (!programmed_at) return false;
+    if (loop_.holds(*programmed_at) && comes_before(made.node, *programmed_at)) return false;
+    return !comes_before(loop_.latch, made.node);
+}
+
+/// Whether nobody knows anything of what decides over the alarms, so that there are runs without one.
+bool LoopStops::may_go_on_always(const StopReasons& reasons) const {
+    return !reasons.variables.empty() && std::ranges::all_of(reasons.variables, [this](Variable variable) {
+        return program_.control->spaces[variable.space].scope != Scope::frame &&
+               analysis_.facts().about<Store>(variable).empty();
     });
 }
 
@@ -73,24 +90,25 @@ bool LoopStops::is_always_made(const Store& store, flow::NodeId at) {
     const Slice effects = graph_.nodes[store.node].effects;
     const bool without_condition =
         store.effect >= effects.first && store.effect < effects.first + effects.count;
-    if (!without_condition || store.node == at) return false;
-    if (store.node == loop_.head) return true;
-    if (!before_.contains(store.effect) && before_.size() == most_placed) return false;
-    return !nodes_before(store)[at];
+    return without_condition && store.node != at && !comes_before(at, store.node);
 }
 
-const std::vector<bool>& LoopStops::nodes_before(const Store& store) {
-    const auto [known, fresh] = before_.try_emplace(store.effect);
-    if (!fresh) return known->second;
+/// Whether a round may come to the node before it comes to `last`, which is another one or the same. True as
+/// well where too many were asked for.
+bool LoopStops::comes_before(flow::NodeId node, flow::NodeId last) {
+    if (last == loop_.head || node == last) return false;
+    if (!before_.contains(last) && before_.size() == most_placed) return true;
+    const auto [known, fresh] = before_.try_emplace(last);
+    if (!fresh) return known->second[node];
     std::vector<bool>& before = known->second;
     before.resize(graph_.nodes.size());
     before[loop_.head] = true;
     flow::walk<flow::Direction::forward>(graph_, {loop_.head}, [&](flow::EdgeId edge, flow::NodeId to) {
-        if (to == store.node || !loop_.holds(to) || !analysis_.passable(edge)) return flow::Step::refuse;
+        if (to == last || !loop_.holds(to) || !analysis_.passable(edge)) return flow::Step::refuse;
         before[to] = true;
         return flow::Step::go_on;
     });
-    return before;
+    return before[node];
 }
 
 } // namespace maclint::dataflow

@@ -31,19 +31,21 @@ class LoopStops {
   private:
     static constexpr int most_assignments = 8; ///< one made of another
 
+    [[nodiscard]] bool is_made_in_each_round(const CallMade& made);
+    [[nodiscard]] bool may_go_on_always(const StopReasons& reasons) const;
     [[nodiscard]] bool passes_other_numbers(const CallMade& made, Variable variable);
     [[nodiscard]] bool differs(ExpressionId expression, flow::NodeId at, int left);
     [[nodiscard]] bool differs(Variable variable, flow::NodeId at, int left);
     [[nodiscard]] bool is_made_of_others(Variable variable, flow::NodeId at, int left);
     [[nodiscard]] bool is_always_made(const Store& store, flow::NodeId at);
-    [[nodiscard]] const std::vector<bool>& nodes_before(const Store& store);
+    [[nodiscard]] bool comes_before(flow::NodeId node, flow::NodeId last);
 
     const Program& program_;
     const flow::Graph& graph_;
     const Analysis& analysis_;
     const Loop& loop_;
     std::map<std::tuple<Key, flow::NodeId, int>, bool> differs_; ///< as far as it was asked
-    std::map<EffectId, std::vector<bool>> before_; ///< by store: nodes that a round may come to before it
+    std::map<flow::NodeId, std::vector<bool>> before_; ///< nodes that a round may come to before each
 };
 
 } // namespace maclint::dataflow

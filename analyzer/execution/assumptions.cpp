@@ -30,11 +30,11 @@ unsigned places(Operation operation) {
 /// What is left of the numbers that a value can be.
 class Numbers {
   public:
-    explicit Numbers(const Value& value)
+    Numbers(const Value& value, bool may_be_fraction)
         : low_(value.low)
         , high_(value.high)
         , whole_(value.integer)
-        , counts_(is_end_of_whole(low_) && is_end_of_whole(high_)) {}
+        , counts_(!may_be_fraction && is_end_of_whole(low_) && is_end_of_whole(high_)) {}
 
     void cut(Operation operation, double number) {
         counts_ = counts_ && is_whole(number);
@@ -138,7 +138,7 @@ bool Assumptions::contradicts(const Assumption& now, const Value& subject) const
 }
 
 bool Assumptions::leaves_no_number(const Assumption& now, const Value& subject) const {
-    Numbers numbers(subject);
+    Numbers numbers(subject, fractions_.contains(now.subject));
     const auto cut = [&](const Assumption& assumed) {
         // A vacant value is not equal to 0, and counts as 0 beside LT, LE, GE and GT.
         const bool or_vacant = assumed.operation == Operation::not_equal && assumed.number == 0 &&

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 namespace maclint::execution {
@@ -19,9 +20,11 @@ class Assumptions {
     /// All of `known`, and that the comparison of `left` with `right` is true; for a vacancy test `right` is
     /// not looked at. Nothing when these cannot all be so: #1EQ50 was true, and so is #1NE50. Comparisons of
     /// a value with whole numbers alone are taken to speak of whole numbers: those who count through the
-    /// cases of a variable, #7EQ1, #7EQ2 …, mean them.
+    /// cases of a variable, #7EQ1, #7EQ2 …, mean them. Not of a value that `may_be_fraction`.
     [[nodiscard]] std::optional<Id> add(Id known, Operation operation, const dataflow::Value& left,
                                         const dataflow::Value& right);
+
+    void may_be_fraction(dataflow::SymbolId value) { fractions_.insert(value); }
 
     /// A value that something is assumed of.
     struct Assumption {
@@ -39,6 +42,7 @@ class Assumptions {
     [[nodiscard]] bool leaves_no_number(const Assumption& now, const dataflow::Value& subject) const;
 
     std::vector<Assumption> all_;
+    std::unordered_set<dataflow::SymbolId> fractions_;
 };
 
 } // namespace maclint::execution

@@ -144,6 +144,8 @@ dataflow::Root PathRun::unknown_after(const Changes& changes) {
         Value value;
         value.symbol =
             states_.table().symbols({Symbol::Kind::joined, dataflow::key_of(variable), changes.at, 1});
+        if (std::ranges::find(changes.fractions, variable) != changes.fractions.end())
+            assumptions_.may_be_fraction(value.symbol);
         states_.write(state, variable, value);
     }
     return known->second = state.root;

@@ -7,6 +7,7 @@
 #include "analyzer/flow/walk.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace maclint::execution {
@@ -34,6 +35,11 @@ std::optional<flow::Adjacency> without(const flow::Graph& graph, const flow::Adj
         left.end_list();
     }
     return leads_back ? std::optional(std::move(left)) : std::nullopt;
+}
+
+bool makes_fraction(const dataflow::Store& store) {
+    const auto number = store.step ? store.step->amount.constant() : store.value.constant();
+    return number && std::floor(*number) != *number;
 }
 
 } // namespace
@@ -165,8 +171,10 @@ void Rounds::find_changes(Cycle& cycle, flow::NodeId at) {
     changes.at = at;
     measured_ += cycle.nodes.size();
     for (const flow::NodeId node : cycle.nodes) {
-        for (const dataflow::Store& store : analysis_.facts().in<dataflow::Store>(node))
+        for (const dataflow::Store& store : analysis_.facts().in<dataflow::Store>(node)) {
             changes.variables.push_back(store.variable);
+            if (makes_fraction(store)) changes.fractions.push_back(store.variable);
+        }
         for (const dataflow::Clobber& clobber : analysis_.facts().in<dataflow::Clobber>(node))
             if (clobber.variable)
                 changes.variables.push_back(*clobber.variable);

@@ -144,6 +144,21 @@ TEST(Loops, CanStopWhereASwitchOfTheOperatorDecidesOverAnAlarm) {
     EXPECT_FALSE(traits("", "G65P2\n", "O2\nIF[#500EQ1]THEN#3000=1\n/GOTO9\nG0X1\nN9M99\n").first);
 }
 
+TEST(Loops, CanStopWhereTheFirstRoundMayDoWithoutTheCall) {
+    const auto can_stop = [](const std::string& body, const std::string& reads) {
+        return traits("", body, "O2\nIF[" + reads + "EQ1]THEN#3000=1\nM99\n").first;
+    };
+    EXPECT_FALSE(can_stop("G65P2A3\n", "#1")); // what the first round has passed the later ones pass, too
+    EXPECT_TRUE(can_stop("IF[#3EQ1]GOTO5\nG65P2A3\nN5#3=2\n", "#1"));
+    EXPECT_FALSE(can_stop("IF[#3EQ1]GOTO5\nN5#3=2\nG65P2A3\n", "#1"));
+    EXPECT_FALSE(can_stop("IF[#3EQ1]GOTO5\nG65P2A3\nN5#3=2\n", "#500")); // nobody says that it is 1
+    EXPECT_TRUE(can_stop("IF[#3EQ1]GOTO5\nG65P2A3\nN5#3=2\n#500=1\n", "#500"));
+    // After moves, from its block on: in the first round too where the block stands in front of the move.
+    EXPECT_TRUE(can_stop("G0X1\nG66P2A3\n", "#1"));
+    EXPECT_FALSE(can_stop("G66P2A3\nG0X1\n", "#1"));
+    EXPECT_TRUE(can_stop("IF[#3EQ1]GOTO5\nG66P2A3\nN5G0X1\n#3=2\n", "#1"));
+}
+
 TEST(Loops, CanStopWhereTheNumberThatDecidesIsMadeByTooManyAssignments) {
     // Each round makes #10 anew and the others of it: what the call passes is always the same.
     const auto made_by = [](int assignments) {

@@ -144,7 +144,8 @@ TEST(Codes, AreSetByASystemVariableHoweverItIsNamed) {
         EXPECT_FALSE(found.unknown) << block;
     }
     EXPECT_THAT(at_end("#3003=1\n#3003=0\n", ModalRole::single_block).codes, testing::ElementsAre(0));
-    EXPECT_THAT(at_end("#3003=1\n", ModalRole::feed_hold).codes, testing::ElementsAre(0)); // as after a reset
+    EXPECT_THAT(at_end("#3003=1\n", ModalRole::feed_hold).codes,
+                testing::IsEmpty()); // kept until the power is off
 }
 
 TEST(Codes, OfAnUnknownNumberMayBeOfAnyGroupOfTheirLetter) {

@@ -328,6 +328,16 @@ TEST(FeasiblePaths, RoundsAreGoneAlsoFromTheMiddleOfALoop) {
     EXPECT_FALSE(leads_by_way_of(text("#103=#103+1\n"), 4, 10)); // nothing makes #102 another number
 }
 
+TEST(FeasiblePaths, WhatRoundsChangeByAFractionIsComparedAsAFraction) {
+    // Line 6 lets #1 be above 1 and below 2 after both loops, or never.
+    const auto text = [](const std::string& step) {
+        return "O1\n#1=0\nWHILE[#1LE1]DO1\n#1=4\nWHILE[#1GE2]DO2\n" + step + "END2\n#102=1\nEND1\nX1\nM30\n";
+    };
+    EXPECT_TRUE(leads_by_way_of(text("#1=#1-0.5\n"), 7, 10));
+    EXPECT_TRUE(leads_by_way_of(text("IF[#1EQ4]THEN#1=1.5\n"), 7, 10));
+    EXPECT_FALSE(leads_by_way_of(text("#1=#1-1\n"), 7, 10));
+}
+
 TEST(FeasiblePaths, AFailureCountsOnlyWhereTheCallersCodesAreTheSame) {
     // Who comes past THEN in line 4 has shown that code 5 is in force, and never comes into it.
     const std::string text = "O1\nN1IF[#100GT#101]GOTO3\nN2#1=#4109\nN3IF[#4001NE5]THEN#500=#4003\n"

@@ -21,9 +21,9 @@ void append_values(std::vector<ModalGroup>& groups) {
     // clang-format off
     groups.push_back({"feed",                      Role::feed,                'F', Restore::value,       {},   {},  none, none, "SEED-001:1360"});
     groups.push_back({"spindle speed",             Role::speed,               'S', Restore::value,       {},   {},  none, none, "SEED-001:1365"});
-    groups.push_back({"single-block suppression",  Role::single_block,        '#', Restore::suppression, {},   {0}, none, 0,    "SEED-001:214-220, #3003", {}, false, false,
+    groups.push_back({"single-block suppression",  Role::single_block,        '#', Restore::suppression, {},   {0}, none, none, "SEED-001:214-220, #3003", {}, false, false,
                       {"single block", "the wait for M, S and T codes"}});
-    groups.push_back({"feed-hold suppression",     Role::feed_hold,           '#', Restore::suppression, {},   {0}, none, 0,    "SEED-001:226-234, #3004", {}, false, false,
+    groups.push_back({"feed-hold suppression",     Role::feed_hold,           '#', Restore::suppression, {},   {0}, none, none, "SEED-001:226-234, #3004", {}, false, false,
                       {"feed hold", "feed override", "exact stop"}});
     groups.push_back({"local offset",              Role::local_offset,        'G', Restore::operation,   {52}, {0}, 0,    0,    "T: G52 shifts until G52 X0 Y0 Z0", "G52 X0 Y0 Z0"});
     groups.push_back({"spindle",                   Role::spindle,             'M', Restore::none,        {3, 4, 5, 13, 14, 19}, {}, 5, none, "T: M13 and M14 are M03 and M04 with coolant, M19 orients"});
