@@ -2,6 +2,7 @@
 #include "analyzer/workspace/resolve.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace maclint {
 namespace {
@@ -47,23 +48,35 @@ CallResolver::CallResolver(std::span<const FileOutline> files)
         for (const ProgramOutline& program : files[file].programs) {
             if (!program.folder.empty())
                 homes_.try_emplace({file, program.folder}, files[file].path + "/" + program.folder);
-            if (program.number) add(by_number_[{program.language, *program.number}], file, program, index);
+            const ProgramInFile here{file, &program};
+            if (program.number) add(by_number_[{program.language, *program.number}], here, index);
             for (const std::string& name : program.names)
-                add(by_name_[{program.language, name}], file, program, index);
+                add(by_name_[{program.language, name}], here, index);
             ++index;
         }
 }
 
-void CallResolver::add(ProgramsByName& programs_by_name, std::size_t file, const ProgramOutline& program,
-                       ProgramIndex index) {
-    const std::size_t by_hand = handicap(program);
-    // A file that says in which folders its programs are stored is itself a folder.
-    const std::string_view home = home_of(file, program);
+void CallResolver::add(ProgramsByName& named, ProgramInFile program, ProgramIndex index) const {
+    if (!named.places && !named.only_one && !program.outline->local) {
+        named.only_one = std::make_shared<NamesakeList>(NamesakeList{index});
+        named.where_it_is = program;
+        return;
+    }
+    if (!named.places) named.places = std::make_unique<Places>();
+    if (const auto first = std::exchange(named.only_one, nullptr))
+        add_to_places(*named.places, named.where_it_is, first->front());
+    add_to_places(*named.places, program, index);
+}
+
+void CallResolver::add_to_places(Places& places, ProgramInFile program, ProgramIndex index) const {
+    const auto& [file, outline] = program;
+    const std::size_t by_hand = handicap(*outline);
     // Every file may have local programs of the same names: only calls in the file look at them.
-    if (program.local) return programs_by_name.local[file].consider(index, by_hand);
-    if (program.folder.empty()) programs_by_name.in_file[file].consider(index, by_hand);
-    for_each_folder_around(home, [&](std::string_view folder, std::size_t down) {
-        programs_by_name.below[folder].consider(index, step * down + by_hand);
+    if (outline->local) return places.local[file].consider(index, by_hand);
+    if (outline->folder.empty()) places.in_file[file].consider(index, by_hand);
+    // A file that says in which folders its programs are stored is itself a folder.
+    for_each_folder_around(home_of(file, *outline), [&](std::string_view folder, std::size_t down) {
+        places.below[folder].consider(index, step * down + by_hand);
     });
 }
 
@@ -86,8 +99,10 @@ const CallResolver::ProgramsByName* CallResolver::programs_named(const ProgramOu
 Namesakes CallResolver::resolve(std::size_t file, const ProgramOutline& caller,
                                 const CallOutline& call) const {
     Namesakes found;
-    const ProgramsByName* programs_by_name = programs_named(caller, call);
-    if (programs_by_name == nullptr) return found;
+    const ProgramsByName* named = programs_named(caller, call);
+    if (named == nullptr) return found;
+    if (named->only_one) return {.nearest = {named->only_one}, .all = 1};
+    const Places& places = *named->places;
     std::size_t nearest = static_cast<std::size_t>(-1);
     const auto look_at = [&](const Nearest& there, std::size_t steps_there) {
         const std::size_t steps = steps_there + there.steps;
@@ -101,21 +116,19 @@ Namesakes CallResolver::resolve(std::size_t file, const ProgramOutline& caller,
     };
     // First the file itself, then folder by folder outwards. A name that the call looks for in other files
     // may still be that of a local program.
-    if (caller.folder.empty()) look_into(programs_by_name->in_file);
-    if (call.lookup != LookupScope::other_files) look_into(programs_by_name->local);
+    if (caller.folder.empty()) look_into(places.in_file);
+    if (call.lookup != LookupScope::other_files) look_into(places.local);
     if (found.nearest.empty())
         for_each_folder_around(home_of(file, caller), [&](std::string_view folder, std::size_t up) {
-            if (const auto there = programs_by_name->below.find(folder);
-                there != programs_by_name->below.end())
+            if (const auto there = places.below.find(folder); there != places.below.end())
                 look_at(there->second, step * (1 + up));
         });
-    if (found.nearest.empty()) look_into(programs_by_name->local);
+    if (found.nearest.empty()) look_into(places.local);
 
     // Seen from the outermost folder, all that are not local are there.
-    if (const auto all = programs_by_name->below.find(std::string_view{});
-        all != programs_by_name->below.end())
+    if (const auto all = places.below.find(std::string_view{}); all != places.below.end())
         found.all += all->second.all;
-    if (const auto local = programs_by_name->local.find(file); local != programs_by_name->local.end())
+    if (const auto local = places.local.find(file); local != places.local.end())
         found.all += local->second.all;
     return found;
 }

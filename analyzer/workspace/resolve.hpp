@@ -49,10 +49,20 @@ class CallResolver {
 
         void consider(ProgramIndex program, std::size_t steps_to_it);
     };
-    /// All programs of a number or a name.
-    struct ProgramsByName {
+    struct Places {
         std::unordered_map<std::string_view, Nearest> below; ///< a folder, as seen from it; no local programs
         std::unordered_map<std::size_t, Nearest> in_file, local; ///< only the file sees local ones
+    };
+    struct ProgramInFile {
+        std::size_t file;
+        const ProgramOutline* outline;
+    };
+    /// All programs of a number or a name. One that is not local and has no namesakes is meant from
+    /// everywhere.
+    struct ProgramsByName {
+        std::shared_ptr<NamesakeList> only_one;
+        ProgramInFile where_it_is{};    ///< the only one
+        std::unique_ptr<Places> places; ///< otherwise
     };
     /// A language, and a number or name in it.
     template<class Name>
@@ -67,8 +77,8 @@ class CallResolver {
     template<class Name>
     using Index = std::unordered_map<Called<Name>, ProgramsByName, CalledHash>;
 
-    void add(ProgramsByName& programs_by_name, std::size_t file, const ProgramOutline& program,
-             ProgramIndex index);
+    void add(ProgramsByName& named, ProgramInFile program, ProgramIndex index) const;
+    void add_to_places(Places& places, ProgramInFile program, ProgramIndex index) const;
     [[nodiscard]] const ProgramsByName* programs_named(const ProgramOutline& caller,
                                                        const CallOutline& call) const;
 

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <deque>
 #include <ranges>
+#include <utility>
 
 namespace maclint::test {
 namespace {
@@ -177,7 +178,7 @@ bool HeldAgainstFacts::allows(const dataflow::ModalValue& value, double code) co
 
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::ProgramBegins&) {
     const ProgramAnalysis& analysis = stepper.program();
-    levels_.push_back({&analysis, {}, {}, {}, {}, {}, 0, {}, {}});
+    levels_.push_back({&analysis, {}, {}, {}, {}, {}, 0, {}, {}, {}});
     Level& level = levels_.back();
     for (const Variable variable : watched_[&analysis]) {
         level.variables.push_back(stepper.content(variable));
@@ -254,7 +255,8 @@ void HeldAgainstFacts::come_to(flow::NodeId node, bool goes_on) {
     Level& level = levels_.back();
     if (goes_on) return;
     const ProgramAnalysis& analysis = *level.analysis;
-    const auto path = level.node  ? this->path(analysis, *level.node, node)
+    const auto jumped_to = std::exchange(level.jumped_to, std::nullopt);
+    const auto path = level.node  ? this->path(analysis, *level.node, node, jumped_to)
                       : node == 0 ? std::optional<std::vector<flow::EdgeId>>(std::vector<flow::EdgeId>{})
                                   : this->path(analysis, 0, node);
     const auto before = level.node;
@@ -275,10 +277,12 @@ void HeldAgainstFacts::come_to(flow::NodeId node, bool goes_on) {
     }
 }
 
-/// A shortest path over edges that can be taken and nodes of which no event tells.
+/// A shortest path over edges that can be taken and nodes of which no event tells: a jump may come to the
+/// same node by way of a block that is skipped.
 std::optional<std::vector<flow::EdgeId>> HeldAgainstFacts::path(const ProgramAnalysis& analysis,
-                                                                flow::NodeId from, flow::NodeId to) {
-    const auto [entry, fresh] = paths_.try_emplace({&analysis, from, to});
+                                                                flow::NodeId from, flow::NodeId to,
+                                                                std::optional<double> jumped_to) {
+    const auto [entry, fresh] = paths_.try_emplace({&analysis, from, to, jumped_to});
     if (!fresh) return entry->second;
     const flow::Graph& graph = analysis.graph();
     std::map<flow::NodeId, std::vector<flow::EdgeId>> met{{from, {}}};
@@ -288,6 +292,10 @@ std::optional<std::vector<flow::EdgeId>> HeldAgainstFacts::path(const ProgramAna
         queue.pop_front();
         for (const flow::EdgeId id : graph.out[at]) {
             if (!analysis.data().passable(id)) continue;
+            if (const auto label = graph.edges[id].label; label && jumped_to) {
+                const auto* number = std::get_if<std::int64_t>(&graph.labels[*label].label);
+                if (number != nullptr && static_cast<double>(*number) != *jumped_to) continue;
+            }
             const flow::NodeId next = graph.edges[id].to;
             auto edges = met[at];
             edges.push_back(id);
@@ -392,6 +400,7 @@ void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::GroupSet
 }
 
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::JumpComputed& event) {
+    levels_.back().jumped_to = event.target;
     for (const dataflow::ComputedJump& jump : facts().at<dataflow::ComputedJump>(*stepper.effect()))
         claim(event.target == 0 ? jump.target.can_be(0) || jump.target.vacancy == Vacancy::unknown
                                 : allows(jump.target, event.target),

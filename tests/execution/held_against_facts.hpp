@@ -45,6 +45,7 @@ class HeldAgainstFacts {
         std::optional<flow::NodeId> node;
         std::optional<EffectId> effect;   ///< the last one in the node
         Offset offset = 0;                ///< of the last plain block in the node
+        std::optional<double> jumped_to;  ///< the label that a computed jump has just named
         std::vector<flow::EdgeId> path;   ///< from the program's start
         std::optional<std::size_t> cycle; ///< of the inescapable ones of the analysis
     };
@@ -66,7 +67,8 @@ class HeldAgainstFacts {
 
     void come_to(flow::NodeId node, bool goes_on);
     [[nodiscard]] std::optional<std::vector<flow::EdgeId>> path(const ProgramAnalysis& analysis,
-                                                                flow::NodeId from, flow::NodeId to);
+                                                                flow::NodeId from, flow::NodeId to,
+                                                                std::optional<double> jumped_to = {});
     void check_exit(execution::Stepper& stepper, const execution::ProgramLeft& left);
     void check_summary(execution::Stepper& stepper, const execution::ProgramLeft& left);
     void check_stop();
@@ -83,7 +85,7 @@ class HeldAgainstFacts {
 
     const Workspace& workspace_;
     std::unordered_map<const ProgramAnalysis*, Watched> watched_;
-    std::map<std::tuple<const ProgramAnalysis*, flow::NodeId, flow::NodeId>,
+    std::map<std::tuple<const ProgramAnalysis*, flow::NodeId, flow::NodeId, std::optional<double>>,
              std::optional<std::vector<flow::EdgeId>>>
         paths_;
     std::vector<Level> levels_;
