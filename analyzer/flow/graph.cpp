@@ -33,7 +33,8 @@ bool looks_at(LabelSearch search, Offset from, Offset block) {
 struct Wanted {
     std::vector<std::int64_t> numbers; ///< sorted once all are there: files have a million numbered blocks
     std::vector<BlockName> names;      ///< sorted, too
-    bool any = false;                  ///< a computed jump: every label
+    std::vector<std::span<const Label>> lists; ///< likewise; longer than the program
+    bool any = false;                          ///< a computed jump: every label
 
     void add(const Label& label) {
         std::visit(overloaded{[this](std::int64_t number) { numbers.push_back(number); },
@@ -45,14 +46,24 @@ struct Wanted {
         std::ranges::sort(names);
     }
     [[nodiscard]] bool operator()(std::int64_t number) const {
-        return any || std::ranges::binary_search(numbers, number);
+        return any || std::ranges::binary_search(numbers, number) || is_listed(number);
     }
     [[nodiscard]] bool between(std::int64_t lowest, std::int64_t highest) const {
         const auto from = std::ranges::lower_bound(numbers, lowest);
-        return any || (from != numbers.end() && *from <= highest);
+        return any || (from != numbers.end() && *from <= highest) ||
+               std::ranges::any_of(lists, [&](std::span<const Label> list) {
+                   const auto listed = std::ranges::lower_bound(list, Label{lowest});
+                   return listed != list.end() && *listed <= Label{highest};
+               });
     }
     [[nodiscard]] bool operator()(BlockName name) const {
-        return any || std::ranges::binary_search(names, name);
+        return any || std::ranges::binary_search(names, name) || is_listed(name);
+    }
+
+  private:
+    [[nodiscard]] bool is_listed(const Label& label) const {
+        return std::ranges::any_of(
+            lists, [&](std::span<const Label> list) { return std::ranges::binary_search(list, label); });
     }
 };
 
@@ -131,8 +142,13 @@ class Building {
         ReturnTargets paths = returns_(id);
         if (paths.to_next_block && paths.labels == nullptr) return;
         paths.to_next_block |= !surely_runs(program_, call);
-        if (paths.labels != nullptr && wanted_lists_.insert(paths.labels.get()).second)
-            for (const Label& label : *paths.labels) wanted_.add(label);
+        if (paths.labels != nullptr && wanted_lists_.insert(paths.labels.get()).second) {
+            // Thousands of short programs may call one that names thousands of labels.
+            if (paths.labels->size() > program_.effects.size())
+                wanted_.lists.emplace_back(*paths.labels);
+            else
+                for (const Label& label : *paths.labels) wanted_.add(label);
+        }
         return_targets_.emplace(id, std::move(paths));
     }
 
@@ -490,13 +506,20 @@ class Building {
 
     /// Whether all labels are there.
     bool add_returns(NodeId node, std::optional<EffectId> call, std::span<const Label> labels) {
-        bool all_there = true;
-        for (const Label& label : labels) {
-            const LabelledBlock* found = graph_.find_label(label, 0, LabelSearch::forward_then_top);
-            all_there &= found != nullptr;
+        const auto add = [&](const LabelledBlock* found) {
             if (found != nullptr) add_edge({node, found->node, EdgeKind::resume, {}, true, call, {}});
+        };
+        if (labels.size() <= graph_.labels.size()) {
+            for (const Label& label : labels) add(graph_.find_label(label, 0, LabelSearch::forward_then_top));
+        } else {
+            const Label* last = nullptr;
+            for (const LabelledBlock& own : graph_.labels) { // the first of each label
+                if ((last == nullptr || *last != own.label) && std::ranges::binary_search(labels, own.label))
+                    add(&own);
+                last = &own.label;
+            }
         }
-        return all_there;
+        return graph_.has_all(labels);
     }
 
     /// A node from which calls that come back at the same labels go on, where edges of their own would be too
@@ -630,6 +653,11 @@ std::span<const LabelledBlock> Graph::with_label(const Label& label) const {
 std::span<const Exit> Graph::exits_at(NodeId node) const {
     const auto found = std::ranges::equal_range(exits, node, {}, &Exit::node);
     return {found.begin(), found.end()};
+}
+
+bool Graph::has_all(std::span<const Label> sought) const {
+    return sought.size() <= labels.size() &&
+           std::ranges::all_of(sought, [this](const Label& label) { return has_label(label); });
 }
 
 bool Graph::has_label(const Label& label) const { return !with_label(label).empty(); }

@@ -118,6 +118,8 @@ struct Graph {
     }
     /// The block at which the control's search for the label stops that begins in the block at `from`.
     [[nodiscard]] const LabelledBlock* find_label(const Label& label, Offset from, LabelSearch search) const;
+    /// Whether each of the labels (sorted, each once) is that of a block.
+    [[nodiscard]] bool has_all(std::span<const Label> sought) const;
     /// Whether any block bears the label.
     [[nodiscard]] bool has_label(const Label& label) const;
     /// All blocks that bear the label, in text order.
@@ -132,11 +134,14 @@ struct Graph {
     path(NodeId from, NodeId to, const std::function<bool(EdgeId)>& usable, std::size_t most_nodes) const;
 };
 
+/// Sorted, each once.
+using LabelList = std::vector<Label>;
+
 /// How a called program may come back.
 struct ReturnTargets {
     bool to_next_block = true;
     /// Of the caller; nullptr: none. One list serves all calls of a program.
-    std::shared_ptr<const std::vector<Label>> labels = nullptr;
+    std::shared_ptr<const LabelList> labels = nullptr;
 };
 using Returns = std::function<ReturnTargets(EffectId call)>;
 

@@ -177,11 +177,9 @@ bool misses_a_number(const ProgramAnalysis& analysis) {
     const auto is_lost = [](const flow::ResolvedJump& jump) { return jump.label && !jump.target; };
     const auto returns_nowhere = [&](const CallSite& site) {
         const ProgramAnalysis* called = called_program(analysis, site);
-        return called != nullptr &&
-               std::ranges::any_of(called->summary().resume_labels, [&](const auto& label) {
-                   const auto* number = std::get_if<std::int64_t>(&label);
-                   return number != nullptr && !analysis.graph().has_label(*number);
-               });
+        if (called == nullptr) return false;
+        const auto& numbers = called->summary().resume_labels.numbers;
+        return numbers != nullptr && !analysis.graph().has_all(*numbers);
     };
     return std::ranges::any_of(analysis.graph().jumps, is_lost) ||
            std::ranges::any_of(analysis.calls(), returns_nowhere);

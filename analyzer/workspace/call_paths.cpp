@@ -10,7 +10,7 @@ namespace {
 
 /// A search goes to about so many programs: where thousands call each other in circles, each circle has its
 /// own. How often they call each other does not count.
-constexpr std::size_t most_reached = 1000;
+constexpr std::size_t most_reached = 256;
 
 constexpr std::size_t half = CallPath::most / 2;
 

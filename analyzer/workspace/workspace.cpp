@@ -3,6 +3,7 @@
 #include "analyzer/workspace/workspace.hpp"
 
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/solver/callers_labels.hpp"
 #include "analyzer/flow/components.hpp"
 #include "analyzer/workspace/bind.hpp"
 #include "analyzer/workspace/callers_locals.hpp"
@@ -45,6 +46,7 @@ class WorkspaceBuilder {
         find_ambiguous_names();
         components_ = flow::find_components(adjacency_);
         find_needed();
+        find_labels_in_cycles();
         handed_down_.emplace(programs_, components_);
         callers_locals_.emplace(programs_, components_, &runs_on_its_own,
                                 [this](const ProgramAnalysis& analysis) {
@@ -212,11 +214,23 @@ class WorkspaceBuilder {
         for_each_parallel(members.size(), jobs_, [&](std::size_t i) { analyse(programs_[members[i]]); });
     }
 
+    [[nodiscard]] bool is_in_cycle(ProgramIndex program) const {
+        return components_.members[components_.of[program]].size() > 1 ||
+               std::ranges::count(adjacency_[program], program) != 0;
+    }
+
+    /// Calls within a cycle have no summary to go by.
+    void find_labels_in_cycles() {
+        for (ProgramIndex index = 0; index < programs_.size(); ++index)
+            if (is_in_cycle(index))
+                named_in_cycles_.emplace(index,
+                                         dataflow::labels_named_for_callers(programs_[index].program()));
+    }
+
     void analyse(ProgramAnalysis& analysis) {
         const Program& program = analysis.program();
         const std::uint32_t own = components_.of[analysis.index()];
-        analysis.recursive_ = components_.members[own].size() > 1 ||
-                              std::ranges::count(adjacency_[analysis.index()], analysis.index()) != 0;
+        analysis.recursive_ = is_in_cycle(analysis.index());
         for (CallSite& site : analysis.calls_)
             site.in_cycle = site.target && components_.of[*site.target] == own;
         const dataflow::Callees callees = [&analysis, &programs = programs_](EffectId call) {
@@ -227,8 +241,8 @@ class WorkspaceBuilder {
             const ProgramAnalysis& called = programs[*site->target];
             return dataflow::Callee{called.summary(), site->references, &called.data()};
         };
-        using Labels = std::shared_ptr<const std::vector<Label>>;
-        std::unordered_map<ProgramIndex, Labels> returned_to; ///< from each called program, one list
+        std::unordered_map<ProgramIndex, std::shared_ptr<const flow::LabelList>>
+            returned_to; ///< from each called program, one list
         analysis.regions_ = flow::pair_regions(program);
         analysis.graph_ = flow::build_graph(program, analysis.regions_, [&](EffectId call) {
             const dataflow::Summary& summary = callees(call).summary;
@@ -236,9 +250,8 @@ class WorkspaceBuilder {
             if (site == nullptr || !site->target) return flow::ReturnTargets{summary.returns};
             const auto [labels, fresh] = returned_to.try_emplace(*site->target);
             if (fresh)
-                labels->second =
-                    labels_in(program, site->in_cycle ? labels_returned_to(programs_[*site->target].program())
-                                                      : summary.resume_labels);
+                labels->second = dataflow::labels_in(
+                    program, site->in_cycle ? named_in_cycles_.at(*site->target) : summary.resume_labels);
             return flow::ReturnTargets{site->in_cycle || summary.returns, labels->second};
         });
         const bool main = runs_on_its_own(analysis);
@@ -253,36 +266,6 @@ class WorkspaceBuilder {
                 program, analysis.regions_, analysis.graph_, *analysis.data_, *cycles);
         }
         analysis.is_macro_ = !main && takes_arguments(analysis);
-    }
-
-    /// All labels of callers that the program's text names (M99 P), reached or not.
-    static std::vector<dataflow::CallersLabel> labels_returned_to(const Program& program) {
-        std::set<dataflow::CallersLabel> labels;
-        for_each_effect(program, [&](EffectId id) {
-            const auto* back = std::get_if<Return>(&program.effects[id].what);
-            if (back == nullptr || !back->resume_label) return;
-            if (const auto label = flow::constant_target(program, *back->resume_label))
-                labels.insert(dataflow::callers_label(program, *label));
-        });
-        return {labels.begin(), labels.end()};
-    }
-
-    /// What a callee spells are labels of its caller; a name that the caller lacks is that of no block.
-    /// Nullptr where it spells none.
-    static std::shared_ptr<const std::vector<Label>>
-    labels_in(const Program& caller, std::span<const dataflow::CallersLabel> spelled) {
-        if (spelled.empty()) return nullptr;
-        constexpr std::int32_t of_no_block = -1;
-        std::vector<Label> labels;
-        labels.reserve(spelled.size());
-        for (const dataflow::CallersLabel& label : spelled) {
-            if (const auto* number = std::get_if<std::int64_t>(&label))
-                labels.emplace_back(*number);
-            else
-                labels.emplace_back(
-                    BlockName{caller.block_names.find(std::get<std::string>(label)).value_or(of_no_block)});
-        }
-        return std::make_shared<const std::vector<Label>>(std::move(labels));
     }
 
     static bool runs_on_its_own(const ProgramAnalysis& analysis) {
@@ -463,6 +446,7 @@ class WorkspaceBuilder {
     dataflow::FactSet facts_;
     flow::Adjacency adjacency_;
     flow::Components components_;
+    std::unordered_map<ProgramIndex, dataflow::CallersLabels> named_in_cycles_; ///< see find_labels_in_cycles
     std::optional<HandedDown> handed_down_;
     std::optional<CallersLocals> callers_locals_;
     std::vector<bool> needed_;               ///< by program: its flow and data flow are asked for

@@ -463,10 +463,12 @@ void HeldAgainstFacts::check_summary(execution::Stepper& stepper, const executio
     if (left.how != Leaving::returns && left.how != Leaving::runs_off)
         return claim(summary.may_stop, "summary: stops", "it stops");
     if (!left.label) claim(summary.returns, "summary: returns", "it returns behind the call");
-    if (left.label)
-        claim(std::ranges::find(summary.resume_labels, dataflow::CallersLabel(static_cast<std::int64_t>(
-                                                           *left.label))) != summary.resume_labels.end(),
-              "summary: labels", "it returns to " + spell(left.label));
+    if (left.label) {
+        const auto& numbers = summary.resume_labels.numbers;
+        const Label label = static_cast<std::int64_t>(*left.label);
+        claim(numbers != nullptr && std::ranges::binary_search(*numbers, label), "summary: labels",
+              "it returns to " + spell(left.label));
+    }
     const Watched& watched = watched_[&analysis];
     for (std::size_t i = 0; i < watched.size(); ++i) {
         const Content now = stepper.content(watched[i]);

@@ -179,6 +179,18 @@ TEST(Edges, ABlockThatCannotBeReadMayJumpWhereItNames) {
                 UnorderedElementsAre("1 next 2", "1 jump 4", "2 next 3"));
 }
 
+TEST(Edges, ACalledProgramMayNameMoreLabelsThanItsCallerHas) {
+    const std::string called = "O2\nIF[#100EQ1]GOTO1\nIF[#100EQ2]GOTO2\nM99P30\nN1M99P31\nN2M99P32\n";
+    // One is missing: nobody knows that the call does not come back after it. The first N30 is meant.
+    EXPECT_THAT(edges_in("O1\nM98P2\nN30\nN30M30\n" + called),
+                UnorderedElementsAre("1 next 2", "2 next 3", "2 resume 3", "3 next 4"));
+    EXPECT_THAT(edges_in("O1\nM98P2\nN5\nM30\n" + called),
+                UnorderedElementsAre("1 next 2", "2 next 3", "3 next 4"));
+    EXPECT_THAT(edges_in("O1\nM98P2\nN5\nN30\nN31\nN32M30\n" + called),
+                UnorderedElementsAre("1 next 2", "2 resume 4", "2 resume 5", "2 resume 6", "3 next 4",
+                                     "4 next 5", "5 next 6"));
+}
+
 TEST(Edges, ACalledProgramResumesWhereItSays) {
     const std::string main = "O1\nM98P2\n#1=5\nN30M30\n", skipped = "O1\n/M98P2\n#1=5\nN30M30\n";
     const std::string perhaps = "O2\nIF[#100EQ1]GOTO9\nM99P30\nN9M99\n", always = "O2\nM99P30\n";

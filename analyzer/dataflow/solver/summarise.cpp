@@ -3,10 +3,10 @@
 
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/solver/callers_labels.hpp"
 #include "analyzer/dataflow/solver/stop_reasons.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace maclint::dataflow {
@@ -42,8 +42,9 @@ class Summariser {
             states_.leave_out(state, static_cast<Channels>(graph_.all_channels & ~leaving));
             left = states_.join(left, state, static_cast<flow::NodeId>(graph_.nodes.size()));
             if (exit.exit.effect)
-                add_resume_label(std::get<Return>(program_.effects[*exit.exit.effect].what));
+                resume_labels_.add(program_, std::get<Return>(program_.effects[*exit.exit.effect].what));
         }
+        summary_.resume_labels = resume_labels_.take();
         summary_.returns = returns();
         if (summary_.returns) summary_.decides_end = decides_end();
         summary_.written_for_callers = written_for_callers();
@@ -173,14 +174,6 @@ class Summariser {
         return change;
     }
 
-    void add_resume_label(const Return& back) {
-        if (!back.resume_label) return;
-        const auto target = flow::constant_target(program_, *back.resume_label);
-        if (!target) return;
-        CallersLabel label = callers_label(program_, *target);
-        if (resume_labels_.insert(label).second) summary_.resume_labels.push_back(std::move(label));
-    }
-
     const Program& program_;
     const flow::Graph& graph_;
     const Callees& callees_;
@@ -188,7 +181,7 @@ class Summariser {
     const FactLists& facts_;
     const std::vector<bool>& reached_;
     Summary summary_;
-    std::set<CallersLabel> resume_labels_; ///< those of the summary: many returns may name one
+    CallersLabelSet resume_labels_;
 };
 
 } // namespace

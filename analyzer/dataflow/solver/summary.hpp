@@ -2,12 +2,13 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/flow/graph.hpp"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace maclint::dataflow {
@@ -30,14 +31,11 @@ struct GroupChange {
     Channels channels;         ///< in which; all where it names none
 };
 
-/// A label of the caller: a number, or a name as it is spelled.
-using CallersLabel = std::variant<std::int64_t, std::string>;
-
-/// A label as the program that names it spells it for its caller.
-[[nodiscard]] inline CallersLabel callers_label(const Program& program, const Label& label) {
-    if (const auto* number = std::get_if<std::int64_t>(&label)) return *number;
-    return program.spell(label);
-}
+/// Labels that a program names for its callers (M99 P), each once.
+struct CallersLabels {
+    std::shared_ptr<const flow::LabelList> numbers; ///< nullptr: none
+    std::vector<std::string> names;                 ///< as they are spelled: each caller has its own of them
+};
 
 /// What decides whether a program stops instead of returning.
 struct StopReasons {
@@ -57,7 +55,7 @@ struct Summary {
         variables; ///< all that it may write and the caller can see (locals for calls that share them)
     std::vector<SpaceId> havoc; ///< spaces of which anything may have changed
     std::vector<GroupChange> groups;
-    std::vector<CallersLabel> resume_labels; ///< M99 P
+    CallersLabels resume_labels;
     /// Variables, as they are spelled, that it writes and that may be the caller's, handed down to it;
     /// absent: any of them.
     std::optional<std::vector<std::string>> written_for_callers;
