@@ -180,15 +180,26 @@ TEST(Edges, ABlockThatCannotBeReadMayJumpWhereItNames) {
 }
 
 TEST(Edges, ACalledProgramMayNameMoreLabelsThanItsCallerHas) {
-    const std::string called = "O2\nIF[#100EQ1]GOTO1\nIF[#100EQ2]GOTO2\nM99P30\nN1M99P31\nN2M99P32\n";
-    // One is missing: nobody knows that the call does not come back after it. The first N30 is meant.
-    EXPECT_THAT(edges_in("O1\nM98P2\nN30\nN30M30\n" + called),
-                UnorderedElementsAre("1 next 2", "2 next 3", "2 resume 3", "3 next 4"));
-    EXPECT_THAT(edges_in("O1\nM98P2\nN5\nM30\n" + called),
-                UnorderedElementsAre("1 next 2", "2 next 3", "3 next 4"));
-    EXPECT_THAT(edges_in("O1\nM98P2\nN5\nN30\nN31\nN32M30\n" + called),
+    const auto returning_to = [](const std::vector<std::string>& labels) {
+        std::string text = "O2\n";
+        for (const std::string& label : labels) text.append("/M99P").append(label).append("\n");
+        return text + "M99P" + labels.front() + "\n";
+    };
+    const std::string few = returning_to({"32", "30", "31", "30"});
+    const std::string many =
+        returning_to({"39", "38", "37", "36", "35", "34", "33", "32", "31", "30", "30", "31"});
+    EXPECT_THAT(edges_in("O1\nM98P2\nN5\nN30\nN31\nN32M30\n" + few),
                 UnorderedElementsAre("1 next 2", "2 resume 4", "2 resume 5", "2 resume 6", "3 next 4",
                                      "4 next 5", "5 next 6"));
+    // Some are missing: nobody knows that the call does not come back after it. The first N30 is meant.
+    for (const std::string& called : {few, many})
+        EXPECT_THAT(edges_in("O1\nM98P2\nN30\nN30M30\n" + called),
+                    UnorderedElementsAre("1 next 2", "2 next 3", "2 resume 3", "3 next 4"));
+    EXPECT_THAT(edges_in("O1\nM98P2\nN5\nM30\n" + many),
+                UnorderedElementsAre("1 next 2", "2 next 3", "3 next 4"));
+    // Of plain blocks the one with the number begins a stretch.
+    EXPECT_THAT(edges_in("O1\nM98P2\nG0X1\nG0X2\nN31G0X3\nM30\n" + many),
+                UnorderedElementsAre("1 next 2", "2 next 3", "2 resume 5", "3 next 5", "5 next 6"));
 }
 
 TEST(Edges, ACalledProgramResumesWhereItSays) {
