@@ -82,14 +82,13 @@ class Walk {
     /// How many NC programs are there, those included that were known before.
     std::size_t add_folder(const fs::path& root, Depth depth, bool asked) {
         wanted_ = 0;
-        if (asked) git_.ask_for(identity(root));
-        std::vector<fs::path> pending = {root};
+        std::vector<Folder> pending = {{root, identity(root)}};
+        if (asked) git_.ask_for(pending.front().real);
         while (!pending.empty() && !full_) {
-            const fs::path folder = std::move(pending.back());
+            const Folder folder = std::move(pending.back());
             pending.pop_back();
-            const std::string real = identity(folder);
-            if (!folders_.insert(real).second) continue;
-            auto below = visit(folder, real, asked);
+            if (!folders_.insert(folder.real).second) continue;
+            auto below = visit(folder, asked);
             if (depth == Depth::this_folder) break;
             std::ranges::move(below.rbegin(), below.rend(), std::back_inserter(pending));
         }
@@ -123,34 +122,40 @@ class Walk {
     }
 
   private:
-    /// Takes the files of one folder, which is `real` after all links; gives the folders in it, both in the
-    /// order of their names.
-    std::vector<fs::path> visit(const fs::path& folder, const std::string& real, bool asked) {
+    struct Folder {
+        fs::path path;
+        std::string real; ///< after all symbolic links
+    };
+
+    /// Takes the files of one folder; gives the folders in it, both in the order of their names.
+    std::vector<Folder> visit(const Folder& folder, bool asked) {
         std::error_code error;
-        std::vector<platform::FolderEntry> entries = platform::entries_of(folder, error);
+        std::vector<platform::FolderEntry> entries = platform::entries_of(folder.path, error);
         if (error) {
-            if (asked) note(unreadable_folder(folder, error));
+            if (asked) note(unreadable_folder(folder.path, error));
             return {};
         }
         std::ranges::sort(entries, {},
                           [](const platform::FolderEntry& entry) { return entry.path.native(); });
-        const auto loaded = settings_.for_folder(platform::text_of(folder));
+        const auto loaded = settings_.for_folder(platform::text_of(folder.path));
         const Configuration* configuration = loaded ? loaded->get() : nullptr;
-        std::vector<fs::path> folders;
+        std::vector<Folder> folders;
         for (const platform::FolderEntry& entry : entries) {
             if (++entries_ > bounds_.entries) full_ = true;
             if (full_) break;
-            if (!is_excluded(configuration, entry.path)) sort_out(configuration, entry, real, asked, folders);
+            if (!is_excluded(configuration, entry.path))
+                sort_out(configuration, entry, folder.real, asked, folders);
         }
         return folders;
     }
 
     /// Takes an entry of the folder `real` when it is a program, adds it to `folders` when it is one.
     void sort_out(const Configuration* configuration, const platform::FolderEntry& entry,
-                  const std::string& real, bool asked, std::vector<fs::path>& folders) {
+                  const std::string& real, bool asked, std::vector<Folder>& folders) {
         const std::string name = platform::text_of(entry.path.filename());
         if (entry.kind == platform::FileKind::folder) {
-            if (!is_passed_over(name) && !is_ignored(real, entry, name)) folders.push_back(entry.path);
+            if (!is_passed_over(name) && !is_ignored(real, entry, name))
+                folders.push_back({entry.path, real_path(entry, real)});
             return;
         }
         // A link that leads nowhere is reported when it is read; pipes and devices are not for linting.
@@ -163,7 +168,7 @@ class Walk {
         else if (is_ignored(real, entry, name))
             found_.passed_over.ignored_by_git += one;
         else
-            take_file(entry, platform::path_of(real), asked);
+            take_file(entry, real, asked);
     }
 
     /// For git a link is a file, wherever it leads.
@@ -181,10 +186,16 @@ class Walk {
         return configuration != nullptr && takes_any(configuration->include, path);
     }
 
-    void take_file(const platform::FolderEntry& entry, const fs::path& folder, bool asked) {
+    /// Of an entry of the folder `real`. Asking for each way from the root on takes as many calls of the
+    /// system as it has parts.
+    static std::string real_path(const platform::FolderEntry& entry, const std::string& real) {
+        return entry.is_link ? identity(entry.path)
+                             : platform::text_of(platform::path_of(real) / entry.path.filename());
+    }
+
+    void take_file(const platform::FolderEntry& entry, const std::string& folder, bool asked) {
         ++wanted_;
-        const fs::path below = folder / entry.path.filename();
-        if (!seen_.insert(entry.is_link ? identity(entry.path) : platform::text_of(below)).second) return;
+        if (!seen_.insert(real_path(entry, folder)).second) return;
         // Asking for a size takes a call of the system a file: only where sizes are bounded.
         if (bounds_.bytes != Bounds{}.bytes) bytes_ += platform::size_of(entry.path);
         if (found_.files.size() >= bounds_.files || bytes_ > bounds_.bytes) {
