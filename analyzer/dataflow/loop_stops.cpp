@@ -28,23 +28,52 @@ bool LoopStops::may_stop_later(const CallMade& made) {
         if (space.scope == Scope::frame && !shared_frame) return passes_other_numbers(made, variable);
         return differs(variable, made.node, most_assignments);
     });
-    return differs_somewhere || (!is_made_in_each_round(made) && !may_go_on_always(reasons));
+    return differs_somewhere || !is_made_in_each_round(made, call);
 }
 
-/// Whether the program is called in the first round, too: it may stop there or never.
-bool LoopStops::is_made_in_each_round(const CallMade& made) {
-    const auto programmed_at = graph_.node_of(made.effect); // a modal call is made after moves from there on
-    if (!programmed_at) return false;
-    if (loop_.holds(*programmed_at) && comes_before(made.node, *programmed_at)) return false;
-    return !comes_before(loop_.latch, made.node);
+/// Whether the program is called in the first round, too: it stops there or never.
+bool LoopStops::is_made_in_each_round(const CallMade& made, const Call& call) {
+    if (program_.control->calls[call.kind].trigger != CallTrigger::once || !flow::surely_runs(program_, call))
+        return false;
+    if (!in_each_round_) in_each_round_ = nodes_in_each_round();
+    return std::ranges::find(*in_each_round_, made.node) != in_each_round_->end();
 }
 
-/// Whether nobody knows anything of what decides over the alarms, so that there are runs without one.
-bool LoopStops::may_go_on_always(const StopReasons& reasons) const {
-    return !reasons.variables.empty() && std::ranges::all_of(reasons.variables, [this](Variable variable) {
-        return program_.control->spaces[variable.space].scope != Scope::frame &&
-               analysis_.facts().about<Store>(variable).empty();
+/// The nodes that every way round the loop passes. On a shortest way round they are those that no other way
+/// jumps over.
+std::vector<flow::NodeId> LoopStops::nodes_in_each_round() const {
+    const auto stays = [this](flow::EdgeId edge, flow::NodeId to) {
+        return loop_.holds(to) && analysis_.passable(edge);
+    };
+    std::vector<flow::EdgeId> came_by(graph_.nodes.size(), loop_.back);
+    std::vector<bool> met(graph_.nodes.size(), false);
+    flow::walk<flow::Direction::forward>(graph_, {loop_.head}, [&](flow::EdgeId edge, flow::NodeId to) {
+        if (!stays(edge, to) || to == loop_.head || met[to]) return flow::Step::refuse;
+        met[to] = true;
+        came_by[to] = edge;
+        return flow::Step::go_on;
     });
+    std::vector<flow::NodeId> way{loop_.latch};
+    while (way.back() != loop_.head && met[way.back()]) way.push_back(graph_.edges[came_by[way.back()]].from);
+    std::ranges::reverse(way);
+    std::vector<std::size_t> place(graph_.nodes.size(), way.size()); // on the way; others have none
+    for (std::size_t i = 0; i < way.size(); ++i) place[way[i]] = i;
+
+    std::vector<flow::NodeId> in_each{loop_.head};
+    std::vector<bool> seen(graph_.nodes.size(), false);
+    std::size_t farthest = 0;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        if (i > 0 && farthest == i) in_each.push_back(way[i]);
+        flow::walk<flow::Direction::forward>(graph_, {way[i]}, [&](flow::EdgeId edge, flow::NodeId to) {
+            if (!stays(edge, to) || seen[to]) return flow::Step::refuse;
+            const bool on_way = to == loop_.head || place[to] < way.size();
+            farthest = std::max(farthest, to == loop_.head ? way.size() : on_way ? place[to] : farthest);
+            if (on_way) return flow::Step::refuse;
+            seen[to] = true;
+            return flow::Step::go_on;
+        });
+    }
+    return in_each;
 }
 
 /// Whether what the call passes for the variable may be another number in another round. What it leaves out
@@ -93,10 +122,10 @@ bool LoopStops::is_always_made(const Store& store, flow::NodeId at) {
     return without_condition && store.node != at && !comes_before(at, store.node);
 }
 
-/// Whether a round may come to the node before it comes to `last`, which is another one or the same. True as
-/// well where too many were asked for.
+/// Whether a round may come to the node before it comes to `last`, another one. True as well where too many
+/// were asked for.
 bool LoopStops::comes_before(flow::NodeId node, flow::NodeId last) {
-    if (last == loop_.head || node == last) return false;
+    if (last == loop_.head) return false;
     if (!before_.contains(last) && before_.size() == most_placed) return true;
     const auto [known, fresh] = before_.try_emplace(last);
     if (!fresh) return known->second[node];

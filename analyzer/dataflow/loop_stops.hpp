@@ -8,6 +8,7 @@
 #include "analyzer/dataflow/solver/analysis.hpp"
 
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -24,15 +25,15 @@ class LoopStops {
         , loop_(loop) {}
 
     /// Whether the program that is called may stop in some round of the loop, though not in the first: what
-    /// decides that is read from the machine, unknown, or changed by the loop or by what it calls. True as
-    /// well where too much would have to be looked at.
+    /// decides that is read from the machine, unknown, or changed by the loop or by what it calls; or the
+    /// first round may do without the call. True as well where too much would have to be looked at.
     [[nodiscard]] bool may_stop_later(const CallMade& made);
 
   private:
     static constexpr int most_assignments = 8; ///< one made of another
 
-    [[nodiscard]] bool is_made_in_each_round(const CallMade& made);
-    [[nodiscard]] bool may_go_on_always(const StopReasons& reasons) const;
+    [[nodiscard]] bool is_made_in_each_round(const CallMade& made, const Call& call);
+    [[nodiscard]] std::vector<flow::NodeId> nodes_in_each_round() const;
     [[nodiscard]] bool passes_other_numbers(const CallMade& made, Variable variable);
     [[nodiscard]] bool differs(ExpressionId expression, flow::NodeId at, int left);
     [[nodiscard]] bool differs(Variable variable, flow::NodeId at, int left);
@@ -45,6 +46,7 @@ class LoopStops {
     const Analysis& analysis_;
     const Loop& loop_;
     std::map<std::tuple<Key, flow::NodeId, int>, bool> differs_; ///< as far as it was asked
+    std::optional<std::vector<flow::NodeId>> in_each_round_;     ///< see nodes_in_each_round; when asked for
     std::map<flow::NodeId, std::vector<bool>> before_; ///< nodes that a round may come to before each
 };
 

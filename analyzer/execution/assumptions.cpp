@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace maclint::execution {
@@ -27,12 +28,20 @@ unsigned places(Operation operation) {
     }
 }
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Of one that is calculated, in arithmetic that no manual tells to the last digit, two comparisons still see
+/// the same.
+bool is_number(const Value& value) {
+    return value.constant() && value.exactness == dataflow::Exactness::exact;
+}
+
 /// What is left of the numbers that a value can be.
 class Numbers {
   public:
     Numbers(const Value& value, bool may_be_fraction)
-        : low_(value.low)
-        , high_(value.high)
+        : low_(is_number(value) || !value.constant() ? value.low : -infinity)
+        , high_(is_number(value) || !value.constant() ? value.high : infinity)
         , whole_(value.integer)
         , counts_(!may_be_fraction && is_end_of_whole(low_) && is_end_of_whole(high_)) {}
 
@@ -93,8 +102,8 @@ std::optional<Assumptions::Id> Assumptions::add(Id known, Operation operation, c
     Assumption now{left.symbol, left.symbol, operation, 0, false, known};
     const Value* subject = &left;
     if (!semantics::is_vacancy_test(operation)) {
-        if (left.constant()) {
-            if (right.constant()) return known; // decided without any assumption
+        if (is_number(left)) {
+            if (is_number(right)) return known; // decided without any assumption
             std::swap(now.subject, now.other);
             subject = &right;
             now = {right.symbol, left.symbol, dataflow::mirrored(operation), 0, false, known};
@@ -124,7 +133,7 @@ bool Assumptions::contradicts(const Assumption& now, const Value& subject) const
                 earlier.operation != now.operation)
                 return true;
         }
-        return false;
+        return now.operation == Operation::is_vacant && shows_set(now, now.subject);
     }
     unsigned left = places(now.operation);
     if (now.subject == now.other) left &= same;
@@ -137,12 +146,26 @@ bool Assumptions::contradicts(const Assumption& now, const Value& subject) const
     return left == 0;
 }
 
+/// Whether what is assumed from `last` on can be so of no vacant value.
+bool Assumptions::shows_set(const Assumption& last, SymbolId subject) const {
+    const auto shows = [this, subject](const Assumption& assumed) {
+        if (assumed.subject != subject) return false;
+        if (!assumed.with_number) return assumed.operation == Operation::is_set;
+        const bool also_vacant = vacant_equals_zero_ && assumed.number == 0;
+        return assumed.operation == Operation::equal && !also_vacant;
+    };
+    bool is_set = shows(last);
+    for (Id id = last.earlier; id != none && !is_set; id = (*this)[id].earlier) is_set = shows((*this)[id]);
+    return is_set;
+}
+
 bool Assumptions::leaves_no_number(const Assumption& now, const Value& subject) const {
     Numbers numbers(subject, fractions_.contains(now.subject));
+    const bool is_set = subject.vacancy == dataflow::Vacancy::set || shows_set(now, now.subject);
     const auto cut = [&](const Assumption& assumed) {
         // A vacant value is not equal to 0, and counts as 0 beside LT, LE, GE and GT.
-        const bool or_vacant = assumed.operation == Operation::not_equal && assumed.number == 0 &&
-                               subject.vacancy != dataflow::Vacancy::set;
+        const bool or_vacant = assumed.operation == Operation::not_equal && assumed.number == 0 && !is_set &&
+                               !vacant_equals_zero_;
         if (!or_vacant) numbers.cut(assumed.operation, assumed.number);
     };
     cut(now);

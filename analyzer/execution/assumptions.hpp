@@ -17,6 +17,10 @@ class Assumptions {
     using Id = std::uint32_t;
     static constexpr Id none = 0;
 
+    /// `vacant_equals_zero` is the control's.
+    explicit Assumptions(bool vacant_equals_zero)
+        : vacant_equals_zero_(vacant_equals_zero) {}
+
     /// All of `known`, and that the comparison of `left` with `right` is true; for a vacancy test `right` is
     /// not looked at. Nothing when these cannot all be so: #1EQ50 was true, and so is #1NE50. Comparisons of
     /// a value with whole numbers alone are taken to speak of whole numbers: those who count through the
@@ -39,8 +43,10 @@ class Assumptions {
 
   private:
     [[nodiscard]] bool contradicts(const Assumption& now, const dataflow::Value& subject) const;
+    [[nodiscard]] bool shows_set(const Assumption& last, dataflow::SymbolId subject) const;
     [[nodiscard]] bool leaves_no_number(const Assumption& now, const dataflow::Value& subject) const;
 
+    bool vacant_equals_zero_;
     std::vector<Assumption> all_;
     std::unordered_set<dataflow::SymbolId> fractions_;
 };

@@ -31,7 +31,8 @@ PathRun::PathRun(const ProgramAnalysis& analysis)
     : program_(analysis.program())
     , graph_(analysis.graph())
     , states_(program_, analysis.data().knowledge())
-    , transfer_(program_, graph_, states_, analysis.data().callees()) {
+    , transfer_(program_, graph_, states_, analysis.data().callees())
+    , assumptions_(program_.control->vacant_equals_zero) {
     for (const Expression& expression : program_.expressions)
         if (const auto* load = std::get_if<LoadModal>(&expression.node)) asked_groups_.push_back(load->group);
     std::ranges::sort(asked_groups_);
@@ -144,7 +145,8 @@ dataflow::Root PathRun::unknown_after(const Changes& changes) {
         Value value;
         value.symbol =
             states_.table().symbols({Symbol::Kind::joined, dataflow::key_of(variable), changes.at, 1});
-        if (std::ranges::find(changes.fractions, variable) != changes.fractions.end())
+        if (std::ranges::binary_search(changes.fractions, dataflow::key_of(variable), {},
+                                       [](Variable each) { return dataflow::key_of(each); }))
             assumptions_.may_be_fraction(value.symbol);
         states_.write(state, variable, value);
     }

@@ -19,9 +19,10 @@ struct Changes {
     std::uint32_t id = 0;            ///< no other changes in the program have it
     flow::NodeId at = 0;             ///< the node
     std::vector<Variable> variables; ///< sorted, each once
-    std::vector<Variable> fractions; ///< of them: those that change by no whole number, or become none
-    std::vector<SpaceId> spaces;     ///< of which any variable may change
-    bool machine = false;            ///< modal state, and what the machine does
+    std::vector<Variable>
+        fractions;               ///< of them, sorted: those that change by no whole number, or become none
+    std::vector<SpaceId> spaces; ///< of which any variable may change
+    bool machine = false;        ///< modal state, and what the machine does
 };
 
 /// Whether the node does anything but calculate, decide and jump.

@@ -37,9 +37,31 @@ std::optional<flow::Adjacency> without(const flow::Graph& graph, const flow::Adj
     return leads_back ? std::optional(std::move(left)) : std::nullopt;
 }
 
-bool makes_fraction(const dataflow::Store& store) {
-    const auto number = store.step ? store.step->amount.constant() : store.value.constant();
-    return number && std::floor(*number) != *number;
+bool is_fraction(double number) { return std::floor(number) != number; }
+
+/// Whether a division or a fraction stands in the expression.
+bool divides(const Program& program, ExpressionId expression) {
+    const auto& node = program.expressions[expression].node;
+    if (const auto* literal = std::get_if<Literal>(&node)) return is_fraction(literal->value);
+    const auto* apply = std::get_if<Apply>(&node);
+    return apply != nullptr && (apply->operation == Operation::divide ||
+                                std::ranges::any_of(program.operands_of(*apply), [&](ExpressionId operand) {
+                                    return divides(program, operand);
+                                }));
+}
+
+bool makes_fraction(const Program& program, const dataflow::Store& store) {
+    if (store.value.integer) return false;
+    if (const auto number = store.step ? store.step->amount.constant() : store.value.constant())
+        return is_fraction(*number);
+    return divides(program, store.expression);
+}
+
+/// Sorts them and leaves each once.
+void put_in_order(std::vector<Variable>& variables) {
+    std::ranges::sort(variables, {}, [](Variable variable) { return dataflow::key_of(variable); });
+    const auto twice = std::ranges::unique(variables);
+    variables.erase(twice.begin(), twice.end());
 }
 
 } // namespace
@@ -173,7 +195,7 @@ void Rounds::find_changes(Cycle& cycle, flow::NodeId at) {
     for (const flow::NodeId node : cycle.nodes) {
         for (const dataflow::Store& store : analysis_.facts().in<dataflow::Store>(node)) {
             changes.variables.push_back(store.variable);
-            if (makes_fraction(store)) changes.fractions.push_back(store.variable);
+            if (makes_fraction(analysis_.program(), store)) changes.fractions.push_back(store.variable);
         }
         for (const dataflow::Clobber& clobber : analysis_.facts().in<dataflow::Clobber>(node))
             if (clobber.variable)
@@ -182,10 +204,8 @@ void Rounds::find_changes(Cycle& cycle, flow::NodeId at) {
                 changes.spaces.push_back(clobber.space);
         changes.machine = changes.machine || acts(analysis_.program(), graph_.nodes[node]);
     }
-    const auto key = [](Variable variable) { return std::pair(variable.space, variable.number); };
-    std::ranges::sort(changes.variables, {}, key);
-    const auto twice = std::ranges::unique(changes.variables);
-    changes.variables.erase(twice.begin(), twice.end());
+    put_in_order(changes.variables);
+    put_in_order(changes.fractions);
     std::ranges::sort(changes.spaces);
     changes.spaces.erase(std::ranges::unique(changes.spaces).begin(), changes.spaces.end());
 }

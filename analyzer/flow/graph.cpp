@@ -16,6 +16,8 @@
 namespace maclint::flow {
 namespace {
 
+/// So many lists of labels are looked into for each block; of others each label is wanted by itself.
+constexpr std::size_t most_lists = 8;
 /// Beyond so many edges the computed jumps of a program share one node from which all labels are reached.
 constexpr std::size_t most_computed_edges = 20'000;
 
@@ -144,7 +146,7 @@ class Building {
         paths.to_next_block |= !surely_runs(program_, call);
         if (paths.labels != nullptr && wanted_lists_.insert(paths.labels.get()).second) {
             // Thousands of short programs may call one that names thousands of labels.
-            if (paths.labels->size() > program_.effects.size())
+            if (paths.labels->size() > program_.effects.size() && wanted_.lists.size() < most_lists)
                 wanted_.lists.emplace_back(*paths.labels);
             else
                 for (const Label& label : *paths.labels) wanted_.add(label);
@@ -479,7 +481,7 @@ class Building {
         std::size_t edges = 0;
         for (const auto& [node, call] : calls_) {
             const auto& labels = return_targets_.at(call).labels;
-            if (labels != nullptr) edges += labels->size();
+            if (labels != nullptr) edges += std::min(labels->size(), graph_.labels.size());
         }
         SharedReturns shared;
         for (const auto& [node, call] : calls_) {
@@ -510,16 +512,21 @@ class Building {
             if (found != nullptr) add_edge({node, found->node, EdgeKind::resume, {}, true, call, {}});
         };
         if (labels.size() <= graph_.labels.size()) {
-            for (const Label& label : labels) add(graph_.find_label(label, 0, LabelSearch::forward_then_top));
-        } else {
-            const Label* last = nullptr;
-            for (const LabelledBlock& own : graph_.labels) { // the first of each label
-                if ((last == nullptr || *last != own.label) && std::ranges::binary_search(labels, own.label))
-                    add(&own);
-                last = &own.label;
+            bool all_there = true;
+            for (const Label& label : labels) {
+                const LabelledBlock* found = graph_.find_label(label, 0, LabelSearch::forward_then_top);
+                all_there &= found != nullptr;
+                add(found);
             }
+            return all_there;
         }
-        return graph_.has_all(labels);
+        const Label* last = nullptr;
+        for (const LabelledBlock& own : graph_.labels) { // the first of each label
+            if ((last == nullptr || *last != own.label) && std::ranges::binary_search(labels, own.label))
+                add(&own);
+            last = &own.label;
+        }
+        return false;
     }
 
     /// A node from which calls that come back at the same labels go on, where edges of their own would be too
@@ -528,8 +535,8 @@ class Building {
         NodeId node;
         bool all_there;
     };
-    using SharedReturns = std::unordered_map<const std::vector<Label>*, SharedReturn>; ///< by their list
-    const SharedReturn& shared_return(SharedReturns& shared, const std::vector<Label>& labels, NodeId like) {
+    using SharedReturns = std::unordered_map<const LabelList*, SharedReturn>; ///< by their list
+    const SharedReturn& shared_return(SharedReturns& shared, const LabelList& labels, NodeId like) {
         const auto known = shared.find(&labels);
         if (known != shared.end()) return known->second;
         const NodeId node = add_node_without_effects(like);

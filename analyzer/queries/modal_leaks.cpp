@@ -6,6 +6,7 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/handed_modes.hpp"
 #include "analyzer/queries/origins.hpp"
 #include "analyzer/queries/own_settings.hpp"
 #include "analyzer/queries/saved_state.hpp"
@@ -74,10 +75,22 @@ class LeftState {
         if (last_->exit->exit.kind == flow::ExitKind::returns)
             last_->leak_use =
                 leak_use_of(analysis_, group_, *last_->exit, node_of_origin(analysis_, last_->part.origin));
-        return last_->leak_use.matters ? last_ : std::nullopt;
+        return last_->leak_use.matters && !is_for_callers() ? last_ : std::nullopt;
     }
 
   private:
+    /// What acts on later moves may be switched on for the callers, who are to switch it off: on the way to a
+    /// contour, for a cycle's positions. And some programs are there for nothing else.
+    [[nodiscard]] bool is_for_callers() const {
+        const ModalGroup& group = analysis_.control().groups[group_];
+        if (last_->exit->exit.kind != flow::ExitKind::returns ||
+            group.restore_policy == RestorePolicy::modal_call)
+            return false;
+        const bool asks_callers = group.cancel && knows_callers(analysis_);
+        return asks_callers ? callers_cancel(analysis_, group_)
+                            : last_->on_every_path && only_sets_modes(analysis_.program());
+    }
+
     void look_at(const dataflow::ExitState& exit) {
         const dataflow::ModalValue value = analysis_.data().modal(exit, group_);
         elsewhere_right_ |= value.unknown;

@@ -178,8 +178,8 @@ bool misses_a_number(const ProgramAnalysis& analysis) {
     const auto returns_nowhere = [&](const CallSite& site) {
         const ProgramAnalysis* called = called_program(analysis, site);
         if (called == nullptr) return false;
-        const auto& numbers = called->summary().resume_labels.numbers;
-        return numbers != nullptr && !analysis.graph().has_all(*numbers);
+        const auto& labels = called->summary().resume_labels;
+        return labels != nullptr && !analysis.graph().has_all(*labels);
     };
     return std::ranges::any_of(analysis.graph().jumps, is_lost) ||
            std::ranges::any_of(analysis.calls(), returns_nowhere);

@@ -69,6 +69,7 @@ class WorkspaceBuilder {
         for (std::size_t file = 0; file < outlines.size(); ++file)
             for (const ProgramOutline& program : outlines[file].programs)
                 resolve_calls(resolver, file, program, programs_[index++]);
+        attribute_computed_calls();
         for (UndecidedCalls* calls : undecided_) {
             calls->passed = passed_by(calls->callers, nullptr);
             calls->locals_shared = some_share_locals(calls->callers);
@@ -87,14 +88,67 @@ class WorkspaceBuilder {
             const Namesakes meant = resolver.resolve(file, outline, *call);
             const auto target = meant.only();
             analysis.calls_.push_back({effect, target, false, false, meant.all, {}});
-            if (call->is_computed()) computing_.insert(&analysis.file());
             const Caller caller{analysis.index(), effect};
+            if (call->is_computed()) {
+                computing_.insert(&analysis.file());
+                computed_.push_back(caller);
+            }
             if (target)
                 bind(analysis, caller, analysis.calls_.back());
             else
                 for (const auto& namesakes : meant.nearest) add_undecided(namesakes, caller);
         }
         adjacency_.end_list();
+    }
+
+    /// A call whose number only the running program knows may mean what nobody else calls: programs of its
+    /// file, where there are none those of all files.
+    void attribute_computed_calls() {
+        if (computed_.empty()) return;
+        std::map<const ProgramFile*, NamesakeList> uncalled; ///< by file; nullptr: of all files
+        for (const ProgramAnalysis& analysis : programs_) {
+            if (!analysis.program().number || analysis.program().local || !analysis.callers_.empty() ||
+                !analysis.undecided_.empty() || runs_on_its_own(analysis))
+                continue;
+            uncalled[&analysis.file()].push_back(analysis.index());
+            uncalled[nullptr].push_back(analysis.index());
+        }
+        using Lists = std::map<std::optional<std::int64_t>, std::shared_ptr<const NamesakeList>>;
+        std::map<const ProgramFile*, Lists> lists;
+        for (const Caller& caller : computed_) {
+            const ProgramAnalysis& calling = programs_[caller.program];
+            const ProgramFile* from = uncalled.contains(&calling.file()) ? &calling.file() : nullptr;
+            Lists& known = lists[from];
+            auto base = base_of(calling.program(), call_of(caller));
+            if (known.size() >= most_bases) base.reset();
+            auto& list = known[base];
+            if (list == nullptr)
+                list = std::make_shared<const NamesakeList>(that_lie_above(uncalled[from], base));
+            add_undecided(list, caller);
+        }
+    }
+
+    static constexpr std::size_t most_bases = 16; ///< that differ, of one file's calls
+    static constexpr std::int64_t most_above = 999;
+    [[nodiscard]] NamesakeList that_lie_above(const NamesakeList& programs,
+                                              std::optional<std::int64_t> base) const {
+        NamesakeList found;
+        for (const ProgramIndex index : programs) {
+            const std::int64_t number = *programs_[index].program().number;
+            if (!base || (number >= *base && number - *base <= most_above)) found.push_back(index);
+        }
+        return found;
+    }
+
+    /// 7100 of `M98 P[7100+#501]`.
+    static std::optional<std::int64_t> base_of(const Program& program, const Call& call) {
+        const auto* expression = std::get_if<ExpressionId>(&call.program);
+        const auto* sum =
+            expression == nullptr ? nullptr : std::get_if<Apply>(&program.expressions[*expression].node);
+        if (sum == nullptr || sum->operation != Operation::add) return std::nullopt;
+        for (const ExpressionId operand : program.operands_of(*sum))
+            if (const auto base = flow::constant_number(program, operand)) return base;
+        return std::nullopt;
     }
 
     void bind(const ProgramAnalysis& calling, Caller caller, CallSite& site) {
@@ -222,7 +276,7 @@ class WorkspaceBuilder {
     /// Calls within a cycle have no summary to go by.
     void find_labels_in_cycles() {
         for (ProgramIndex index = 0; index < programs_.size(); ++index)
-            if (is_in_cycle(index))
+            if (needed_[index] && is_in_cycle(index))
                 named_in_cycles_.emplace(index,
                                          dataflow::labels_named_for_callers(programs_[index].program()));
     }
@@ -241,18 +295,13 @@ class WorkspaceBuilder {
             const ProgramAnalysis& called = programs[*site->target];
             return dataflow::Callee{called.summary(), site->references, &called.data()};
         };
-        std::unordered_map<ProgramIndex, std::shared_ptr<const flow::LabelList>>
-            returned_to; ///< from each called program, one list
         analysis.regions_ = flow::pair_regions(program);
         analysis.graph_ = flow::build_graph(program, analysis.regions_, [&](EffectId call) {
             const dataflow::Summary& summary = callees(call).summary;
             const CallSite* site = analysis.call_at(call);
             if (site == nullptr || !site->target) return flow::ReturnTargets{summary.returns};
-            const auto [labels, fresh] = returned_to.try_emplace(*site->target);
-            if (fresh)
-                labels->second = dataflow::labels_in(
-                    program, site->in_cycle ? named_in_cycles_.at(*site->target) : summary.resume_labels);
-            return flow::ReturnTargets{site->in_cycle || summary.returns, labels->second};
+            if (site->in_cycle) return flow::ReturnTargets{true, named_in_cycles_.at(*site->target)};
+            return flow::ReturnTargets{summary.returns, summary.resume_labels};
         });
         const bool main = runs_on_its_own(analysis);
         analysis.locals_are_callers_ =
@@ -446,11 +495,13 @@ class WorkspaceBuilder {
     dataflow::FactSet facts_;
     flow::Adjacency adjacency_;
     flow::Components components_;
-    std::unordered_map<ProgramIndex, dataflow::CallersLabels> named_in_cycles_; ///< see find_labels_in_cycles
+    std::unordered_map<ProgramIndex, std::shared_ptr<const flow::LabelList>>
+        named_in_cycles_; ///< see find_labels_in_cycles
     std::optional<HandedDown> handed_down_;
     std::optional<CallersLocals> callers_locals_;
     std::vector<bool> needed_;               ///< by program: its flow and data flow are asked for
     std::set<const ProgramFile*> computing_; ///< files with a call that may mean any program
+    std::vector<Caller> computed_;           ///< these calls
     std::map<std::shared_ptr<const NamesakeList>, std::shared_ptr<UndecidedCalls>> undecided_by_list_;
     std::vector<UndecidedCalls*> undecided_; ///< all of them, in the order of the first call
 };

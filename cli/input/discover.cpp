@@ -155,7 +155,7 @@ class Walk {
         const std::string name = platform::text_of(entry.path.filename());
         if (entry.kind == platform::FileKind::folder) {
             if (!is_passed_over(name) && !is_ignored(real, entry, name))
-                folders.push_back({entry.path, real_path(entry, real)});
+                folders.push_back({entry.path, place_of(entry, real)});
             return;
         }
         // A link that leads nowhere is reported when it is read; pipes and devices are not for linting.
@@ -186,16 +186,16 @@ class Walk {
         return configuration != nullptr && takes_any(configuration->include, path);
     }
 
-    /// Of an entry of the folder `real`. Asking for each way from the root on takes as many calls of the
-    /// system as it has parts.
-    static std::string real_path(const platform::FolderEntry& entry, const std::string& real) {
+    /// Where an entry of the folder `real` is after all symbolic links. To ask the system for a path takes as
+    /// many of its calls as the path has parts.
+    static std::string place_of(const platform::FolderEntry& entry, const std::string& real) {
         return entry.is_link ? identity(entry.path)
                              : platform::text_of(platform::path_of(real) / entry.path.filename());
     }
 
-    void take_file(const platform::FolderEntry& entry, const std::string& folder, bool asked) {
+    void take_file(const platform::FolderEntry& entry, const std::string& real, bool asked) {
         ++wanted_;
-        if (!seen_.insert(real_path(entry, folder)).second) return;
+        if (!seen_.insert(place_of(entry, real)).second) return;
         // Asking for a size takes a call of the system a file: only where sizes are bounded.
         if (bounds_.bytes != Bounds{}.bytes) bytes_ += platform::size_of(entry.path);
         if (found_.files.size() >= bounds_.files || bytes_ > bounds_.bytes) {

@@ -151,12 +151,24 @@ TEST(Loops, CanStopWhereTheFirstRoundMayDoWithoutTheCall) {
     EXPECT_FALSE(can_stop("G65P2A3\n", "#1")); // what the first round has passed the later ones pass, too
     EXPECT_TRUE(can_stop("IF[#3EQ1]GOTO5\nG65P2A3\nN5#3=2\n", "#1"));
     EXPECT_FALSE(can_stop("IF[#3EQ1]GOTO5\nN5#3=2\nG65P2A3\n", "#1"));
-    EXPECT_FALSE(can_stop("IF[#3EQ1]GOTO5\nG65P2A3\nN5#3=2\n", "#500")); // nobody says that it is 1
-    EXPECT_TRUE(can_stop("IF[#3EQ1]GOTO5\nG65P2A3\nN5#3=2\n#500=1\n", "#500"));
-    // After moves, from its block on: in the first round too where the block stands in front of the move.
+    EXPECT_TRUE(can_stop("IF[#500EQ1]GOTO5\nG65P2A3\nGOTO6\nN5#3=2\nN6\n", "#1"));
+    EXPECT_TRUE(can_stop("IF[#3EQ1]GOTO5\nG65P2A3\nN5#3=2\n", "#500"));
+    EXPECT_TRUE(can_stop("M98P2L#3\n#3=1\n", "#500")); // no times
+    EXPECT_FALSE(can_stop("M98P2L2\n#3=1\n", "#500"));
+    EXPECT_FALSE(
+        can_stop("IF[#3EQ1]GOTO5\n#4=1\nGOTO6\nN5#3=2\nN6\nG65P2A3\nIF[#4EQ1]GOTO7\n#5=1\nN7\n", "#1"));
+    // After moves, from its block on: which round makes the first of them is not found out.
     EXPECT_TRUE(can_stop("G0X1\nG66P2A3\n", "#1"));
-    EXPECT_FALSE(can_stop("G66P2A3\nG0X1\n", "#1"));
-    EXPECT_TRUE(can_stop("IF[#3EQ1]GOTO5\nG66P2A3\nN5G0X1\n#3=2\n", "#1"));
+    EXPECT_TRUE(can_stop("IF[#3EQ1]GOTO5\nG67\nN5G0X1\n#3=2\nG66P2A3\n", "#1"));
+    std::string many;
+    for (int i = 0; i < 40; ++i) many += "G65P2A" + std::to_string(i + 3) + "\n";
+    EXPECT_FALSE(can_stop(many, "#1"));
+}
+
+TEST(Loops, ThatAreClosedInTwoPlacesMayDoWithoutTheCallInBetween) {
+    const auto workspace = test::analyse_fanuc("O1\n#4=0\nN1#4=#4+1\nG0X#4\nIF[#4LT5]GOTO1\nG65P2\nGOTO1\n"
+                                               "O2\nIF[#500GT4]THEN#3000=1\nM99\n");
+    EXPECT_TRUE(workspace->programs().front().inescapable_cycles().empty());
 }
 
 TEST(Loops, CanStopWhereTheNumberThatDecidesIsMadeByTooManyAssignments) {

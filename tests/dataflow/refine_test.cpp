@@ -44,6 +44,17 @@ TEST(Refine, BothSidesOfAComparisonAreCut) {
     EXPECT_RANGE(where("5LT#500"), just_above_5, infinity);
 }
 
+TEST(Refine, NoFactorOfWhatIsNotZeroIsZeroOrVacant) {
+    for (const std::string product : {"#500*#501NE0", "#501*[2*#500]GT0", "#500*#500LT0"}) {
+        EXPECT_EQ(where(product).vacancy, Vacancy::set) << product;
+        EXPECT_TRUE(where(product).nonzero) << product;
+    }
+    for (const std::string other : {"#500*#501GE0", "#500*#501NE1", "#500+#501NE0", "#500*#501NE#502"}) {
+        EXPECT_EQ(where(other).vacancy, Vacancy::unknown) << other;
+        EXPECT_FALSE(where(other).nonzero) << other;
+    }
+}
+
 TEST(Refine, WhereAComparisonFailsItsOppositeHolds) {
     EXPECT_RANGE(where("NOT[#500LT5]"), 5, infinity);
     EXPECT_RANGE(where("NOT[#500NE5]"), 5, 5);

@@ -464,9 +464,9 @@ void HeldAgainstFacts::check_summary(execution::Stepper& stepper, const executio
         return claim(summary.may_stop, "summary: stops", "it stops");
     if (!left.label) claim(summary.returns, "summary: returns", "it returns behind the call");
     if (left.label) {
-        const auto& numbers = summary.resume_labels.numbers;
+        const auto& labels = summary.resume_labels;
         const Label label = static_cast<std::int64_t>(*left.label);
-        claim(numbers != nullptr && std::ranges::binary_search(*numbers, label), "summary: labels",
+        claim(labels != nullptr && std::ranges::binary_search(*labels, label), "summary: labels",
               "it returns to " + spell(left.label));
     }
     const Watched& watched = watched_[&analysis];

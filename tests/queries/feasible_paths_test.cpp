@@ -328,6 +328,18 @@ TEST(FeasiblePaths, RoundsAreGoneAlsoFromTheMiddleOfALoop) {
     EXPECT_FALSE(leads_by_way_of(text("#103=#103+1\n"), 4, 10)); // nothing makes #102 another number
 }
 
+TEST(FeasiblePaths, ANumberThatIsNeitherAboveNorBelowZeroIsZero) {
+    const std::string set_by_sign = "IF[#7GT0]THEN#5=41\nIF[#7LT0]THEN#5=42\n";
+    EXPECT_FALSE(
+        reaches_uninitialised("#7=#500\nIF[#7EQ#0]GOTO9\n" + set_by_sign + "IF[#7EQ0]GOTO9\nG#5\nN9", 5));
+    EXPECT_TRUE(
+        reaches_uninitialised("#7=#500\n" + set_by_sign + "IF[#7EQ0]GOTO9\nG#5\nN9", 5)); // a vacant one
+    EXPECT_TRUE(reaches_uninitialised("#7=#500\nIF[#7EQ#0]GOTO9\n" + set_by_sign + "G#5\nN9", 5));
+    // Equal to 0, it is not vacant.
+    EXPECT_FALSE(
+        reaches_uninitialised("IF[#500NE0]GOTO1\n#6=1\nGOTO2\nN1#5=1\nN2IF[#500EQ0]GOTO9\nG#5\nN9", 5));
+}
+
 TEST(FeasiblePaths, WhatRoundsChangeByAFractionIsComparedAsAFraction) {
     // Line 6 lets #1 be above 1 and below 2 after both loops, or never.
     const auto text = [](const std::string& step) {
@@ -335,6 +347,8 @@ TEST(FeasiblePaths, WhatRoundsChangeByAFractionIsComparedAsAFraction) {
     };
     EXPECT_TRUE(leads_by_way_of(text("#1=#1-0.5\n"), 7, 10));
     EXPECT_TRUE(leads_by_way_of(text("IF[#1EQ4]THEN#1=1.5\n"), 7, 10));
+    EXPECT_TRUE(leads_by_way_of(text("#1=0.5+#1-1\n"), 7, 10));
+    EXPECT_TRUE(leads_by_way_of(text("#1=[#1*2-1]/2\n"), 7, 10));
     EXPECT_FALSE(leads_by_way_of(text("#1=#1-1\n"), 7, 10));
 }
 

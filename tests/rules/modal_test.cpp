@@ -16,6 +16,46 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
+TEST(HandedModes, AreNotReportedOfAProgramThatDoesNothingElse) {
+    EXPECT_THAT(lines_raised("MAC502", "O9700\n#1=ATAN[#4]/[#5]\nG68X0Y0R#1\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC502", "O9700\nG68X0Y0R#1\nX1\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC502", "O9700\nG68X0Y0R#1\nM99\nO1\nM98P9700\nG0X1\nM30\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC502", "O9700\nG68X0Y0R#1\nIF[#1EQ1]GOTO9\nG69\nN9M99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC501", "O9700\nG18\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC501", "O9700\nG18\nM6T#20\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC515", "O9700\n#3003=1\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC515", "O9700\n#3003=1\nM6T20\nM99\n"), ElementsAre(2));
+}
+
+TEST(HandedModes, AreNotReportedWhereEveryCallerCancelsThem) {
+    const auto raised = [](const std::string& after_call) {
+        return lines_raised("MAC502", "O8\nG1G41D1X20.F300\nM99\nO9\nG40X0\nM99\nO7\nX9\nM99\nO1\nM98P8\n" +
+                                          after_call + "M30\n");
+    };
+    EXPECT_THAT(raised("G1Y20.F300\nG40X0\n"), IsEmpty());
+    EXPECT_THAT(raised("G1Y20.F300\nM98P7\nM98P9\n"), IsEmpty());
+    EXPECT_THAT(raised("G1Y20.F300\nIF[#500EQ1]GOTO5\nG40X0\nM30\nN5G40\n"), IsEmpty());
+    EXPECT_THAT(raised("G1Y20.F300\n"), ElementsAre(2));
+    EXPECT_THAT(raised("G1Y20.F300\nIF[#500EQ1]GOTO5\nG40X0\nN5\n"), ElementsAre(2)); // on some paths
+    EXPECT_THAT(raised("G1Y20.F300\nG40G80G49\n"), ElementsAre(2));   // what every tool begins with
+    EXPECT_THAT(raised("G1Y20.F300\nG42X9\nG40\n"), ElementsAre(2));  // the caller takes it for cancelled
+    EXPECT_THAT(raised("G1Y20.F300\nG65P77\nG40\n"), ElementsAre(2)); // nobody knows what that does
+    EXPECT_THAT(raised("G1Y20.F300\nG40X0\nM30\nO2\nM98P8\nX1\n"), ElementsAre(2)); // another caller does not
+}
+
+TEST(HandedModes, AreAskedOfComputedCallsInTheFile) {
+    const auto raised = [](const std::string& after_call) {
+        return lines_raised("MAC501", "O1\nG90G54\nM98P[7100+#501]\n" + after_call +
+                                          "M30\nO7100\nG91G1X2.F300\nM99\nO7101\nG91G1Y4.F300\nM99\n");
+    };
+    EXPECT_THAT(raised("G90G0Z2.\n"), IsEmpty());
+    EXPECT_THAT(raised("G0Z2.\n"), ElementsAre(7, 10));
+    // Not of calls of other numbers.
+    EXPECT_THAT(lines_raised("MAC501", "O1\nM98P[2000+#501]\nG90G0Z2.\nM30\nO7100\nG91G1X2.F300\nM99\n"),
+                ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC209", "O1\n#10=5\nM98P[7000+#501]\nM30\nO7001\nG0X#10\nM99\n"), IsEmpty());
+}
+
 TEST(ModalState, LeftAtAnUnusualCodeIsReportedWhereItWasSetLast) {
     EXPECT_THAT(lines_raised("MAC501", "O9001\nG91 G0 X1\nG91 G0 X2\nM99\n"), ElementsAre(3));
     EXPECT_THAT(lines_raised("MAC501", "O9001\n#33=#1\nG91\nG0 X1 Y2\nG0 X3\nM99\n"), ElementsAre(3));

@@ -1,4 +1,4 @@
-//! Lists that are sorted once all is there.
+//! A list that is sorted once all is there.
 #include "analyzer/dataflow/solver/callers_labels.hpp"
 
 #include "analyzer/program/block_view.hpp"
@@ -7,51 +7,27 @@
 #include <utility>
 
 namespace maclint::dataflow {
-namespace {
 
-template<class Value>
-void keep_each_once(std::vector<Value>& values) {
-    std::ranges::sort(values);
-    const auto twice = std::ranges::unique(values);
-    values.erase(twice.begin(), twice.end());
-}
-
-} // namespace
-
-void CallersLabelSet::add(const Program& program, const Return& back) {
+void CallersLabels::add(const Program& program, const Return& back) {
     const auto label = back.resume_label ? flow::constant_target(program, *back.resume_label) : std::nullopt;
-    if (!label) return;
-    if (std::holds_alternative<std::int64_t>(*label))
-        numbers_.push_back(*label);
-    else
-        names_.push_back(program.spell(*label));
+    // A name is numbered by each program for itself.
+    if (label && std::holds_alternative<std::int64_t>(*label)) labels_.push_back(*label);
 }
 
-CallersLabels CallersLabelSet::take() {
-    keep_each_once(numbers_);
-    keep_each_once(names_);
-    CallersLabels labels{nullptr, std::move(names_)};
-    if (!numbers_.empty()) labels.numbers = std::make_shared<const flow::LabelList>(std::move(numbers_));
-    return labels;
+std::shared_ptr<const flow::LabelList> CallersLabels::take() {
+    if (labels_.empty()) return nullptr;
+    std::ranges::sort(labels_);
+    const auto twice = std::ranges::unique(labels_);
+    labels_.erase(twice.begin(), twice.end());
+    return std::make_shared<const flow::LabelList>(std::move(labels_));
 }
 
-CallersLabels labels_named_for_callers(const Program& program) {
-    CallersLabelSet labels;
+std::shared_ptr<const flow::LabelList> labels_named_for_callers(const Program& program) {
+    CallersLabels labels;
     for_each_effect(program, [&](EffectId id) {
         if (const auto* back = std::get_if<Return>(&program.effects[id].what)) labels.add(program, *back);
     });
     return labels.take();
-}
-
-std::shared_ptr<const flow::LabelList> labels_in(const Program& caller, const CallersLabels& labels) {
-    if (labels.names.empty()) return labels.numbers;
-    constexpr std::int32_t of_no_block = -1;
-    flow::LabelList list;
-    if (labels.numbers) list = *labels.numbers;
-    for (const std::string& name : labels.names)
-        list.emplace_back(BlockName{caller.block_names.find(name).value_or(of_no_block)});
-    keep_each_once(list);
-    return std::make_shared<const flow::LabelList>(std::move(list));
 }
 
 } // namespace maclint::dataflow

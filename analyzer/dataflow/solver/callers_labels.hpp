@@ -1,28 +1,25 @@
-//! Gathers the labels that a program names for its callers: many returns may name one.
+//! The labels that a program names for its callers (M99 P).
 #pragma once
 
-#include "analyzer/dataflow/solver/summary.hpp"
+#include "analyzer/flow/graph.hpp"
+
+#include <memory>
 
 namespace maclint::dataflow {
 
-class CallersLabelSet {
+/// Gathers them: many returns may name one.
+class CallersLabels {
   public:
     /// That of a return, where it names one and it is known which.
     void add(const Program& program, const Return& back);
-    /// All that were added.
-    [[nodiscard]] CallersLabels take();
+    /// All that were added, for the callers to share; nullptr: none.
+    [[nodiscard]] std::shared_ptr<const flow::LabelList> take();
 
   private:
-    flow::LabelList numbers_;
-    std::vector<std::string> names_;
+    flow::LabelList labels_;
 };
 
-/// All that the program's text names, reached or not.
-[[nodiscard]] CallersLabels labels_named_for_callers(const Program& program);
-
-/// What the labels are in a caller; a name that it lacks is that of no block. Nullptr: there are none.
-/// Callers share the list of the numbers.
-[[nodiscard]] std::shared_ptr<const flow::LabelList> labels_in(const Program& caller,
-                                                               const CallersLabels& labels);
+/// All that the program's text names, reached or not; nullptr: none.
+[[nodiscard]] std::shared_ptr<const flow::LabelList> labels_named_for_callers(const Program& program);
 
 } // namespace maclint::dataflow

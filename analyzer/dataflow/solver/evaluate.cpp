@@ -250,7 +250,12 @@ void Transfer::refine_side(State& state, ExpressionId side, const Value& value, 
         refine_entry_code(state, value, operation, other);
         refine_variable(state, load->variable, operation, other);
     } else if (const auto* apply = std::get_if<Apply>(&expression.node);
-               apply != nullptr && apply->operation == Operation::negate) {
+               apply != nullptr && apply->operation == Operation::multiply) {
+        const bool excludes = operation == Operation::not_equal || operation == Operation::less ||
+                              operation == Operation::greater;
+        if (excludes && other.constant() == 0 && other.vacancy == Vacancy::set)
+            refine_factors(state, side, other);
+    } else if (apply != nullptr && apply->operation == Operation::negate) {
         const auto* negated =
             std::get_if<Load>(&program_.expressions[program_.operands_of(*apply).front()].node);
         // EQ and NE tell vacant from 0, and what is negated is a number.
@@ -259,6 +264,19 @@ void Transfer::refine_side(State& state, ExpressionId side, const Value& value, 
         other = compute(states_.table(), Operation::negate, std::span(&other, 1),
                         {Origin::Kind::expression, side, node_});
         refine_variable(state, negated->variable, mirrored(operation), other);
+    }
+}
+
+/// The product is not 0: neither is a factor, nor vacant, which counts as 0 in it.
+void Transfer::refine_factors(State& state, ExpressionId factor, const Value& zero) {
+    const Expression& expression = program_.expressions[factor];
+    if (const auto* load = std::get_if<Load>(&expression.node)) {
+        refine_variable(state, load->variable, Operation::is_set, {});
+        if (state.reached) refine_variable(state, load->variable, Operation::not_equal, zero);
+    } else if (const auto* apply = std::get_if<Apply>(&expression.node);
+               apply != nullptr && apply->operation == Operation::multiply) {
+        for (const ExpressionId each : program_.operands_of(*apply))
+            if (state.reached) refine_factors(state, each, zero);
     }
 }
 

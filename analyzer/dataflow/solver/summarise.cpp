@@ -181,7 +181,7 @@ class Summariser {
     const FactLists& facts_;
     const std::vector<bool>& reached_;
     Summary summary_;
-    CallersLabelSet resume_labels_;
+    CallersLabels resume_labels_;
 };
 
 } // namespace

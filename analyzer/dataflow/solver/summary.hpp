@@ -31,12 +31,6 @@ struct GroupChange {
     Channels channels;         ///< in which; all where it names none
 };
 
-/// Labels that a program names for its callers (M99 P), each once.
-struct CallersLabels {
-    std::shared_ptr<const flow::LabelList> numbers; ///< nullptr: none
-    std::vector<std::string> names;                 ///< as they are spelled: each caller has its own of them
-};
-
 /// What decides whether a program stops instead of returning.
 struct StopReasons {
     bool anything = true; ///< the machine, an operator, a program that is called
@@ -55,7 +49,7 @@ struct Summary {
         variables; ///< all that it may write and the caller can see (locals for calls that share them)
     std::vector<SpaceId> havoc; ///< spaces of which anything may have changed
     std::vector<GroupChange> groups;
-    CallersLabels resume_labels;
+    std::shared_ptr<const flow::LabelList> resume_labels; ///< of its callers (M99 P); nullptr: none
     /// Variables, as they are spelled, that it writes and that may be the caller's, handed down to it;
     /// absent: any of them.
     std::optional<std::vector<std::string>> written_for_callers;

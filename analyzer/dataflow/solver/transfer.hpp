@@ -70,6 +70,7 @@ class Transfer {
     [[nodiscard]] Truth evaluate_chain(const State& state, std::span<const ExpressionId> operands, bool all);
     void refine(State& state, ExpressionId id, bool holds);
     void refine_side(State& state, ExpressionId side, const Value& value, Operation operation, Value other);
+    void refine_factors(State& state, ExpressionId factor, const Value& zero);
     [[nodiscard]] bool keep_choices(Value& value, Operation operation, const Value& other);
     void refine_variable(State& state, Variable variable, Operation operation, const Value& other);
     void know_entry_code(State& state, ChannelGroup of, double code);

@@ -1,0 +1,143 @@
+//! A search forward from each call, until a block sets the group.
+#include "analyzer/queries/handed_modes.hpp"
+
+#include "analyzer/flow/walk.hpp"
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/queries/callers.hpp"
+#include "analyzer/source/work_limit.hpp"
+#include "analyzer/workspace/workspace.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace maclint::queries {
+namespace {
+
+/// What blocks say of a group.
+enum class Said : std::uint8_t { nothing, cancelled, otherwise };
+
+class Ends {
+  public:
+    Ends(const ProgramAnalysis& caller, GroupId group)
+        : caller_(caller)
+        , group_(group) {}
+
+    /// Whether all paths from the call on come to where the group is cancelled.
+    [[nodiscard]] bool after(EffectId call) {
+        const auto from = caller_.graph().node_of(call);
+        if (!from) return false;
+        bool cancelled = false, lost = leaves_at(*from);
+        flow::walk<flow::Direction::forward>(
+            caller_.graph(), {*from}, [&](flow::EdgeId edge, flow::NodeId to) {
+                if (!caller_.data().passable(edge)) return flow::Step::refuse;
+                const Said said = WorkLimit::allows() ? said_at(to) : Said::otherwise;
+                cancelled |= said == Said::cancelled;
+                lost |= said == Said::otherwise || (said == Said::nothing && leaves_at(to));
+                return lost                    ? flow::Step::end
+                       : said == Said::nothing ? flow::Step::go_on
+                                               : flow::Step::refuse;
+            });
+        return cancelled && !lost;
+    }
+
+  private:
+    [[nodiscard]] bool leaves_at(flow::NodeId node) const {
+        return std::ranges::any_of(caller_.graph().exits_at(node),
+                                   [](const flow::Exit& exit) { return exit.kind != flow::ExitKind::alarm; });
+    }
+
+    [[nodiscard]] Said said_at(flow::NodeId id) const {
+        const flow::Node& node = caller_.graph().nodes[id];
+        for (const Effect& effect : caller_.program().effects_in(node.effects))
+            if (const auto* call = std::get_if<Call>(&effect.what); call != nullptr)
+                if (const Said said = said_by_call(effect); said != Said::nothing) return said;
+        return said_by_blocks(caller_.program(), node.stretch());
+    }
+
+    [[nodiscard]] Said said_by_call(const Effect& effect) const {
+        const auto id = static_cast<EffectId>(&effect - caller_.program().effects.data());
+        const CallSite* site = caller_.call_at(id);
+        const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(caller_, *site);
+        if (callee == nullptr) return Said::otherwise;
+        const auto& groups = callee->summary().groups;
+        if (std::ranges::find(groups, group_, &dataflow::GroupChange::group) == groups.end())
+            return Said::nothing;
+        Said said = Said::otherwise;
+        for (const Item& item : callee->program().items) {
+            Said here = Said::nothing;
+            blocks::visit_item(callee->program(), item, [&](const BlockView& block) {
+                here = said_by(callee->program(), block);
+                return here == Said::nothing;
+            });
+            if (here != Said::nothing) said = here;
+        }
+        return said;
+    }
+
+    [[nodiscard]] Said said_by_blocks(const Program& program, const Stretch& stretch) const {
+        Said said = Said::nothing;
+        for_each_block(program, stretch, [&](const BlockView& block) {
+            said = said_by(program, block);
+            return said == Said::nothing;
+        });
+        return said;
+    }
+
+    [[nodiscard]] Said said_by(const Program& program, const BlockView& block) const {
+        const auto& groups = program.control->groups;
+        std::optional<double> code;
+        std::size_t cancelled = 0;
+        const auto look_at = [&](GroupId group, double value) {
+            if (group == group_) code = value;
+            cancelled += groups[group].cancel == value ? 1U : 0U;
+        };
+        for (const ModalSetting& setting : block.settings) look_at(setting.group, setting.value);
+        for (const Effect& effect : program.effects_in(block.effects)) {
+            const auto* set = std::get_if<SetModal>(&effect.what);
+            const auto* number =
+                set == nullptr ? nullptr : std::get_if<Literal>(&program.expressions[set->value].node);
+            if (number != nullptr && set->group) look_at(*set->group, number->value);
+        }
+        if (!code) return Said::nothing;
+        return code == groups[group_].cancel && cancelled == 1 ? Said::cancelled : Said::otherwise;
+    }
+
+    const ProgramAnalysis& caller_;
+    GroupId group_;
+};
+
+} // namespace
+
+bool only_sets_modes(const Program& program) {
+    bool only_sets = true;
+    for_each_block(program, [&](const BlockView& block) {
+        only_sets &= !block.moves;
+        for (const Effect& effect : program.effects_in(block.effects))
+            only_sets &=
+                !(std::holds_alternative<Motion>(effect.what) || std::holds_alternative<Call>(effect.what) ||
+                  std::holds_alternative<ToolChange>(effect.what) ||
+                  std::holds_alternative<UnreadableBlock>(effect.what));
+        return only_sets;
+    });
+    return only_sets;
+}
+
+bool knows_callers(const ProgramAnalysis& analysis) {
+    return !analysis.callers().empty() || analysis.has_possible_callers();
+}
+
+bool callers_cancel(const ProgramAnalysis& analysis, GroupId group) {
+    std::vector<Caller> callers = analysis.callers();
+    if (callers.empty()) {
+        PossibleCallers possible = analysis.possible_callers();
+        if (!possible.all) return false;
+        callers = std::move(possible.first);
+    }
+    return !callers.empty() && std::ranges::all_of(callers, [&](const Caller& caller) {
+        return Ends(analysis.workspace().programs()[caller.program], group).after(caller.effect);
+    });
+}
+
+} // namespace maclint::queries
