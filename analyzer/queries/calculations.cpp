@@ -104,6 +104,17 @@ bool is_quotient_of_decimals(const ProgramAnalysis& analysis, const dataflow::Va
            !Calculation(analysis.data().table()).is_whole(symbol_of(analysis, value).c);
 }
 
+bool are_rounded_alike(const ProgramAnalysis& analysis, const dataflow::Value& one,
+                       const dataflow::Value& other) {
+    const Calculation calculation(analysis.data().table());
+    const auto is_whole_in_units = [&](const dataflow::Value& value) {
+        return operation_of(analysis, value) == Operation::divide &&
+               calculation.is_whole(symbol_of(analysis, value).b);
+    };
+    return is_whole_in_units(one) && is_whole_in_units(other) &&
+           symbol_of(analysis, one).c == symbol_of(analysis, other).c;
+}
+
 bool is_zero_as_on_paper(const ProgramAnalysis& analysis, const dataflow::Value& value) {
     return Calculation(analysis.data().table()).is_zero_as_on_paper(value.symbol);
 }

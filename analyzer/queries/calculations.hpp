@@ -20,6 +20,11 @@ namespace maclint::queries {
 /// Whether the value is a quotient whose divisor may have decimals.
 [[nodiscard]] bool is_quotient_of_decimals(const ProgramAnalysis& analysis, const dataflow::Value& value);
 
+/// Whether both are whole numbers divided by the same: ROUND[#1*1000]/1000, where whole numbers that are
+/// equal give equal results.
+[[nodiscard]] bool are_rounded_alike(const ProgramAnalysis& analysis, const dataflow::Value& one,
+                                     const dataflow::Value& other);
+
 /// Whether rounding cannot make the value 0, nor keep it from being 0: products and quotients, roots and
 /// amounts of such, sums of squares. A sine of 180 degrees is not.
 [[nodiscard]] bool is_zero_as_on_paper(const ProgramAnalysis& analysis, const dataflow::Value& value);

@@ -95,6 +95,8 @@ TEST(InexactCounter, IsHarmlessWhenExactClampedOrWithRoomAtItsEnd) {
                 IsEmpty());
     EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE1]DO1\n#33=#33+0.5\nEND1\nM99\n"),
                 IsEmpty());
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE10.001]DO1\n#33=#33+0.1\nEND1\nM99\n"),
+                IsEmpty());
     EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE1.05]DO1\n#33=#33+0.1\nEND1\nM99\n"),
                 IsEmpty());
     EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE[#1+0.001]]DO1\n#33=#33+0.1\nEND1\nM99\n"),

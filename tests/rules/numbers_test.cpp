@@ -246,6 +246,12 @@ TEST(FloatEquality, OfCopiesHalvesAndWholeNumbersIsExact) {
     EXPECT_THAT(lines_raised("MAC710", "O9001\n#33=#1/3\n#32=#33\nIF[#33EQ#32]GOTO9\nN9 M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[#1/2EQ#2]GOTO9\nN9 M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[FIX[#1/3]EQ2]GOTO9\nN9 M99\n"), IsEmpty());
+    const auto in_units = [](const std::string& one, const std::string& other) {
+        return lines_raised("MAC710", "O9001\n#33=#1*0.3\nIF[" + one + "EQ" + other + "]GOTO9\nN9 M99\n");
+    };
+    EXPECT_THAT(in_units("[ROUND[#33*1000]/1000]", "[FIX[#2*1000]/1000]"), IsEmpty());
+    EXPECT_THAT(in_units("[ROUND[#33*1000]/1000]", "[ROUND[#2*100]/100]"), ElementsAre(3));
+    EXPECT_THAT(in_units("[ROUND[#33*1000]/1000]", "[#2/1000]"), ElementsAre(3));
 }
 
 TEST(FloatEquality, WithItsWholePartAsksForAWholeNumber) {
