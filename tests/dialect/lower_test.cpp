@@ -289,6 +289,13 @@ TEST(FanucProgram, PeckDrillingOfAMillIsNoTurningCycle) {
          {"O1\nG73X#24Y#25Z#26R#18Q2.P500F#9\nM99", "O1\nG0X#24Y#25\nG73Z-20.Q2000P500\nM99",
           "O1\nG73Z-20.Q2000P500\nM30", "O1\nG73X10.Q2.P500\nM30", "O1\nG96S200\nG1X5.Y[#1+2]\nM30"})
         EXPECT_EQ(read(text).control->name, "fanuc") << text;
+    for (const char* text : {"O1\nG76X10.Z-20.R2.P100000Q.2F80.\nM99", "O1\nG76P1000Q.2\nM99",
+                             "O1\nG74Z-20.R2.F100.\nM99", "O1\nG74X#24R2.\nM99", "O1\nG74R2.F80.\nM99"})
+        EXPECT_EQ(read(text).control->name, "fanuc") << text;
+    // Cycles of two blocks.
+    for (const char* text : {"O1\nG74R0.2\nG74Z-20.Q3000F0.1\nM99", "O1\nN5G75R#1\nG75X20.P3000F0.1\nM99",
+                             "O1\nG76P020060Q20R0.02\nG76X40.Z-20.P1200Q300F2.\nM99"})
+        EXPECT_EQ(read(text).control->name, "fanuc-lathe") << text;
     EXPECT_EQ(read("O1\nG96S200\n#1=#_KEY[1]\nM30").control->name, "fanuc-lathe");
     EXPECT_EQ(read("O1(TURN\rG96S200\rM30").control->name, "fanuc-lathe"); // a comment ends at CR, too
 }

@@ -16,21 +16,31 @@ struct BlockWords {
     bool g50 = false, cycle = false, s = false;
     bool p = false, q = false; ///< whole numbers, as those of blocks are
     bool z_or_r = false;       ///< where G73 of a mill drills to
+    bool pecking = false;      ///< G74, G75
+    bool threading = false;    ///< G76
+    bool p_of_six = false;     ///< P020060: passes, chamfer and angle of a thread
+    bool z = false, r = false;
+    bool others = false; ///< but G, N and R
 };
 
 struct Signs {
     bool mill = false;        ///< Y, G17, G19, G43, G49, G91, M6
-    bool turning = false;     ///< G50 S, G96, G70-G73 P Q
+    bool turning = false;     ///< G50 S, G96, G70-G73 P Q, G74 R, G76 P020060
     bool incremental = false; ///< U or W with X or Z elsewhere
     bool turret = false;      ///< T0101
 
     void take(const BlockWords& block) {
-        turning |= (block.g50 && block.s) || (block.cycle && block.p && block.q && !block.z_or_r);
+        turning |= (block.g50 && block.s) || (block.cycle && block.p && block.q && !block.z_or_r) ||
+                   (block.threading && block.p_of_six && !block.z) ||
+                   (block.pecking && block.r && !block.others);
     }
 };
 
 void take_word(char letter, std::string_view digits, BlockWords& block, Signs& signs) {
     const auto is_whole = [&] { return digits.find('.') == std::string_view::npos; };
+    block.others |= letter != 'G' && letter != 'N' && letter != 'R';
+    block.z |= letter == 'Z';
+    block.r |= letter == 'R';
     switch (letter) {
     case 'Y': signs.mill = true; break;
     case 'G': {
@@ -39,11 +49,16 @@ void take_word(char letter, std::string_view digits, BlockWords& block, Signs& s
         signs.turning |= value == 96;
         block.g50 |= value == 50;
         block.cycle |= value >= 70 && value <= 73;
+        block.pecking |= value == 74 || value == 75;
+        block.threading |= value == 76;
         break;
     }
     case 'M': signs.mill |= read_number(digits).value == 6; break;
     case 'S': block.s = true; break;
-    case 'P': block.p = is_whole(); break;
+    case 'P':
+        block.p = is_whole();
+        block.p_of_six = is_whole() && digits.size() == 6;
+        break;
     case 'Q': block.q = is_whole(); break;
     case 'Z':
     case 'R': block.z_or_r = true; break;
@@ -58,6 +73,9 @@ void take_word(char letter, std::string_view digits, BlockWords& block, Signs& s
 void take_computed_word(char letter, BlockWords& block, Signs& signs) {
     signs.mill |= letter == 'Y';
     block.z_or_r |= letter == 'Z' || letter == 'R';
+    block.z |= letter == 'Z';
+    block.r |= letter == 'R';
+    block.others |= letter != 'R';
 }
 
 } // namespace
