@@ -3,6 +3,7 @@
 
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/overloaded.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "analyzer/workspace/workspace.hpp"
@@ -111,14 +112,26 @@ class Ends {
 } // namespace
 
 bool only_sets_modes(const Program& program) {
+    const auto stores_for_others = [&](const Assign& assign) {
+        const auto* variable = std::get_if<Variable>(&assign.target);
+        if (variable == nullptr) return false;
+        const Scope scope = program.control->spaces[variable->space].scope;
+        return scope == Scope::shared || scope == Scope::retained;
+    };
+    const auto does_more = [&](const Effect& effect) {
+        return std::visit(overloaded{
+                              [&](const Assign& assign) { return stores_for_others(assign); },
+                              [](const Motion&) { return true; },
+                              [](const Call&) { return true; },
+                              [](const ToolChange&) { return true; },
+                              [](const UnreadableBlock&) { return true; },
+                              [](const auto&) { return false; },
+                          },
+                          effect.what);
+    };
     bool only_sets = true;
     for_each_block(program, [&](const BlockView& block) {
-        only_sets &= !block.moves;
-        for (const Effect& effect : program.effects_in(block.effects))
-            only_sets &=
-                !(std::holds_alternative<Motion>(effect.what) || std::holds_alternative<Call>(effect.what) ||
-                  std::holds_alternative<ToolChange>(effect.what) ||
-                  std::holds_alternative<UnreadableBlock>(effect.what));
+        only_sets &= !block.moves && std::ranges::none_of(program.effects_in(block.effects), does_more);
         return only_sets;
     });
     return only_sets;

@@ -44,6 +44,20 @@ TEST(Refine, BothSidesOfAComparisonAreCut) {
     EXPECT_RANGE(where("5LT#500"), just_above_5, infinity);
 }
 
+TEST(Refine, OneOfTheNumbersThatAConditionNamesIsLeft) {
+    for (const std::string either :
+         {"[#500EQ3]OR[#500EQ5]", "NOT[[#500NE5]AND[#500NE3]]", "[#500EQ3]OR[[#500EQ5]OR[#500EQ3]]"}) {
+        EXPECT_RANGE(where(either), 3, 5);
+        EXPECT_EQ(where(either).vacancy, Vacancy::set) << either;
+        EXPECT_NE(where(either).choices, 0U) << either;
+    }
+    const std::string rest = "IF[[#500NE3]AND[#500NE5]]GOTO9\nIF[#500EQ3]GOTO9\n";
+    EXPECT_EQ(last_read(rest + "X#500\nN9M30\n").constant(), 5);
+    for (const std::string other :
+         {"[#500EQ3]OR[#501EQ5]", "[#500EQ3]OR[#500GT5]", "[#500EQ3]OR[#500EQ#501]"})
+        EXPECT_RANGE(where(other), -infinity, infinity);
+}
+
 TEST(Refine, NoFactorOfWhatIsNotZeroIsZeroOrVacant) {
     for (const std::string product : {"#500*#501NE0", "#501*[2*#500]GT0", "#500*#500LT0"}) {
         EXPECT_EQ(where(product).vacancy, Vacancy::set) << product;

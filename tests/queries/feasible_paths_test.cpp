@@ -340,6 +340,13 @@ TEST(FeasiblePaths, ANumberThatIsNeitherAboveNorBelowZeroIsZero) {
         reaches_uninitialised("IF[#500NE0]GOTO1\n#6=1\nGOTO2\nN1#5=1\nN2IF[#500EQ0]GOTO9\nG#5\nN9", 5));
 }
 
+TEST(FeasiblePaths, OneOfTheCasesIsMetWhereAllOthersAreSentAway) {
+    const std::string cases = "IF[#500EQ1]THEN#5=11\nIF[#500EQ2]THEN#5=12\nG0Z#5\nN9";
+    EXPECT_FALSE(reaches_uninitialised("IF[[#500NE1]AND[#500NE2]]GOTO9\n" + cases, 5));
+    EXPECT_FALSE(reaches_uninitialised("WHILE[[#500NE1]AND[#500NE2]]DO1\n#500=#501\nEND1\n" + cases, 5));
+    EXPECT_TRUE(reaches_uninitialised("IF[[#500NE1]AND[#500NE3]]GOTO9\n" + cases, 5));
+}
+
 TEST(FeasiblePaths, WhatRoundsChangeByAFractionIsComparedAsAFraction) {
     // Line 6 lets #1 be above 1 and below 2 after both loops, or never.
     const auto text = [](const std::string& step) {

@@ -226,6 +226,8 @@ void Transfer::refine(State& state, ExpressionId id, bool holds) {
         for (const ExpressionId operand : operands) refine(state, operand, holds);
         return;
     }
+    if (apply->operation == Operation::all_of || apply->operation == Operation::any_of)
+        return refine_to_one_of(state, id, holds);
     const Operation operation = holds ? apply->operation : opposite(apply->operation);
     if (operation == Operation::is_vacant || operation == Operation::is_set) {
         const auto* load = std::get_if<Load>(&program_.expressions[operands.front()].node);
@@ -238,6 +240,49 @@ void Transfer::refine(State& state, ExpressionId id, bool holds) {
         refine_side(state, operands[0], left, operation, right);
         refine_side(state, operands[1], right, mirrored(operation), left);
     }
+}
+
+/// Gathers the numbers of which the condition says that one is the variable's: #1EQ1 or #1EQ2. False where it
+/// says something else.
+bool Transfer::names_numbers(ExpressionId id, bool holds, NumbersNamed& named) const {
+    const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
+    if (apply == nullptr) return false;
+    const auto operands = program_.operands_of(*apply);
+    if (apply->operation == Operation::not_of) return names_numbers(operands.front(), !holds, named);
+    if (apply->operation == (holds ? Operation::any_of : Operation::all_of))
+        return std::ranges::all_of(
+            operands, [&](ExpressionId operand) { return names_numbers(operand, holds, named); });
+    if (apply->operation != (holds ? Operation::equal : Operation::not_equal) || operands.size() != 2)
+        return false;
+    const auto* load = std::get_if<Load>(&program_.expressions[operands[0]].node);
+    const auto* literal = std::get_if<Literal>(&program_.expressions[operands[1]].node);
+    if (load == nullptr || literal == nullptr) return false;
+    // Where vacant is equal to 0 it may be that.
+    if (literal->value == 0 && program_.control->vacant_equals_zero) return false;
+    if (named.variable.value_or(load->variable) != load->variable) return false;
+    named.variable = load->variable;
+    named.numbers.push_back(literal->value);
+    return true;
+}
+
+void Transfer::refine_to_one_of(State& state, ExpressionId id, bool holds) {
+    NumbersNamed named;
+    if (!names_numbers(id, holds, named) || named.numbers.size() > most_numbers_named) return;
+    const Value before = states_.read(state, *named.variable);
+    std::erase_if(named.numbers, [&](double number) { return !states_.table().can_be(before, number); });
+    std::ranges::sort(named.numbers);
+    const auto twice = std::ranges::unique(named.numbers);
+    named.numbers.erase(twice.begin(), twice.end());
+    if (named.numbers.empty()) {
+        state.reached = false;
+        return;
+    }
+    Value value = before;
+    value.vacancy = Vacancy::set;
+    value.vacancy_origin = 0;
+    value.exactness = Exactness::exact;
+    states_.table().narrow(value, named.numbers);
+    states_.write(state, *named.variable, value);
 }
 
 /// What is learnt of one side of a comparison, whose value is `value`.

@@ -71,6 +71,13 @@ class Transfer {
     void refine(State& state, ExpressionId id, bool holds);
     void refine_side(State& state, ExpressionId side, const Value& value, Operation operation, Value other);
     void refine_factors(State& state, ExpressionId factor, const Value& zero);
+    struct NumbersNamed {
+        std::optional<Variable> variable;
+        std::vector<double> numbers;
+    };
+    static constexpr std::size_t most_numbers_named = 8;
+    [[nodiscard]] bool names_numbers(ExpressionId id, bool holds, NumbersNamed& named) const;
+    void refine_to_one_of(State& state, ExpressionId id, bool holds);
     [[nodiscard]] bool keep_choices(Value& value, Operation operation, const Value& other);
     void refine_variable(State& state, Variable variable, Operation operation, const Value& other);
     void know_entry_code(State& state, ChannelGroup of, double code);
