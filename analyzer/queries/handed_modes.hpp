@@ -5,8 +5,8 @@
 
 namespace maclint::queries {
 
-/// Whether the program can be there for nothing but the modes that it sets: it neither moves nor calls
-/// another nor changes the tool.
+/// Whether the program can be there for nothing but the modes that it sets: it does not move, calls no other,
+/// changes no tool and stores nothing that others read.
 [[nodiscard]] bool only_sets_modes(const Program& program);
 
 /// Whether the workspace knows a caller of the program, or who may be one.

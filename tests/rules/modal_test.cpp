@@ -23,6 +23,7 @@ TEST(HandedModes, AreNotReportedOfAProgramThatDoesNothingElse) {
     EXPECT_THAT(lines_raised("MAC502", "O9700\nG68X0Y0R#1\nIF[#1EQ1]GOTO9\nG69\nN9M99\n"), ElementsAre(2));
     EXPECT_THAT(lines_raised("MAC501", "O9700\nG18\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC501", "O9700\nG18\nM6T#20\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC501", "O9700\nG18\n#101=5\nM99\n"), ElementsAre(2));
     EXPECT_THAT(lines_raised("MAC515", "O9700\n#3003=1\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC515", "O9700\n#3003=1\nM6T20\nM99\n"), ElementsAre(2));
 }
