@@ -16,6 +16,9 @@
 namespace maclint::queries {
 namespace {
 
+/// So many nodes are looked at for all callers; who cancels only beyond them is not found.
+constexpr std::size_t most_looked_at = 2000;
+
 /// What blocks say of a group.
 enum class Said : std::uint8_t { nothing, cancelled, otherwise };
 
@@ -25,15 +28,17 @@ class Ends {
         : caller_(caller)
         , group_(group) {}
 
-    /// Whether all paths from the call on come to where the group is cancelled.
-    [[nodiscard]] bool after(EffectId call) {
+    /// Whether all paths from the call on come to where the group is cancelled, among `left` nodes, which are
+    /// counted down.
+    [[nodiscard]] bool after(EffectId call, std::size_t& left) {
         const auto from = caller_.graph().node_of(call);
         if (!from) return false;
         bool cancelled = false, lost = leaves_at(*from);
         flow::walk<flow::Direction::forward>(
             caller_.graph(), {*from}, [&](flow::EdgeId edge, flow::NodeId to) {
                 if (!caller_.data().passable(edge)) return flow::Step::refuse;
-                const Said said = WorkLimit::allows() ? said_at(to) : Said::otherwise;
+                const Said said = left != 0 && WorkLimit::allows() ? said_at(to) : Said::otherwise;
+                left -= std::min<std::size_t>(left, 1);
                 cancelled |= said == Said::cancelled;
                 lost |= said == Said::otherwise || (said == Said::nothing && leaves_at(to));
                 return lost                    ? flow::Step::end
@@ -148,8 +153,9 @@ bool callers_cancel(const ProgramAnalysis& analysis, GroupId group) {
         if (!possible.all) return false;
         callers = std::move(possible.first);
     }
+    std::size_t left = most_looked_at;
     return !callers.empty() && std::ranges::all_of(callers, [&](const Caller& caller) {
-        return Ends(analysis.workspace().programs()[caller.program], group).after(caller.effect);
+        return Ends(analysis.workspace().programs()[caller.program], group).after(caller.effect, left);
     });
 }
 

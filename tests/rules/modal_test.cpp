@@ -41,6 +41,10 @@ TEST(HandedModes, AreNotReportedWhereEveryCallerCancelsThem) {
     EXPECT_THAT(raised("G1Y20.F300\nG40G80G49\n"), ElementsAre(2));   // what every tool begins with
     EXPECT_THAT(raised("G1Y20.F300\nG42X9\nG40\n"), ElementsAre(2));  // the caller takes it for cancelled
     EXPECT_THAT(raised("G1Y20.F300\nG65P77\nG40\n"), ElementsAre(2)); // nobody knows what that does
+    std::string far;
+    for (int i = 0; i < 1900; ++i) far += "IF[#500EQ1]THEN#2=1\n";
+    EXPECT_THAT(raised("G1Y20.F300\n" + far + "G40X0\n"), ElementsAre(2));
+    EXPECT_THAT(raised("G1Y20.F300\n" + far.substr(0, far.size() / 4) + "G40X0\n"), IsEmpty());
     EXPECT_THAT(raised("G1Y20.F300\nG40X0\nM30\nO2\nM98P8\nX1\n"), ElementsAre(2)); // another caller does not
 }
 
