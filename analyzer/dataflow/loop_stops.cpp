@@ -45,35 +45,44 @@ std::vector<flow::NodeId> LoopStops::nodes_in_each_round() const {
     const auto stays = [this](flow::EdgeId edge, flow::NodeId to) {
         return loop_.holds(to) && analysis_.passable(edge);
     };
-    std::vector<flow::EdgeId> came_by(graph_.nodes.size(), loop_.back);
-    std::vector<bool> met(graph_.nodes.size(), false);
+    // By place in the body: programs have thousands of loops.
+    std::vector<flow::EdgeId> came_by(loop_.body.size(), loop_.back);
+    std::vector<bool> met(loop_.body.size(), false);
     flow::walk<flow::Direction::forward>(graph_, {loop_.head}, [&](flow::EdgeId edge, flow::NodeId to) {
-        if (!stays(edge, to) || to == loop_.head || met[to]) return flow::Step::refuse;
-        met[to] = true;
-        came_by[to] = edge;
+        if (to == loop_.head || !stays(edge, to) || met[in_body(to)]) return flow::Step::refuse;
+        met[in_body(to)] = true;
+        came_by[in_body(to)] = edge;
         return flow::Step::go_on;
     });
     std::vector<flow::NodeId> way{loop_.latch};
-    while (way.back() != loop_.head && met[way.back()]) way.push_back(graph_.edges[came_by[way.back()]].from);
+    while (way.back() != loop_.head && met[in_body(way.back())])
+        way.push_back(graph_.edges[came_by[in_body(way.back())]].from);
     std::ranges::reverse(way);
-    std::vector<std::size_t> place(graph_.nodes.size(), way.size()); // on the way; others have none
-    for (std::size_t i = 0; i < way.size(); ++i) place[way[i]] = i;
+    std::vector<std::size_t> place(loop_.body.size(), way.size()); // on the way; others have none
+    for (std::size_t i = 0; i < way.size(); ++i) place[in_body(way[i])] = i;
 
     std::vector<flow::NodeId> in_each{loop_.head};
-    std::vector<bool> seen(graph_.nodes.size(), false);
+    std::vector<bool> seen(loop_.body.size(), false);
     std::size_t farthest = 0;
     for (std::size_t i = 0; i < way.size(); ++i) {
         if (i > 0 && farthest == i) in_each.push_back(way[i]);
         flow::walk<flow::Direction::forward>(graph_, {way[i]}, [&](flow::EdgeId edge, flow::NodeId to) {
-            if (!stays(edge, to) || seen[to]) return flow::Step::refuse;
-            const bool on_way = to == loop_.head || place[to] < way.size();
-            farthest = std::max(farthest, to == loop_.head ? way.size() : on_way ? place[to] : farthest);
-            if (on_way) return flow::Step::refuse;
-            seen[to] = true;
+            if (!stays(edge, to) || seen[in_body(to)]) return flow::Step::refuse;
+            const std::size_t at = to == loop_.head ? way.size() : place[in_body(to)];
+            const bool on_way = to == loop_.head || at < way.size();
+            if (on_way) {
+                farthest = std::max(farthest, at);
+                return flow::Step::refuse;
+            }
+            seen[in_body(to)] = true;
             return flow::Step::go_on;
         });
     }
     return in_each;
+}
+
+std::size_t LoopStops::in_body(flow::NodeId node) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(loop_.body, node) - loop_.body.begin());
 }
 
 /// Whether what the call passes for the variable may be another number in another round. What it leaves out
@@ -128,16 +137,16 @@ bool LoopStops::comes_before(flow::NodeId node, flow::NodeId last) {
     if (last == loop_.head) return false;
     if (!before_.contains(last) && before_.size() == most_placed) return true;
     const auto [known, fresh] = before_.try_emplace(last);
-    if (!fresh) return known->second[node];
+    if (!fresh) return known->second[in_body(node)];
     std::vector<bool>& before = known->second;
-    before.resize(graph_.nodes.size());
-    before[loop_.head] = true;
+    before.resize(loop_.body.size());
+    before[in_body(loop_.head)] = true;
     flow::walk<flow::Direction::forward>(graph_, {loop_.head}, [&](flow::EdgeId edge, flow::NodeId to) {
         if (to == last || !loop_.holds(to) || !analysis_.passable(edge)) return flow::Step::refuse;
-        before[to] = true;
+        before[in_body(to)] = true;
         return flow::Step::go_on;
     });
-    return before[node];
+    return before[in_body(node)];
 }
 
 } // namespace maclint::dataflow

@@ -39,6 +39,8 @@ class LoopStops {
     [[nodiscard]] bool differs(Variable variable, flow::NodeId at, int left);
     [[nodiscard]] bool is_made_of_others(Variable variable, flow::NodeId at, int left);
     [[nodiscard]] bool is_always_made(const Store& store, flow::NodeId at);
+    /// The place of one of its nodes in the loop's body.
+    [[nodiscard]] std::size_t in_body(flow::NodeId node) const;
     [[nodiscard]] bool comes_before(flow::NodeId node, flow::NodeId last);
 
     const Program& program_;
@@ -47,7 +49,8 @@ class LoopStops {
     const Loop& loop_;
     std::map<std::tuple<Key, flow::NodeId, int>, bool> differs_; ///< as far as it was asked
     std::optional<std::vector<flow::NodeId>> in_each_round_;     ///< see nodes_in_each_round; when asked for
-    std::map<flow::NodeId, std::vector<bool>> before_; ///< nodes that a round may come to before each
+    std::map<flow::NodeId, std::vector<bool>>
+        before_; ///< nodes of the body that a round may come to before each
 };
 
 } // namespace maclint::dataflow

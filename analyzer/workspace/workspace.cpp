@@ -276,7 +276,7 @@ class WorkspaceBuilder {
     /// Calls within a cycle have no summary to go by.
     void find_labels_in_cycles() {
         for (ProgramIndex index = 0; index < programs_.size(); ++index)
-            if (needed_[index] && is_in_cycle(index))
+            if (is_in_cycle(index))
                 named_in_cycles_.emplace(index,
                                          dataflow::labels_named_for_callers(programs_[index].program()));
     }
