@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 namespace maclint::queries {
@@ -84,8 +85,18 @@ const Caller* find_caller_lacking(const ProgramAnalysis& analysis, std::span<con
     return found == callers.end() ? nullptr : *found;
 }
 
+bool knows_callers(const ProgramAnalysis& analysis) {
+    return !analysis.callers().empty() || analysis.has_possible_callers();
+}
+
+KnownCallers known_or_possible_callers(const ProgramAnalysis& analysis) {
+    if (!analysis.callers().empty()) return {analysis.callers(), true};
+    PossibleCallers possible = analysis.possible_callers();
+    return {std::move(possible.first), possible.all};
+}
+
 bool is_called_by_nobody(const ProgramAnalysis& analysis) {
-    return analysis.complete() && analysis.callers().empty() && !analysis.has_possible_callers();
+    return analysis.complete() && !knows_callers(analysis);
 }
 
 } // namespace maclint::queries

@@ -12,6 +12,16 @@ namespace maclint::queries {
 /// The program in which the call stands.
 [[nodiscard]] const ProgramAnalysis& calling_program(const ProgramAnalysis& analysis, const Caller& caller);
 
+/// Whether the workspace knows a caller of the program, or a call that may mean it.
+[[nodiscard]] bool knows_callers(const ProgramAnalysis& analysis);
+
+struct KnownCallers {
+    std::vector<Caller> callers;
+    bool all; ///< the workspace has no others
+};
+/// The callers of the program; where none is known, some of the calls that may mean it.
+[[nodiscard]] KnownCallers known_or_possible_callers(const ProgramAnalysis& analysis);
+
 /// The program that the call runs; nullptr when it is computed, unknown, or one of several.
 [[nodiscard]] const ProgramAnalysis* called_program(const ProgramAnalysis& analysis, const CallSite& site);
 

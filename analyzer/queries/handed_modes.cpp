@@ -71,14 +71,11 @@ class Ends {
         if (std::ranges::find(groups, group_, &dataflow::GroupChange::group) == groups.end())
             return Said::nothing;
         Said said = Said::otherwise;
-        for (const Item& item : callee->program().items) {
-            Said here = Said::nothing;
-            blocks::visit_item(callee->program(), item, [&](const BlockView& block) {
-                here = said_by(callee->program(), block);
-                return here == Said::nothing;
-            });
-            if (here != Said::nothing) said = here;
-        }
+        for_each_block(callee->program(), [&](const BlockView& block) {
+            const Said here = said_by(callee->program(), block);
+            if (here != Said::nothing) said = here; // the last in the text
+            return true;
+        });
         return said;
     }
 
@@ -142,21 +139,12 @@ bool only_sets_modes(const Program& program) {
     return only_sets;
 }
 
-bool knows_callers(const ProgramAnalysis& analysis) {
-    return !analysis.callers().empty() || analysis.has_possible_callers();
-}
-
 bool callers_cancel(const ProgramAnalysis& analysis, GroupId group) {
-    std::vector<Caller> callers = analysis.callers();
-    if (callers.empty()) {
-        PossibleCallers possible = analysis.possible_callers();
-        if (!possible.all) return false;
-        callers = std::move(possible.first);
-    }
+    const auto [callers, all] = known_or_possible_callers(analysis);
     std::size_t left = most_looked_at;
-    return !callers.empty() && std::ranges::all_of(callers, [&](const Caller& caller) {
-        return Ends(analysis.workspace().programs()[caller.program], group).after(caller.effect, left);
-    });
+    return all && !callers.empty() && std::ranges::all_of(callers, [&](const Caller& caller) {
+               return Ends(analysis.workspace().programs()[caller.program], group).after(caller.effect, left);
+           });
 }
 
 } // namespace maclint::queries

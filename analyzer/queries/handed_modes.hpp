@@ -9,13 +9,10 @@ namespace maclint::queries {
 /// changes no tool and stores nothing that others read.
 [[nodiscard]] bool only_sets_modes(const Program& program);
 
-/// Whether the workspace knows a caller of the program, or who may be one.
-[[nodiscard]] bool knows_callers(const ProgramAnalysis& analysis);
-
-/// Whether every caller that the workspace knows ends what the program left in the group:
-/// after the call it cancels the group, alone or with a move, or calls a program that does, on every path to
-/// its own end. A block that cancels several groups at once is the custom at the start of a tool, and tells
-/// nothing. False, too, where that would take too long to find out.
+/// Whether every caller that the workspace knows, or that may be one, ends what the program left in the
+/// group: after the call it cancels the group, alone or with a move, or calls a program that does, on every
+/// path to its own end. A block that cancels several groups at once is the custom at the start of a tool, and
+/// tells nothing. False, too, where that would take too long to find out.
 [[nodiscard]] bool callers_cancel(const ProgramAnalysis& analysis, GroupId group);
 
 } // namespace maclint::queries

@@ -6,6 +6,7 @@
 #include "analyzer/execution/given_up.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/queries/own_settings.hpp"
@@ -108,12 +109,8 @@ class Search {
         if (!returned_.emplace(program.index(), idle).second) return;
         // A program that keeps its callers' state answers for this value, too.
         if (is_value() && &program != &callee_ && keeps_callers_state(program)) return;
-        std::vector<Caller> callers = program.callers();
-        if (callers.empty()) {
-            PossibleCallers possible = program.possible_callers();
-            callers = std::move(possible.first);
-            all_callers_asked_ &= possible.all;
-        }
+        auto [callers, all] = known_or_possible_callers(program);
+        all_callers_asked_ &= all;
         if (callers.empty())
             result_.matters |= !program.is_main() && !is_given_again(idle);
         else

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/queries/callers.hpp"
 #include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
@@ -50,9 +51,7 @@ bool is_endless_by_jumps(const dataflow::Loop& cycle) { return !cycle.region && 
 bool repeats_whole_program(const ProgramAnalysis& analysis, const dataflow::Loop& cycle) {
     const Program& program = analysis.program();
     const auto& nodes = analysis.graph().nodes;
-    if (analysis.is_macro() || !analysis.callers().empty() || analysis.has_possible_callers() ||
-        cycle.latch + 1 >= nodes.size())
-        return false;
+    if (analysis.is_macro() || knows_callers(analysis) || cycle.latch + 1 >= nodes.size()) return false;
     const auto behind = program.effects_in(nodes[cycle.latch + 1].effects);
     if (behind.empty() || !std::holds_alternative<Return>(behind.front().what)) return false;
     bool moves = false;

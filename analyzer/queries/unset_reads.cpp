@@ -2,6 +2,7 @@
 #include "analyzer/queries/unset_reads.hpp"
 
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
@@ -119,7 +120,7 @@ bool is_as_callers_left_it(const ProgramAnalysis& analysis, const dataflow::Read
 bool is_left_to_unknown_callers(const ProgramAnalysis& analysis, const dataflow::Read& read,
                                 SetSomewhere& set) {
     const auto& kinds = analysis.control().calls;
-    return !has_own_locals(analysis) && analysis.callers().empty() && !analysis.has_possible_callers() &&
+    return !has_own_locals(analysis) && !knows_callers(analysis) &&
            std::ranges::find(kinds, Frame::shared, &CallKind::frame) != kinds.end() &&
            is_as_at_entry(analysis, read) && analysis.data().is_vacant_at_entry(read.variable) &&
            !set.has(read.variable);

@@ -128,8 +128,8 @@ class WorkspaceBuilder {
         }
     }
 
-    static constexpr std::size_t most_bases = 16; ///< that differ, of one file's calls
-    static constexpr std::int64_t most_above = 999;
+    static constexpr std::size_t most_bases = 16;   ///< that differ, of one file's calls
+    static constexpr std::int64_t most_above = 999; ///< numbers that are added to 7100
     [[nodiscard]] NamesakeList that_lie_above(const NamesakeList& programs,
                                               std::optional<std::int64_t> base) const {
         NamesakeList found;
