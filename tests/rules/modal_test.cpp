@@ -55,6 +55,8 @@ TEST(HandedModes, AreAskedOfComputedCallsInTheFile) {
     };
     EXPECT_THAT(raised("G90G0Z2.\n"), IsEmpty());
     EXPECT_THAT(raised("G0Z2.\n"), ElementsAre(7, 10));
+    EXPECT_THAT(lines_raised("MAC502", "O1\nM98P[9700+#501]\nX1\nM30\nO9701\nG68X0Y0R#1\nM99\n"),
+                ElementsAre(6));
     // Not of calls of other numbers.
     EXPECT_THAT(lines_raised("MAC501", "O1\nM98P[2000+#501]\nG90G0Z2.\nM30\nO7100\nG91G1X2.F300\nM99\n"),
                 ElementsAre(6));
