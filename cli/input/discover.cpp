@@ -189,8 +189,8 @@ class Walk {
     /// Where an entry of the folder `real` is after all symbolic links. To ask the system for a path takes as
     /// many of its calls as the path has parts.
     static std::string place_of(const platform::FolderEntry& entry, const std::string& real) {
-        return entry.is_link ? identity(entry.path)
-                             : platform::text_of(platform::path_of(real) / entry.path.filename());
+        return entry.lies_here ? platform::text_of(platform::path_of(real) / entry.path.filename())
+                               : identity(entry.path);
     }
 
     void take_file(const platform::FolderEntry& entry, const std::string& real, bool asked) {

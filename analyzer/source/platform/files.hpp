@@ -35,6 +35,7 @@ struct FolderEntry {
     std::filesystem::path path; ///< that of the folder with the entry's name
     FileKind kind;              ///< of what a link leads to
     bool is_link;
+    bool lies_here; ///< in the folder that was asked; false: a link, or what may be one and not show it
 };
 
 /// What is in a folder, in no order.

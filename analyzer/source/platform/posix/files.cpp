@@ -53,7 +53,8 @@ std::vector<FolderEntry> entries_of(const fs::path& folder, std::error_code& err
     for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
         std::error_code ignored;
-        entries.push_back({entry->path(), kind_of_entry(*entry), entry->is_symlink(ignored)});
+        const bool is_link = entry->is_symlink(ignored);
+        entries.push_back({entry->path(), kind_of_entry(*entry), is_link, !is_link});
     }
     return entries;
 }

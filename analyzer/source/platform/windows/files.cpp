@@ -94,7 +94,9 @@ std::vector<FolderEntry> entries_of(const fs::path& folder, std::error_code& err
         const FileKind kind = is_link(entry)  ? kind_of(path)
                               : folder_itself ? FileKind::folder
                                               : FileKind::regular;
-        entries.push_back({path, kind, is_link(entry)});
+        // A link that the server of a drive, or Wine, follows by itself looks like a folder.
+        const bool lies_here = !is_link(entry) && !folder_itself;
+        entries.push_back({path, kind, is_link(entry), lies_here});
     } while (FindNextFileW(search, &entry) != 0);
     if (GetLastError() != ERROR_NO_MORE_FILES) error.assign(last_error(), std::generic_category());
     FindClose(search);
