@@ -160,8 +160,13 @@ module.exports = grammar({
     argument_list: $ => seq('(', optional(listOf($._expression)), ')'),
     function: $ => anyOf(functions),
 
-    vacancy_test: $ => seq(field('function', alias($._vacancy, $.function)), '(', field('argument', choice($._place, $._name)), ')'),
+    // The name stands without its sign: `NDEF(__la)`, `NDEF(l1)`.
+    vacancy_test: $ => seq(
+      field('function', alias($._vacancy, $.function)), '(',
+      field('argument', choice($._place, $._name, alias($._signless_variable, $.variable), alias($._signless_selected, $.selected_variable))), ')'),
     _vacancy: $ => anyOf(['DEF', 'NDEF', 'DVDEF']),
+    _signless_variable: $ => /[A-Za-z][0-9]+/,
+    _signless_selected: $ => seq(field('variable', alias($._signless_variable, $.variable)), field('selectors', $.selector_list)),
 
     unary: $ => prec(binds.sign, seq(field('operator', $._sign), field('operand', $._value))),
 

@@ -23,6 +23,11 @@ M30
 O9401(MAIN)
 G65P8000X10.Y5.
 M30
+)nc"},
+             {"fanuc", R"nc(
+O9402(HAAS CALLS A FILE)
+M98 (SUB/HOLES.NC)
+M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "076", "ADDRESS P NOT DEFINED"}},
     .sources = {"SEED-001:423"},

@@ -155,6 +155,8 @@ TEST(DinVariables, WhatIsHandedDownIsKnown) {
 
 TEST(DinVacancy, TheNameStandsWithoutItsSign) {
     EXPECT_EQ(din("IF DEF(__la)\nTHEN\nENDIF"), "open choice set?(#__la)\nbegin choice\nclose choice");
+    EXPECT_EQ(din("IF NDEF(l1)\nTHEN\nENDIF"), "open choice vacant?(#l1)\nbegin choice\nclose choice");
+    EXPECT_EQ(din("IF NDEF(a9(X))\nTHEN\nENDIF"), din("IF NDEF(#a9(X))\nTHEN\nENDIF"));
     EXPECT_EQ(whole("VAR\n#_t=#l1\nMACHINING\nIF NDEF(_t)\nTHEN\nENDIF"),
               "\nopen choice vacant?(#l1)\nbegin choice\nclose choice");
     EXPECT_EQ(din("IF DEF(#__la)\nTHEN\nENDIF"), "open choice set?(#__la)\nbegin choice\nclose choice\n! "

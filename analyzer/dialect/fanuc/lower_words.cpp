@@ -40,6 +40,16 @@ class SetCounter {
 /// G65, G66, G66.1
 bool is_macro_call(double code) { return code == 65 || code == 66 || code == 66.1; }
 
+/// `(SUB/HOLES.NC)`: Haas and Mach take it behind M98 and G65 for the file to call [T: Haas Mill Operator's
+/// Manual, M98].
+bool names_a_file(std::string_view comment) {
+    comment = comment.substr(1, comment.size() - (is_closed(comment) ? 2 : 1));
+    const std::size_t dot = comment.rfind('.');
+    if (comment.find_first_of(" \t") != std::string_view::npos || dot == std::string_view::npos) return false;
+    const std::string_view extension = comment.substr(dot + 1);
+    return dot != 0 && !extension.empty() && std::ranges::all_of(extension, is_letter);
+}
+
 } // namespace
 
 BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
@@ -261,6 +271,8 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
 
 /// At the P, where one stands there without its number.
 void BlockLowering::report_missing_program(const NcWord& code, std::span<const NcWord> words) {
+    const auto names_one = [&](const Node& node) { return is_remark(node) && names_a_file(text(node)); };
+    if (std::ranges::any_of(tree_->nodes, names_one)) return;
     const auto empty = std::ranges::find_if(
         words, [](const NcWord& word) { return word.letter == 'P' && !word.comma && !word.value; });
     Span place = span(*code.node);

@@ -15,16 +15,16 @@
 #endif
 
 #define LANGUAGE_VERSION 14
-#define STATE_COUNT 298
+#define STATE_COUNT 311
 #define LARGE_STATE_COUNT 14
-#define SYMBOL_COUNT 145
+#define SYMBOL_COUNT 147
 #define ALIAS_COUNT 5
-#define TOKEN_COUNT 73
+#define TOKEN_COUNT 74
 #define EXTERNAL_TOKEN_COUNT 0
 #define FIELD_COUNT 22
 #define MAX_ALIAS_SEQUENCE_LENGTH 4
 #define MAX_RESERVED_WORD_SET_SIZE 0
-#define PRODUCTION_ID_COUNT 39
+#define PRODUCTION_ID_COUNT 40
 #define SUPERTYPE_COUNT 0
 
 enum ts_symbol_identifiers {
@@ -70,113 +70,115 @@ enum ts_symbol_identifiers {
   anon_sym_COMMA = 40,
   sym_function = 41,
   sym__vacancy = 42,
-  anon_sym_DASH = 43,
-  anon_sym_PLUS = 44,
-  anon_sym_STAR = 45,
-  anon_sym_SLASH = 46,
-  sym__and = 47,
-  sym__or = 48,
-  sym__comparison = 49,
-  sym_foreign_operator = 50,
-  sym_number = 51,
-  sym_variable = 52,
-  sym_variable_kind = 53,
-  sym_named_variable = 54,
-  sym_transfer_variable = 55,
-  anon_sym_POUND = 56,
-  sym_foreign_variable = 57,
-  sym_constant = 58,
-  sym_internal_constant = 59,
-  sym_string = 60,
-  sym_unclosed_string = 61,
-  sym_typographic_string = 62,
-  sym_letter_o_word = 63,
-  sym_literal_word = 64,
-  sym_lower_case_word = 65,
-  sym_malformed_word = 66,
-  sym_incremental = 67,
-  sym_unknown_coordinate = 68,
-  sym__address = 69,
-  sym__capitalized = 70,
-  sym__capitals = 71,
-  sym_selector = 72,
-  sym_file = 73,
-  sym__line = 74,
-  sym_program_name_line = 75,
-  sym_header_entry = 76,
-  sym_section = 77,
-  sym_section_name = 78,
-  sym__section_parameter = 79,
-  sym_block = 80,
-  sym__head = 81,
-  sym_computed_block_number = 82,
-  sym__content = 83,
-  sym_bare_value = 84,
-  sym_stray_parenthesis = 85,
-  sym__statement = 86,
-  sym_assignment = 87,
-  sym_declaration = 88,
-  sym__target = 89,
-  sym_call = 90,
-  sym_if_statement = 91,
-  sym_then_statement = 92,
-  sym_else_statement = 93,
-  sym_endif_statement = 94,
-  sym_while_statement = 95,
-  sym_endwhile_statement = 96,
-  sym_switch_statement = 97,
-  sym_case_statement = 98,
-  sym_default_statement = 99,
-  sym_break_statement = 100,
-  sym_endswitch_statement = 101,
-  sym_return_statement = 102,
-  sym_output_statement = 103,
-  sym_unit_start = 104,
-  sym_unit_end = 105,
-  sym_group_start = 106,
-  sym_group_end = 107,
-  sym_unknown_statement = 108,
-  sym__several = 109,
-  sym__expression = 110,
-  sym__value = 111,
-  sym_parenthesis = 112,
-  sym_function_call = 113,
-  sym_argument_list = 114,
-  sym_vacancy_test = 115,
-  sym_unary = 116,
-  sym_binary = 117,
-  sym_comparison = 118,
-  sym_logical = 119,
-  sym__sign = 120,
-  sym__multiply = 121,
-  sym__place = 122,
-  sym__name = 123,
-  sym_selected_variable = 124,
-  sym_indirect_variable = 125,
-  sym_double_sharp = 126,
-  sym_selector_list = 127,
-  sym__selector = 128,
-  sym__text = 129,
-  sym__any_word = 130,
-  sym_extended_word = 131,
-  sym__extended = 132,
-  sym__extended_left = 133,
-  sym_word = 134,
-  sym_empty_word = 135,
-  aux_sym_file_repeat1 = 136,
-  aux_sym_section_repeat1 = 137,
-  aux_sym_section_name_repeat1 = 138,
-  aux_sym_block_repeat1 = 139,
-  aux_sym_block_repeat2 = 140,
-  aux_sym_call_repeat1 = 141,
-  aux_sym_unit_start_repeat1 = 142,
-  aux_sym__several_repeat1 = 143,
-  aux_sym_selector_list_repeat1 = 144,
-  alias_sym_assignment_sign = 145,
-  alias_sym_axis = 146,
-  alias_sym_equality_sign = 147,
-  alias_sym_unknown_function = 148,
-  alias_sym_unknown_keyword = 149,
+  sym__signless_variable = 43,
+  anon_sym_DASH = 44,
+  anon_sym_PLUS = 45,
+  anon_sym_STAR = 46,
+  anon_sym_SLASH = 47,
+  sym__and = 48,
+  sym__or = 49,
+  sym__comparison = 50,
+  sym_foreign_operator = 51,
+  sym_number = 52,
+  sym_variable = 53,
+  sym_variable_kind = 54,
+  sym_named_variable = 55,
+  sym_transfer_variable = 56,
+  anon_sym_POUND = 57,
+  sym_foreign_variable = 58,
+  sym_constant = 59,
+  sym_internal_constant = 60,
+  sym_string = 61,
+  sym_unclosed_string = 62,
+  sym_typographic_string = 63,
+  sym_letter_o_word = 64,
+  sym_literal_word = 65,
+  sym_lower_case_word = 66,
+  sym_malformed_word = 67,
+  sym_incremental = 68,
+  sym_unknown_coordinate = 69,
+  sym__address = 70,
+  sym__capitalized = 71,
+  sym__capitals = 72,
+  sym_selector = 73,
+  sym_file = 74,
+  sym__line = 75,
+  sym_program_name_line = 76,
+  sym_header_entry = 77,
+  sym_section = 78,
+  sym_section_name = 79,
+  sym__section_parameter = 80,
+  sym_block = 81,
+  sym__head = 82,
+  sym_computed_block_number = 83,
+  sym__content = 84,
+  sym_bare_value = 85,
+  sym_stray_parenthesis = 86,
+  sym__statement = 87,
+  sym_assignment = 88,
+  sym_declaration = 89,
+  sym__target = 90,
+  sym_call = 91,
+  sym_if_statement = 92,
+  sym_then_statement = 93,
+  sym_else_statement = 94,
+  sym_endif_statement = 95,
+  sym_while_statement = 96,
+  sym_endwhile_statement = 97,
+  sym_switch_statement = 98,
+  sym_case_statement = 99,
+  sym_default_statement = 100,
+  sym_break_statement = 101,
+  sym_endswitch_statement = 102,
+  sym_return_statement = 103,
+  sym_output_statement = 104,
+  sym_unit_start = 105,
+  sym_unit_end = 106,
+  sym_group_start = 107,
+  sym_group_end = 108,
+  sym_unknown_statement = 109,
+  sym__several = 110,
+  sym__expression = 111,
+  sym__value = 112,
+  sym_parenthesis = 113,
+  sym_function_call = 114,
+  sym_argument_list = 115,
+  sym_vacancy_test = 116,
+  sym__signless_selected = 117,
+  sym_unary = 118,
+  sym_binary = 119,
+  sym_comparison = 120,
+  sym_logical = 121,
+  sym__sign = 122,
+  sym__multiply = 123,
+  sym__place = 124,
+  sym__name = 125,
+  sym_selected_variable = 126,
+  sym_indirect_variable = 127,
+  sym_double_sharp = 128,
+  sym_selector_list = 129,
+  sym__selector = 130,
+  sym__text = 131,
+  sym__any_word = 132,
+  sym_extended_word = 133,
+  sym__extended = 134,
+  sym__extended_left = 135,
+  sym_word = 136,
+  sym_empty_word = 137,
+  aux_sym_file_repeat1 = 138,
+  aux_sym_section_repeat1 = 139,
+  aux_sym_section_name_repeat1 = 140,
+  aux_sym_block_repeat1 = 141,
+  aux_sym_block_repeat2 = 142,
+  aux_sym_call_repeat1 = 143,
+  aux_sym_unit_start_repeat1 = 144,
+  aux_sym__several_repeat1 = 145,
+  aux_sym_selector_list_repeat1 = 146,
+  alias_sym_assignment_sign = 147,
+  alias_sym_axis = 148,
+  alias_sym_equality_sign = 149,
+  alias_sym_unknown_function = 150,
+  alias_sym_unknown_keyword = 151,
 };
 
 static const char * const ts_symbol_names[] = {
@@ -223,6 +225,7 @@ static const char * const ts_symbol_names[] = {
   [anon_sym_COMMA] = ",",
   [sym_function] = "function",
   [sym__vacancy] = "function",
+  [sym__signless_variable] = "variable",
   [anon_sym_DASH] = "operator",
   [anon_sym_PLUS] = "operator",
   [anon_sym_STAR] = "operator",
@@ -296,6 +299,7 @@ static const char * const ts_symbol_names[] = {
   [sym_function_call] = "function_call",
   [sym_argument_list] = "argument_list",
   [sym_vacancy_test] = "vacancy_test",
+  [sym__signless_selected] = "selected_variable",
   [sym_unary] = "unary",
   [sym_binary] = "binary",
   [sym_comparison] = "comparison",
@@ -376,6 +380,7 @@ static const TSSymbol ts_symbol_map[] = {
   [anon_sym_COMMA] = anon_sym_COMMA,
   [sym_function] = sym_function,
   [sym__vacancy] = sym_function,
+  [sym__signless_variable] = sym_variable,
   [anon_sym_DASH] = anon_sym_EQ_EQ,
   [anon_sym_PLUS] = anon_sym_EQ_EQ,
   [anon_sym_STAR] = anon_sym_EQ_EQ,
@@ -449,6 +454,7 @@ static const TSSymbol ts_symbol_map[] = {
   [sym_function_call] = sym_function_call,
   [sym_argument_list] = sym_argument_list,
   [sym_vacancy_test] = sym_vacancy_test,
+  [sym__signless_selected] = sym_selected_variable,
   [sym_unary] = sym_unary,
   [sym_binary] = sym_binary,
   [sym_comparison] = sym_comparison,
@@ -655,6 +661,10 @@ static const TSSymbolMetadata ts_symbol_metadata[] = {
     .named = true,
   },
   [sym__vacancy] = {
+    .visible = true,
+    .named = true,
+  },
+  [sym__signless_variable] = {
     .visible = true,
     .named = true,
   },
@@ -950,6 +960,10 @@ static const TSSymbolMetadata ts_symbol_metadata[] = {
     .visible = true,
     .named = true,
   },
+  [sym__signless_selected] = {
+    .visible = true,
+    .named = true,
+  },
   [sym_unary] = {
     .visible = true,
     .named = true,
@@ -1177,6 +1191,7 @@ static const TSMapSlice ts_field_map_slices[PRODUCTION_ID_COUNT] = {
   [36] = {.index = 58, .length = 2},
   [37] = {.index = 55, .length = 3},
   [38] = {.index = 60, .length = 2},
+  [39] = {.index = 62, .length = 4},
 };
 
 static const TSFieldMapEntry ts_field_map_entries[] = {
@@ -1276,6 +1291,11 @@ static const TSFieldMapEntry ts_field_map_entries[] = {
   [60] =
     {field_argument, 2},
     {field_function, 0},
+  [62] =
+    {field_argument, 2},
+    {field_function, 0},
+    {field_selectors, 2, .inherited = true},
+    {field_variable, 2, .inherited = true},
 };
 
 static const TSSymbol ts_alias_sequences[PRODUCTION_ID_COUNT][MAX_ALIAS_SEQUENCE_LENGTH] = {
@@ -1351,45 +1371,45 @@ static const TSStateId ts_primary_state_ids[STATE_COUNT] = {
   [37] = 37,
   [38] = 38,
   [39] = 39,
-  [40] = 22,
-  [41] = 41,
-  [42] = 23,
-  [43] = 27,
-  [44] = 28,
+  [40] = 40,
+  [41] = 23,
+  [42] = 42,
+  [43] = 22,
+  [44] = 29,
   [45] = 31,
   [46] = 46,
   [47] = 21,
-  [48] = 15,
-  [49] = 49,
+  [48] = 48,
+  [49] = 15,
   [50] = 50,
   [51] = 18,
   [52] = 52,
-  [53] = 20,
-  [54] = 14,
-  [55] = 55,
-  [56] = 15,
+  [53] = 53,
+  [54] = 20,
+  [55] = 14,
+  [56] = 34,
   [57] = 57,
   [58] = 21,
-  [59] = 22,
-  [60] = 23,
-  [61] = 61,
-  [62] = 31,
-  [63] = 21,
-  [64] = 33,
-  [65] = 65,
-  [66] = 30,
-  [67] = 32,
-  [68] = 26,
-  [69] = 32,
-  [70] = 27,
-  [71] = 28,
-  [72] = 15,
-  [73] = 29,
-  [74] = 24,
-  [75] = 25,
-  [76] = 76,
-  [77] = 77,
-  [78] = 78,
+  [59] = 15,
+  [60] = 60,
+  [61] = 22,
+  [62] = 23,
+  [63] = 34,
+  [64] = 64,
+  [65] = 26,
+  [66] = 27,
+  [67] = 28,
+  [68] = 32,
+  [69] = 33,
+  [70] = 70,
+  [71] = 32,
+  [72] = 29,
+  [73] = 15,
+  [74] = 31,
+  [75] = 21,
+  [76] = 24,
+  [77] = 25,
+  [78] = 30,
   [79] = 79,
   [80] = 80,
   [81] = 81,
@@ -1422,21 +1442,21 @@ static const TSStateId ts_primary_state_ids[STATE_COUNT] = {
   [108] = 108,
   [109] = 109,
   [110] = 110,
-  [111] = 12,
-  [112] = 13,
-  [113] = 113,
-  [114] = 114,
-  [115] = 114,
-  [116] = 114,
-  [117] = 114,
-  [118] = 114,
-  [119] = 119,
-  [120] = 119,
-  [121] = 119,
-  [122] = 122,
-  [123] = 119,
+  [111] = 111,
+  [112] = 112,
+  [113] = 12,
+  [114] = 13,
+  [115] = 115,
+  [116] = 116,
+  [117] = 115,
+  [118] = 115,
+  [119] = 115,
+  [120] = 115,
+  [121] = 121,
+  [122] = 121,
+  [123] = 121,
   [124] = 124,
-  [125] = 125,
+  [125] = 121,
   [126] = 126,
   [127] = 127,
   [128] = 128,
@@ -1444,171 +1464,184 @@ static const TSStateId ts_primary_state_ids[STATE_COUNT] = {
   [130] = 130,
   [131] = 131,
   [132] = 132,
-  [133] = 124,
-  [134] = 134,
-  [135] = 125,
-  [136] = 125,
-  [137] = 125,
-  [138] = 125,
-  [139] = 134,
+  [133] = 127,
+  [134] = 126,
+  [135] = 135,
+  [136] = 136,
+  [137] = 135,
+  [138] = 135,
+  [139] = 135,
   [140] = 140,
-  [141] = 141,
+  [141] = 135,
   [142] = 142,
-  [143] = 140,
+  [143] = 143,
   [144] = 144,
-  [145] = 141,
+  [145] = 143,
   [146] = 146,
-  [147] = 146,
+  [147] = 142,
   [148] = 148,
   [149] = 144,
-  [150] = 141,
-  [151] = 148,
-  [152] = 142,
-  [153] = 144,
-  [154] = 141,
-  [155] = 155,
-  [156] = 155,
-  [157] = 140,
-  [158] = 140,
-  [159] = 144,
-  [160] = 160,
-  [161] = 161,
+  [150] = 146,
+  [151] = 142,
+  [152] = 146,
+  [153] = 143,
+  [154] = 154,
+  [155] = 142,
+  [156] = 143,
+  [157] = 154,
+  [158] = 158,
+  [159] = 158,
+  [160] = 146,
+  [161] = 148,
   [162] = 162,
   [163] = 163,
-  [164] = 52,
-  [165] = 50,
-  [166] = 46,
-  [167] = 49,
-  [168] = 18,
-  [169] = 14,
-  [170] = 20,
-  [171] = 21,
-  [172] = 15,
-  [173] = 23,
-  [174] = 22,
-  [175] = 61,
-  [176] = 65,
-  [177] = 25,
-  [178] = 27,
-  [179] = 28,
+  [164] = 164,
+  [165] = 165,
+  [166] = 52,
+  [167] = 50,
+  [168] = 46,
+  [169] = 48,
+  [170] = 18,
+  [171] = 20,
+  [172] = 14,
+  [173] = 21,
+  [174] = 15,
+  [175] = 22,
+  [176] = 23,
+  [177] = 60,
+  [178] = 64,
+  [179] = 34,
   [180] = 24,
-  [181] = 30,
-  [182] = 33,
-  [183] = 29,
+  [181] = 25,
+  [182] = 29,
+  [183] = 28,
   [184] = 31,
-  [185] = 26,
-  [186] = 32,
-  [187] = 187,
-  [188] = 15,
-  [189] = 17,
-  [190] = 19,
-  [191] = 21,
-  [192] = 192,
-  [193] = 193,
-  [194] = 18,
-  [195] = 195,
-  [196] = 20,
-  [197] = 16,
-  [198] = 14,
-  [199] = 22,
-  [200] = 200,
-  [201] = 23,
-  [202] = 200,
-  [203] = 200,
-  [204] = 200,
-  [205] = 101,
-  [206] = 206,
-  [207] = 103,
-  [208] = 27,
-  [209] = 28,
-  [210] = 32,
-  [211] = 24,
-  [212] = 25,
-  [213] = 31,
-  [214] = 30,
-  [215] = 29,
-  [216] = 33,
-  [217] = 217,
-  [218] = 26,
-  [219] = 219,
-  [220] = 98,
-  [221] = 221,
-  [222] = 221,
-  [223] = 221,
-  [224] = 221,
-  [225] = 221,
-  [226] = 221,
-  [227] = 57,
-  [228] = 228,
-  [229] = 229,
-  [230] = 230,
-  [231] = 230,
+  [185] = 33,
+  [186] = 30,
+  [187] = 27,
+  [188] = 26,
+  [189] = 32,
+  [190] = 190,
+  [191] = 191,
+  [192] = 190,
+  [193] = 190,
+  [194] = 190,
+  [195] = 14,
+  [196] = 21,
+  [197] = 197,
+  [198] = 17,
+  [199] = 18,
+  [200] = 15,
+  [201] = 19,
+  [202] = 202,
+  [203] = 20,
+  [204] = 16,
+  [205] = 205,
+  [206] = 23,
+  [207] = 22,
+  [208] = 34,
+  [209] = 24,
+  [210] = 29,
+  [211] = 33,
+  [212] = 28,
+  [213] = 25,
+  [214] = 214,
+  [215] = 26,
+  [216] = 31,
+  [217] = 98,
+  [218] = 30,
+  [219] = 27,
+  [220] = 220,
+  [221] = 100,
+  [222] = 32,
+  [223] = 223,
+  [224] = 91,
+  [225] = 225,
+  [226] = 225,
+  [227] = 225,
+  [228] = 225,
+  [229] = 225,
+  [230] = 225,
+  [231] = 57,
   [232] = 232,
   [233] = 233,
-  [234] = 233,
-  [235] = 233,
-  [236] = 233,
-  [237] = 237,
-  [238] = 85,
-  [239] = 239,
-  [240] = 77,
+  [234] = 234,
+  [235] = 234,
+  [236] = 236,
+  [237] = 236,
+  [238] = 236,
+  [239] = 236,
+  [240] = 240,
   [241] = 241,
-  [242] = 242,
+  [242] = 87,
   [243] = 243,
   [244] = 244,
-  [245] = 245,
+  [245] = 79,
   [246] = 246,
   [247] = 247,
   [248] = 248,
-  [249] = 243,
-  [250] = 245,
-  [251] = 245,
-  [252] = 247,
-  [253] = 248,
-  [254] = 243,
+  [249] = 249,
+  [250] = 250,
+  [251] = 251,
+  [252] = 252,
+  [253] = 253,
+  [254] = 254,
   [255] = 255,
-  [256] = 245,
-  [257] = 257,
-  [258] = 247,
-  [259] = 248,
-  [260] = 243,
-  [261] = 245,
-  [262] = 247,
-  [263] = 243,
-  [264] = 247,
+  [256] = 256,
+  [257] = 250,
+  [258] = 252,
+  [259] = 255,
+  [260] = 253,
+  [261] = 255,
+  [262] = 256,
+  [263] = 250,
+  [264] = 252,
   [265] = 265,
-  [266] = 266,
-  [267] = 248,
-  [268] = 268,
-  [269] = 269,
-  [270] = 270,
-  [271] = 271,
-  [272] = 272,
-  [273] = 270,
-  [274] = 271,
-  [275] = 272,
-  [276] = 271,
-  [277] = 270,
+  [266] = 253,
+  [267] = 255,
+  [268] = 256,
+  [269] = 250,
+  [270] = 252,
+  [271] = 253,
+  [272] = 255,
+  [273] = 252,
+  [274] = 253,
+  [275] = 275,
+  [276] = 256,
+  [277] = 277,
   [278] = 278,
-  [279] = 272,
+  [279] = 279,
   [280] = 280,
-  [281] = 271,
-  [282] = 272,
-  [283] = 272,
-  [284] = 284,
-  [285] = 272,
-  [286] = 270,
-  [287] = 287,
-  [288] = 288,
-  [289] = 289,
-  [290] = 289,
-  [291] = 289,
-  [292] = 292,
-  [293] = 289,
-  [294] = 294,
-  [295] = 294,
-  [296] = 294,
-  [297] = 294,
+  [281] = 281,
+  [282] = 282,
+  [283] = 283,
+  [284] = 279,
+  [285] = 279,
+  [286] = 280,
+  [287] = 281,
+  [288] = 279,
+  [289] = 279,
+  [290] = 290,
+  [291] = 280,
+  [292] = 279,
+  [293] = 293,
+  [294] = 281,
+  [295] = 280,
+  [296] = 281,
+  [297] = 297,
+  [298] = 298,
+  [299] = 298,
+  [300] = 300,
+  [301] = 301,
+  [302] = 298,
+  [303] = 298,
+  [304] = 301,
+  [305] = 305,
+  [306] = 301,
+  [307] = 301,
+  [308] = 297,
+  [309] = 297,
+  [310] = 297,
 };
 
 static bool ts_lex(TSLexer *lexer, TSStateId state) {
@@ -1616,48 +1649,48 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
   eof = lexer->eof(lexer);
   switch (state) {
     case 0:
-      if (eof) ADVANCE(324);
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
+        '\n', 330,
+        '\r', 329,
         '!', 105,
-        '"', 471,
-        '#', 465,
-        '$', 295,
-        '%', 338,
-        '(', 423,
-        ')', 356,
-        '*', 445,
-        '+', 444,
-        ',', 424,
-        '-', 443,
-        '.', 296,
-        '/', 446,
-        ';', 336,
-        '<', 453,
-        '=', 359,
-        '>', 452,
-        '?', 491,
-        'A', 500,
-        'B', 528,
-        'C', 497,
-        'D', 507,
-        'E', 543,
-        'G', 555,
-        'H', 530,
-        'I', 517,
-        'L', 361,
-        'M', 557,
-        'N', 353,
-        'O', 569,
-        'P', 492,
-        'R', 510,
-        'S', 532,
-        'T', 494,
-        'U', 552,
-        'W', 524,
-        '[', 330,
-        ']', 357,
+        '"', 475,
+        '#', 469,
+        '$', 297,
+        '%', 341,
+        '(', 426,
+        ')', 359,
+        '*', 449,
+        '+', 448,
+        ',', 427,
+        '-', 447,
+        '.', 298,
+        '/', 450,
+        ';', 339,
+        '<', 457,
+        '=', 362,
+        '>', 456,
+        '?', 495,
+        'A', 504,
+        'B', 532,
+        'C', 501,
+        'D', 511,
+        'E', 547,
+        'G', 559,
+        'H', 534,
+        'I', 521,
+        'L', 364,
+        'M', 561,
+        'N', 356,
+        'O', 573,
+        'P', 496,
+        'R', 514,
+        'S', 536,
+        'T', 498,
+        'U', 556,
+        'W', 528,
+        '[', 333,
+        ']', 360,
         '_', 174,
         'a', 31,
         'b', 42,
@@ -1665,7 +1698,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         'd', 33,
         'e', 45,
         'g', 66,
-        'i', 488,
+        'i', 492,
         'l', 55,
         'n', 117,
         'o', 87,
@@ -1678,67 +1711,67 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(306);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
+          lookahead == 0xfeff) SKIP(309);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
       if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(101);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       END_STATE();
     case 1:
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '/', 340,
-        ';', 342,
-        '[', 330,
-        0xfeff, 339,
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '/', 343,
+        ';', 345,
+        '[', 333,
+        0xfeff, 342,
         '\t', 1,
         ' ', 1,
       );
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (lookahead != 0) ADVANCE(341);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (lookahead != 0) ADVANCE(344);
       END_STATE();
     case 2:
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '/', 346,
-        ';', 348,
-        '[', 330,
-        0xfeff, 345,
+        '\n', 330,
+        '\r', 329,
+        '/', 349,
+        ';', 351,
+        '[', 333,
+        0xfeff, 348,
         '\t', 2,
         ' ', 2,
       );
-      if (lookahead != 0) ADVANCE(347);
+      if (lookahead != 0) ADVANCE(350);
       END_STATE();
     case 3:
       ADVANCE_MAP(
         '!', 105,
-        '(', 422,
-        ')', 356,
-        '*', 445,
-        '+', 444,
-        ',', 424,
-        '-', 443,
-        '/', 446,
-        ';', 336,
-        '<', 453,
-        '=', 359,
-        '>', 452,
-        '[', 330,
-        'A', 241,
-        'a', 241,
-        'E', 261,
-        'e', 261,
-        'G', 294,
-        'g', 294,
-        'L', 294,
-        'l', 294,
-        'N', 202,
-        'n', 202,
-        'O', 262,
-        'o', 262,
+        '(', 425,
+        ')', 359,
+        '*', 449,
+        '+', 448,
+        ',', 427,
+        '-', 447,
+        '/', 450,
+        ';', 339,
+        '<', 457,
+        '=', 362,
+        '>', 456,
+        '[', 333,
+        'A', 242,
+        'a', 242,
+        'E', 263,
+        'e', 263,
+        'G', 296,
+        'g', 296,
+        'L', 296,
+        'l', 296,
+        'N', 203,
+        'n', 203,
+        'O', 264,
+        'o', 264,
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
@@ -1746,15 +1779,15 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 4:
       ADVANCE_MAP(
-        '"', 471,
-        '#', 466,
-        '(', 422,
-        ')', 356,
-        '+', 444,
-        '-', 443,
-        '.', 296,
+        '"', 475,
+        '#', 470,
+        '(', 425,
+        ')', 359,
+        '+', 448,
+        '-', 447,
+        '.', 298,
         '/', 104,
-        ';', 336,
+        ';', 339,
         'A', 111,
         'B', 138,
         'C', 152,
@@ -1766,76 +1799,77 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         'P', 107,
         'R', 155,
         'S', 139,
-        'T', 109,
-        '[', 330,
+        'T', 108,
+        '[', 333,
         '_', 174,
         'a', 192,
-        'b', 227,
-        'c', 252,
-        'd', 210,
-        'e', 292,
-        'i', 250,
-        'l', 253,
-        'n', 200,
+        'b', 228,
+        'c', 254,
+        'd', 211,
+        'e', 294,
+        'i', 251,
+        'l', 255,
+        'n', 201,
         'p', 185,
-        'r', 254,
-        's', 225,
+        'r', 256,
+        's', 226,
         't', 187,
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) SKIP(4);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
-      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(301);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
+      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(302);
+      if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(301);
       END_STATE();
     case 5:
       ADVANCE_MAP(
-        '"', 471,
-        '#', 466,
-        '(', 422,
-        '+', 444,
-        '-', 443,
-        '.', 296,
+        '"', 475,
+        '#', 470,
+        '(', 425,
+        '+', 448,
+        '-', 447,
+        '.', 298,
         '/', 104,
-        ';', 336,
-        'A', 718,
-        'B', 725,
-        'C', 731,
-        'D', 721,
-        'E', 743,
-        'I', 730,
-        'L', 732,
-        'N', 719,
-        'P', 715,
-        'R', 733,
-        'S', 727,
-        'T', 717,
-        '[', 330,
+        ';', 339,
+        'A', 722,
+        'B', 729,
+        'C', 735,
+        'D', 725,
+        'E', 747,
+        'I', 734,
+        'L', 736,
+        'N', 723,
+        'P', 719,
+        'R', 737,
+        'S', 731,
+        'T', 721,
+        '[', 333,
         '_', 174,
-        'a', 748,
-        'b', 758,
-        'c', 767,
-        'd', 751,
-        'e', 780,
-        'i', 765,
-        'l', 768,
-        'n', 749,
-        'p', 744,
-        'r', 769,
-        's', 759,
-        't', 746,
+        'a', 752,
+        'b', 762,
+        'c', 771,
+        'd', 755,
+        'e', 784,
+        'i', 769,
+        'l', 772,
+        'n', 753,
+        'p', 748,
+        'r', 773,
+        's', 763,
+        't', 750,
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) SKIP(5);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
-      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(782);
-      if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
+      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(786);
+      if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 6:
-      if (lookahead == ')') ADVANCE(337);
+      if (lookahead == ')') ADVANCE(340);
       if (lookahead != 0 &&
           lookahead != '\n' &&
           lookahead != '\r' &&
@@ -1846,67 +1880,67 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
     case 7:
       ADVANCE_MAP(
         '.', 23,
-        'E', 598,
-        'O', 523,
+        'E', 602,
+        'O', 527,
         'i', 19,
-        'o', 219,
+        'o', 220,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (('A' <= lookahead && lookahead <= 'S') ||
-          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'S' < lookahead) &&
           (lookahead < 'U' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 8:
       if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'E') ADVANCE(598);
+      if (lookahead == 'E') ADVANCE(602);
       if (lookahead == 'i') ADVANCE(19);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (('A' <= lookahead && lookahead <= 'S') ||
-          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'S' < lookahead) &&
           (lookahead < 'U' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 9:
       if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'E') ADVANCE(597);
+      if (lookahead == 'E') ADVANCE(601);
       if (lookahead == 'i') ADVANCE(19);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (('A' <= lookahead && lookahead <= 'S') ||
-          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(586);
+          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(590);
       END_STATE();
     case 10:
       if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'N') ADVANCE(201);
+      if (lookahead == 'N') ADVANCE(202);
       if (lookahead == 'n') ADVANCE(121);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 11:
       if (lookahead == '.') ADVANCE(23);
@@ -1915,8 +1949,8 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
       if (lookahead == 'L' ||
-          lookahead == 'l') ADVANCE(206);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+          lookahead == 'l') ADVANCE(207);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 12:
       if (lookahead == '.') ADVANCE(23);
@@ -1925,8 +1959,8 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
       if (lookahead == 'M' ||
-          lookahead == 'm') ADVANCE(203);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+          lookahead == 'm') ADVANCE(204);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 13:
       if (lookahead == '.') ADVANCE(23);
@@ -1935,8 +1969,8 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(425);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+          lookahead == 'n') ADVANCE(428);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 14:
       if (lookahead == '.') ADVANCE(23);
@@ -1945,8 +1979,8 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(201);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+          lookahead == 'n') ADVANCE(202);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 15:
       if (lookahead == '.') ADVANCE(23);
@@ -1955,8 +1989,8 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(276);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+          lookahead == 'n') ADVANCE(278);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 16:
       if (lookahead == '.') ADVANCE(23);
@@ -1965,8 +1999,8 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(411);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+          lookahead == 't') ADVANCE(414);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 17:
       if (lookahead == '.') ADVANCE(23);
@@ -1976,7 +2010,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == '-') ADVANCE(21);
       if (lookahead == 'T' ||
           lookahead == 't') ADVANCE(194);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 18:
       if (lookahead == '.') ADVANCE(23);
@@ -1985,8 +2019,8 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(271);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+          lookahead == 't') ADVANCE(273);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 19:
       if (lookahead == '.') ADVANCE(23);
@@ -1994,7 +2028,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 20:
       if (lookahead == '.') ADVANCE(23);
@@ -2002,12 +2036,12 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 21:
       if (lookahead == '.') ADVANCE(23);
@@ -2015,20 +2049,20 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(21);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(102);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 22:
       if (lookahead == '.') ADVANCE(23);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 23:
-      if (lookahead == '.') ADVANCE(487);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(482);
+      if (lookahead == '.') ADVANCE(491);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(486);
       END_STATE();
     case 24:
-      if (lookahead == '.') ADVANCE(343);
+      if (lookahead == '.') ADVANCE(346);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
@@ -2036,78 +2070,78 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead != 0xfeff) ADVANCE(24);
       END_STATE();
     case 25:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'A') ADVANCE(263);
-      if (lookahead == 'R') ADVANCE(228);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'A') ADVANCE(265);
+      if (lookahead == 'R') ADVANCE(229);
       if (lookahead == 'a') ADVANCE(88);
       if (lookahead == 'r') ADVANCE(76);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('b' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 26:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'A') ADVANCE(263);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'A') ADVANCE(265);
       if (lookahead == 'a') ADVANCE(88);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('b' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 27:
       ADVANCE_MAP(
-        '.', 297,
-        'A', 242,
-        'H', 211,
-        'I', 240,
+        '.', 299,
+        'A', 243,
+        'H', 212,
+        'I', 241,
         'a', 80,
         'h', 69,
         'i', 79,
         '+', 61,
         '-', 61,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('b' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 28:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'A') ADVANCE(242);
-      if (lookahead == 'I') ADVANCE(240);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'A') ADVANCE(243);
+      if (lookahead == 'I') ADVANCE(241);
       if (lookahead == 'a') ADVANCE(80);
       if (lookahead == 'i') ADVANCE(79);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('b' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 29:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'A') ADVANCE(269);
-      if (lookahead == 'O') ADVANCE(268);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'A') ADVANCE(271);
+      if (lookahead == 'O') ADVANCE(270);
       if (lookahead == 'a') ADVANCE(92);
       if (lookahead == 'o') ADVANCE(91);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('b' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 30:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'A') ADVANCE(269);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'A') ADVANCE(271);
       if (lookahead == 'a') ADVANCE(92);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('b' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 31:
       ADVANCE_MAP(
-        '.', 297,
-        'B', 268,
-        'C', 252,
+        '.', 299,
+        'B', 270,
+        'C', 253,
         'N', 197,
-        'S', 224,
+        'S', 225,
         'T', 186,
         'b', 91,
         'c', 82,
@@ -2117,15 +2151,15 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 61,
         '-', 61,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 32:
       ADVANCE_MAP(
-        '.', 297,
-        'B', 268,
-        'C', 252,
-        'S', 224,
+        '.', 299,
+        'B', 270,
+        'C', 253,
+        'S', 225,
         'T', 186,
         'b', 91,
         'c', 82,
@@ -2134,87 +2168,87 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 61,
         '-', 61,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 33:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'E') ADVANCE(214);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'E') ADVANCE(215);
       if (lookahead == 'V') ADVANCE(200);
       if (lookahead == 'e') ADVANCE(70);
       if (lookahead == 'v') ADVANCE(65);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 34:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'E') ADVANCE(281);
-      if (lookahead == 'O') ADVANCE(289);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'E') ADVANCE(283);
+      if (lookahead == 'O') ADVANCE(291);
       if (lookahead == 'e') ADVANCE(95);
       if (lookahead == 'o') ADVANCE(97);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 35:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'E') ADVANCE(281);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'E') ADVANCE(283);
       if (lookahead == 'e') ADVANCE(95);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 36:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'E') ADVANCE(215);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'E') ADVANCE(216);
       if (lookahead == 'V') ADVANCE(200);
       if (lookahead == 'e') ADVANCE(71);
       if (lookahead == 'v') ADVANCE(65);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 37:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'E') ADVANCE(218);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'E') ADVANCE(219);
       if (lookahead == 'e') ADVANCE(72);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 38:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'H') ADVANCE(226);
-      if (lookahead == 'I') ADVANCE(246);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'H') ADVANCE(227);
+      if (lookahead == 'I') ADVANCE(247);
       if (lookahead == 'h') ADVANCE(75);
       if (lookahead == 'i') ADVANCE(81);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 39:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'H') ADVANCE(211);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'H') ADVANCE(212);
       if (lookahead == 'h') ADVANCE(69);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 40:
       ADVANCE_MAP(
-        '.', 297,
-        'I', 242,
-        'Q', 264,
-        'T', 267,
-        'W', 229,
+        '.', 299,
+        'I', 243,
+        'Q', 266,
+        'T', 269,
+        'W', 230,
         'i', 80,
         'q', 89,
         't', 90,
@@ -2222,631 +2256,633 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 61,
         '-', 61,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 41:
       ADVANCE_MAP(
-        '.', 297,
-        'I', 242,
-        'Q', 264,
-        'T', 267,
+        '.', 299,
+        'I', 243,
+        'Q', 266,
+        'T', 269,
         'i', 80,
         'q', 89,
         't', 90,
         '+', 61,
         '-', 61,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 42:
       ADVANCE_MAP(
-        '.', 297,
-        'I', 284,
-        'L', 255,
-        'R', 208,
+        '.', 299,
+        'I', 286,
+        'L', 257,
+        'R', 209,
         'i', 96,
         'l', 83,
         'r', 67,
         '+', 61,
         '-', 61,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 43:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'I') ADVANCE(284);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'I') ADVANCE(286);
       if (lookahead == 'i') ADVANCE(96);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 44:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'L') ADVANCE(255);
-      if (lookahead == 'R') ADVANCE(208);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'L') ADVANCE(257);
+      if (lookahead == 'R') ADVANCE(209);
       if (lookahead == 'l') ADVANCE(83);
       if (lookahead == 'r') ADVANCE(67);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 45:
       ADVANCE_MAP(
-        '.', 297,
-        'L', 270,
+        '.', 299,
+        'L', 272,
         'N', 198,
-        'Q', 454,
-        'X', 258,
+        'Q', 458,
+        'X', 260,
         'l', 93,
         'n', 64,
-        'q', 456,
+        'q', 460,
         'x', 84,
         '+', 61,
         '-', 61,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 46:
       ADVANCE_MAP(
-        '.', 297,
-        'L', 270,
+        '.', 299,
+        'L', 272,
         'N', 198,
-        'Q', 454,
+        'Q', 458,
         'l', 93,
         'n', 64,
-        'q', 456,
+        'q', 460,
         '+', 61,
         '-', 61,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 47:
       ADVANCE_MAP(
-        '.', 297,
-        'L', 270,
+        '.', 299,
+        'L', 272,
         'N', 198,
-        'X', 258,
+        'X', 260,
         'l', 93,
         'n', 64,
         'x', 84,
         '+', 61,
         '-', 61,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 48:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'L') ADVANCE(270);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'L') ADVANCE(272);
       if (lookahead == 'N') ADVANCE(198);
       if (lookahead == 'l') ADVANCE(93);
       if (lookahead == 'n') ADVANCE(64);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 49:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == 'N') ADVANCE(197);
       if (lookahead == 'n') ADVANCE(63);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 50:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'N') ADVANCE(260);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'N') ADVANCE(262);
       if (lookahead == 'n') ADVANCE(85);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(366);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'f') ADVANCE(369);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 51:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'N') ADVANCE(259);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'N') ADVANCE(261);
       if (lookahead == 'n') ADVANCE(86);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(366);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'f') ADVANCE(369);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 52:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'N') ADVANCE(272);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'N') ADVANCE(274);
       if (lookahead == 'n') ADVANCE(94);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'e') ||
           ('g' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 53:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'N') ADVANCE(230);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'N') ADVANCE(231);
       if (lookahead == 'n') ADVANCE(78);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 54:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'O') ADVANCE(268);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'O') ADVANCE(270);
       if (lookahead == 'o') ADVANCE(91);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 55:
       ADVANCE_MAP(
-        '.', 297,
-        'O', 219,
+        '.', 299,
+        'O', 220,
         'o', 73,
         '+', 61,
         '-', 61,
-        'E', 454,
-        'T', 454,
-        'e', 456,
-        't', 456,
+        'E', 458,
+        'T', 458,
+        'e', 460,
+        't', 460,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 56:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'O') ADVANCE(219);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'O') ADVANCE(220);
       if (lookahead == 'o') ADVANCE(73);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 57:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'O') ADVANCE(289);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'O') ADVANCE(291);
       if (lookahead == 'o') ADVANCE(97);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 58:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'R') ADVANCE(228);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'R') ADVANCE(229);
       if (lookahead == 'r') ADVANCE(76);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 59:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'W') ADVANCE(229);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'W') ADVANCE(230);
       if (lookahead == 'w') ADVANCE(77);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 60:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'X') ADVANCE(258);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'X') ADVANCE(260);
       if (lookahead == 'x') ADVANCE(84);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 61:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 62:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(242);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'a') ADVANCE(243);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 63:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(447);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'd') ADVANCE(451);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 64:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'D' ||
           lookahead == 'd') ADVANCE(177);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 65:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(209);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'd') ADVANCE(210);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 66:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'E' ||
-          lookahead == 'T') ADVANCE(454);
+          lookahead == 'T') ADVANCE(458);
       if (lookahead == 'e' ||
-          lookahead == 't') ADVANCE(456);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 't') ADVANCE(460);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 67:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'E' ||
           lookahead == 'e') ADVANCE(189);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 68:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(215);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'e') ADVANCE(216);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 69:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(243);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'e') ADVANCE(244);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 70:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(441);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'f') ADVANCE(444);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 71:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(437);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'f') ADVANCE(440);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 72:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'F' ||
           lookahead == 'f') ADVANCE(190);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 73:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'G' ||
-          lookahead == 'g') ADVANCE(242);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'g') ADVANCE(243);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 74:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(242);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'i') ADVANCE(243);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 75:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(237);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'i') ADVANCE(238);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 76:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(249);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'i') ADVANCE(250);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 77:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(280);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'i') ADVANCE(282);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 78:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(274);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'i') ADVANCE(276);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 79:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'M' ||
-          lookahead == 'm') ADVANCE(203);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'm') ADVANCE(204);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 80:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(425);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'n') ADVANCE(428);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 81:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(201);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'n') ADVANCE(202);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 82:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(268);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'o') ADVANCE(270);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 83:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'O' ||
           lookahead == 'o') ADVANCE(193);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 84:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'P' ||
-          lookahead == 'p') ADVANCE(425);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'p') ADVANCE(428);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 85:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'P' ||
-          lookahead == 'p') ADVANCE(287);
+          lookahead == 'p') ADVANCE(289);
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(425);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 't') ADVANCE(428);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 86:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'P' ||
-          lookahead == 'p') ADVANCE(287);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'p') ADVANCE(289);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 87:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(449);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'r') ADVANCE(453);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 88:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'R' ||
           lookahead == 'r') ADVANCE(188);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 89:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(273);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'r') ADVANCE(275);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 90:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(231);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'r') ADVANCE(232);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 91:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(425);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 's') ADVANCE(428);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 92:
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(61);
-      if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(204);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
-      END_STATE();
-    case 93:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'S' ||
           lookahead == 's') ADVANCE(205);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
+      END_STATE();
+    case 93:
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(61);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(206);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 94:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(425);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 't') ADVANCE(428);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 95:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(286);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 't') ADVANCE(288);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 96:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(271);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 't') ADVANCE(273);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 97:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(247);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'u') ADVANCE(248);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 98:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 99:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'e') ||
           ('g' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 100:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'q') ||
           ('s' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 101:
-      if (lookahead == '.') ADVANCE(297);
+      if (lookahead == '.') ADVANCE(299);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 102:
-      if (lookahead == '.') ADVANCE(298);
+      if (lookahead == '.') ADVANCE(300);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(103);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(102);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(489);
       END_STATE();
     case 103:
-      if (lookahead == '.') ADVANCE(298);
+      if (lookahead == '.') ADVANCE(300);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(103);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(489);
       END_STATE();
     case 104:
-      if (lookahead == '/') ADVANCE(336);
+      if (lookahead == '/') ADVANCE(339);
       END_STATE();
     case 105:
-      if (lookahead == '=') ADVANCE(454);
+      if (lookahead == '=') ADVANCE(458);
       END_STATE();
     case 106:
-      if (lookahead == 'A') ADVANCE(675);
-      if (lookahead == 'a') ADVANCE(242);
+      if (lookahead == 'A') ADVANCE(679);
+      if (lookahead == 'a') ADVANCE(243);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'A' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 107:
       if (lookahead == 'A') ADVANCE(160);
-      if (lookahead == 'a') ADVANCE(263);
+      if (lookahead == 'a') ADVANCE(265);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'A' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 108:
-      if (lookahead == 'A') ADVANCE(236);
-      if (lookahead == 'a') ADVANCE(613);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'a' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 109:
       if (lookahead == 'A') ADVANCE(146);
       if (lookahead == 'I') ADVANCE(145);
-      if (lookahead == 'a') ADVANCE(242);
-      if (lookahead == 'i') ADVANCE(240);
+      if (lookahead == 'a') ADVANCE(243);
+      if (lookahead == 'i') ADVANCE(241);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'A' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
-    case 110:
-      if (lookahead == 'A') ADVANCE(285);
-      if (lookahead == 'a') ADVANCE(627);
+    case 109:
+      if (lookahead == 'A') ADVANCE(237);
+      if (lookahead == 'a') ADVANCE(617);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'a' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 110:
+      if (lookahead == 'A') ADVANCE(287);
+      if (lookahead == 'a') ADVANCE(631);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'a' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 111:
       ADVANCE_MAP(
@@ -2854,25 +2890,26 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         'C', 150,
         'S', 136,
         'T', 106,
-        'b', 268,
-        'c', 252,
-        's', 224,
+        'b', 270,
+        'c', 253,
+        's', 225,
         't', 186,
       );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 112:
-      if (lookahead == 'C') ADVANCE(235);
-      if (lookahead == 'c') ADVANCE(612);
+      if (lookahead == 'C') ADVANCE(236);
+      if (lookahead == 'c') ADVANCE(616);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 113:
       if (lookahead == 'D') ADVANCE(177);
@@ -2881,188 +2918,190 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 114:
       if (lookahead == 'D') ADVANCE(124);
-      if (lookahead == 'd') ADVANCE(209);
+      if (lookahead == 'd') ADVANCE(210);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 115:
-      if (lookahead == 'D') ADVANCE(509);
-      if (lookahead == 'E') ADVANCE(598);
-      if (lookahead == 'd') ADVANCE(209);
+      if (lookahead == 'D') ADVANCE(513);
+      if (lookahead == 'E') ADVANCE(602);
+      if (lookahead == 'd') ADVANCE(210);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 116:
-      if (lookahead == 'D') ADVANCE(509);
-      if (lookahead == 'E') ADVANCE(598);
-      if (lookahead == 'd') ADVANCE(209);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (lookahead == 'D') ADVANCE(513);
+      if (lookahead == 'E') ADVANCE(602);
+      if (lookahead == 'd') ADVANCE(210);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 117:
-      if (lookahead == 'D') ADVANCE(209);
-      if (lookahead == 'E') ADVANCE(454);
+      if (lookahead == 'D') ADVANCE(210);
+      if (lookahead == 'E') ADVANCE(458);
       if (lookahead == 'd') ADVANCE(68);
-      if (lookahead == 'e') ADVANCE(456);
+      if (lookahead == 'e') ADVANCE(460);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 118:
-      if (lookahead == 'D') ADVANCE(209);
+      if (lookahead == 'D') ADVANCE(210);
       if (lookahead == 'd') ADVANCE(68);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 119:
-      if (lookahead == 'D') ADVANCE(209);
+      if (lookahead == 'D') ADVANCE(210);
       if (lookahead == 'd') ADVANCE(68);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 120:
-      if (lookahead == 'D') ADVANCE(645);
-      if (lookahead == 'd') ADVANCE(209);
+      if (lookahead == 'D') ADVANCE(649);
+      if (lookahead == 'd') ADVANCE(210);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 121:
-      if (lookahead == 'D') ADVANCE(256);
-      if (lookahead == 'd') ADVANCE(618);
+      if (lookahead == 'D') ADVANCE(258);
+      if (lookahead == 'd') ADVANCE(622);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 122:
-      if (lookahead == 'E') ADVANCE(454);
-      if (lookahead == 'e') ADVANCE(456);
+      if (lookahead == 'E') ADVANCE(458);
+      if (lookahead == 'e') ADVANCE(460);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 123:
-      if (lookahead == 'E') ADVANCE(455);
-      if (lookahead == 'e') ADVANCE(454);
+      if (lookahead == 'E') ADVANCE(459);
+      if (lookahead == 'e') ADVANCE(458);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 124:
-      if (lookahead == 'E') ADVANCE(655);
-      if (lookahead == 'e') ADVANCE(215);
+      if (lookahead == 'E') ADVANCE(659);
+      if (lookahead == 'e') ADVANCE(216);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 125:
-      if (lookahead == 'E') ADVANCE(387);
-      if (lookahead == 'e') ADVANCE(389);
+      if (lookahead == 'E') ADVANCE(390);
+      if (lookahead == 'e') ADVANCE(392);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 126:
-      if (lookahead == 'E') ADVANCE(372);
-      if (lookahead == 'e') ADVANCE(374);
+      if (lookahead == 'E') ADVANCE(375);
+      if (lookahead == 'e') ADVANCE(377);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 127:
-      if (lookahead == 'E') ADVANCE(598);
+      if (lookahead == 'E') ADVANCE(602);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 128:
-      if (lookahead == 'E') ADVANCE(598);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (lookahead == 'E') ADVANCE(602);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 129:
       if (lookahead == 'E') ADVANCE(133);
       if (lookahead == 'V') ADVANCE(120);
-      if (lookahead == 'e') ADVANCE(215);
+      if (lookahead == 'e') ADVANCE(216);
       if (lookahead == 'v') ADVANCE(200);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 130:
-      if (lookahead == 'E') ADVANCE(597);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(586);
+      if (lookahead == 'E') ADVANCE(601);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(590);
       END_STATE();
     case 131:
       if (lookahead == 'E') ADVANCE(189);
-      if (lookahead == 'e') ADVANCE(108);
+      if (lookahead == 'e') ADVANCE(109);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 132:
-      if (lookahead == 'E') ADVANCE(243);
+      if (lookahead == 'E') ADVANCE(244);
       if (lookahead == 'e') ADVANCE(147);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 133:
-      if (lookahead == 'F') ADVANCE(440);
-      if (lookahead == 'f') ADVANCE(437);
+      if (lookahead == 'F') ADVANCE(443);
+      if (lookahead == 'f') ADVANCE(440);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 134:
       if (lookahead == 'F') ADVANCE(190);
@@ -3071,160 +3110,163 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 135:
-      if (lookahead == 'G') ADVANCE(675);
-      if (lookahead == 'g') ADVANCE(242);
+      if (lookahead == 'G') ADVANCE(679);
+      if (lookahead == 'g') ADVANCE(243);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 136:
-      if (lookahead == 'I') ADVANCE(675);
-      if (lookahead == 'i') ADVANCE(242);
+      if (lookahead == 'I') ADVANCE(679);
+      if (lookahead == 'i') ADVANCE(243);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 137:
-      if (lookahead == 'I') ADVANCE(237);
+      if (lookahead == 'I') ADVANCE(238);
       if (lookahead == 'i') ADVANCE(144);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 138:
       if (lookahead == 'I') ADVANCE(166);
-      if (lookahead == 'i') ADVANCE(284);
+      if (lookahead == 'i') ADVANCE(286);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 139:
       if (lookahead == 'I') ADVANCE(146);
       if (lookahead == 'Q') ADVANCE(158);
       if (lookahead == 'T') ADVANCE(159);
-      if (lookahead == 'i') ADVANCE(242);
-      if (lookahead == 'q') ADVANCE(264);
-      if (lookahead == 't') ADVANCE(267);
+      if (lookahead == 'i') ADVANCE(243);
+      if (lookahead == 'q') ADVANCE(266);
+      if (lookahead == 't') ADVANCE(269);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 140:
-      if (lookahead == 'I') ADVANCE(216);
-      if (lookahead == 'S') ADVANCE(291);
-      if (lookahead == 'W') ADVANCE(223);
-      if (lookahead == '_') ADVANCE(257);
-      if (lookahead == 'i') ADVANCE(606);
-      if (lookahead == 's') ADVANCE(629);
-      if (lookahead == 'w') ADVANCE(609);
+      if (lookahead == 'I') ADVANCE(217);
+      if (lookahead == 'S') ADVANCE(293);
+      if (lookahead == 'W') ADVANCE(224);
+      if (lookahead == '_') ADVANCE(259);
+      if (lookahead == 'i') ADVANCE(610);
+      if (lookahead == 's') ADVANCE(633);
+      if (lookahead == 'w') ADVANCE(613);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 141:
-      if (lookahead == 'I') ADVANCE(249);
+      if (lookahead == 'I') ADVANCE(250);
       if (lookahead == 'i') ADVANCE(149);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 142:
-      if (lookahead == 'I') ADVANCE(280);
+      if (lookahead == 'I') ADVANCE(282);
       if (lookahead == 'i') ADVANCE(167);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 143:
-      if (lookahead == 'I') ADVANCE(274);
+      if (lookahead == 'I') ADVANCE(276);
       if (lookahead == 'i') ADVANCE(165);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 144:
-      if (lookahead == 'L') ADVANCE(206);
-      if (lookahead == 'l') ADVANCE(603);
+      if (lookahead == 'L') ADVANCE(207);
+      if (lookahead == 'l') ADVANCE(607);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 145:
-      if (lookahead == 'M') ADVANCE(644);
-      if (lookahead == 'm') ADVANCE(203);
+      if (lookahead == 'M') ADVANCE(648);
+      if (lookahead == 'm') ADVANCE(204);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 146:
-      if (lookahead == 'N') ADVANCE(431);
-      if (lookahead == 'n') ADVANCE(425);
+      if (lookahead == 'N') ADVANCE(434);
+      if (lookahead == 'n') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 147:
-      if (lookahead == 'N') ADVANCE(369);
-      if (lookahead == 'n') ADVANCE(371);
+      if (lookahead == 'N') ADVANCE(372);
+      if (lookahead == 'n') ADVANCE(374);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 148:
       if (lookahead == 'N') ADVANCE(164);
-      if (lookahead == 'n') ADVANCE(272);
+      if (lookahead == 'n') ADVANCE(274);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 149:
-      if (lookahead == 'N') ADVANCE(276);
-      if (lookahead == 'n') ADVANCE(622);
+      if (lookahead == 'N') ADVANCE(278);
+      if (lookahead == 'n') ADVANCE(626);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 150:
-      if (lookahead == 'O') ADVANCE(689);
-      if (lookahead == 'o') ADVANCE(268);
+      if (lookahead == 'O') ADVANCE(693);
+      if (lookahead == 'o') ADVANCE(270);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 151:
       if (lookahead == 'O') ADVANCE(193);
@@ -3233,237 +3275,241 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 152:
       if (lookahead == 'O') ADVANCE(161);
-      if (lookahead == 'o') ADVANCE(268);
+      if (lookahead == 'o') ADVANCE(270);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 153:
       if (lookahead == 'O') ADVANCE(135);
-      if (lookahead == 'o') ADVANCE(219);
+      if (lookahead == 'o') ADVANCE(220);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 154:
-      if (lookahead == 'O') ADVANCE(658);
-      if (lookahead == 'o') ADVANCE(217);
+      if (lookahead == 'O') ADVANCE(662);
+      if (lookahead == 'o') ADVANCE(218);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 155:
       if (lookahead == 'O') ADVANCE(169);
-      if (lookahead == 'o') ADVANCE(289);
+      if (lookahead == 'o') ADVANCE(291);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 156:
-      if (lookahead == 'P') ADVANCE(431);
-      if (lookahead == 'p') ADVANCE(425);
+      if (lookahead == 'P') ADVANCE(434);
+      if (lookahead == 'p') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 157:
-      if (lookahead == 'P') ADVANCE(287);
+      if (lookahead == 'P') ADVANCE(289);
       if (lookahead == 'p') ADVANCE(171);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 158:
-      if (lookahead == 'R') ADVANCE(694);
-      if (lookahead == 'r') ADVANCE(273);
+      if (lookahead == 'R') ADVANCE(698);
+      if (lookahead == 'r') ADVANCE(275);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 159:
-      if (lookahead == 'R') ADVANCE(666);
-      if (lookahead == 'r') ADVANCE(231);
+      if (lookahead == 'R') ADVANCE(670);
+      if (lookahead == 'r') ADVANCE(232);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 160:
-      if (lookahead == 'R') ADVANCE(632);
+      if (lookahead == 'R') ADVANCE(636);
       if (lookahead == 'r') ADVANCE(188);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 161:
-      if (lookahead == 'S') ADVANCE(431);
-      if (lookahead == 's') ADVANCE(425);
+      if (lookahead == 'S') ADVANCE(434);
+      if (lookahead == 's') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 162:
-      if (lookahead == 'S') ADVANCE(204);
+      if (lookahead == 'S') ADVANCE(205);
       if (lookahead == 's') ADVANCE(125);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 163:
-      if (lookahead == 'S') ADVANCE(205);
+      if (lookahead == 'S') ADVANCE(206);
       if (lookahead == 's') ADVANCE(126);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 164:
-      if (lookahead == 'T') ADVANCE(431);
-      if (lookahead == 't') ADVANCE(425);
+      if (lookahead == 'T') ADVANCE(434);
+      if (lookahead == 't') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 165:
-      if (lookahead == 'T') ADVANCE(411);
-      if (lookahead == 't') ADVANCE(413);
+      if (lookahead == 'T') ADVANCE(414);
+      if (lookahead == 't') ADVANCE(416);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 166:
-      if (lookahead == 'T') ADVANCE(692);
-      if (lookahead == 't') ADVANCE(271);
+      if (lookahead == 'T') ADVANCE(696);
+      if (lookahead == 't') ADVANCE(273);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 167:
       if (lookahead == 'T') ADVANCE(194);
-      if (lookahead == 't') ADVANCE(600);
+      if (lookahead == 't') ADVANCE(604);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 168:
-      if (lookahead == 'T') ADVANCE(286);
+      if (lookahead == 'T') ADVANCE(288);
       if (lookahead == 't') ADVANCE(170);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(307);
       END_STATE();
     case 169:
-      if (lookahead == 'U') ADVANCE(682);
-      if (lookahead == 'u') ADVANCE(247);
+      if (lookahead == 'U') ADVANCE(686);
+      if (lookahead == 'u') ADVANCE(248);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 170:
-      if (lookahead == 'U') ADVANCE(265);
-      if (lookahead == 'u') ADVANCE(619);
+      if (lookahead == 'U') ADVANCE(267);
+      if (lookahead == 'u') ADVANCE(623);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 171:
-      if (lookahead == 'U') ADVANCE(275);
-      if (lookahead == 'u') ADVANCE(621);
+      if (lookahead == 'U') ADVANCE(277);
+      if (lookahead == 'u') ADVANCE(625);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 172:
-      if (lookahead == 'U') ADVANCE(684);
-      if (lookahead == 'u') ADVANCE(251);
+      if (lookahead == 'U') ADVANCE(688);
+      if (lookahead == 'u') ADVANCE(252);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 173:
       if (lookahead == 'X') ADVANCE(156);
-      if (lookahead == 'x') ADVANCE(258);
+      if (lookahead == 'x') ADVANCE(260);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 174:
-      if (lookahead == '_') ADVANCE(469);
+      if (lookahead == '_') ADVANCE(473);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(468);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(472);
       END_STATE();
     case 175:
-      if (lookahead == '_') ADVANCE(464);
+      if (lookahead == '_') ADVANCE(468);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(463);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(467);
       END_STATE();
     case 176:
       if (lookahead == '_') ADVANCE(175);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(176);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(467);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(471);
       if (('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(461);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(465);
       END_STATE();
     case 177:
-      if (lookahead == '_') ADVANCE(257);
+      if (lookahead == '_') ADVANCE(259);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(216);
+          lookahead == 'i') ADVANCE(217);
       if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(291);
+          lookahead == 's') ADVANCE(293);
       if (lookahead == 'W' ||
-          lookahead == 'w') ADVANCE(223);
+          lookahead == 'w') ADVANCE(224);
       END_STATE();
     case 178:
-      if (lookahead == '_') ADVANCE(288);
+      if (lookahead == '_') ADVANCE(290);
       END_STATE();
     case 179:
       if (lookahead == '\t' ||
@@ -3474,12 +3520,12 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
     case 180:
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
       END_STATE();
     case 181:
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 182:
@@ -3500,7 +3546,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead != '\r' &&
           lookahead != '"' &&
           lookahead != '[' &&
-          (lookahead < 0x201c || 0x201e < lookahead)) ADVANCE(341);
+          (lookahead < 0x201c || 0x201e < lookahead)) ADVANCE(344);
       END_STATE();
     case 184:
       if (lookahead == '\t' ||
@@ -3509,69 +3555,72 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead != '\t' &&
           lookahead != '\n' &&
           lookahead != '\r' &&
-          lookahead != '[') ADVANCE(347);
+          lookahead != '[') ADVANCE(350);
       END_STATE();
     case 185:
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(263);
+          lookahead == 'a') ADVANCE(265);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 186:
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(242);
+          lookahead == 'a') ADVANCE(243);
       END_STATE();
     case 187:
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(242);
+          lookahead == 'a') ADVANCE(243);
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(240);
+          lookahead == 'i') ADVANCE(241);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 188:
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(432);
+          lookahead == 'a') ADVANCE(435);
       END_STATE();
     case 189:
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(236);
+          lookahead == 'a') ADVANCE(237);
       END_STATE();
     case 190:
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(285);
+          lookahead == 'a') ADVANCE(287);
       END_STATE();
     case 191:
       if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(266);
+          lookahead == 'a') ADVANCE(268);
       END_STATE();
     case 192:
       ADVANCE_MAP(
-        'B', 268,
-        'b', 268,
-        'C', 252,
-        'c', 252,
-        'S', 224,
-        's', 224,
+        'B', 270,
+        'b', 270,
+        'C', 253,
+        'c', 253,
+        'S', 225,
+        's', 225,
         'T', 186,
         't', 186,
       );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 193:
       if (lookahead == 'C' ||
-          lookahead == 'c') ADVANCE(235);
+          lookahead == 'c') ADVANCE(236);
       END_STATE();
     case 194:
       if (lookahead == 'C' ||
-          lookahead == 'c') ADVANCE(221);
+          lookahead == 'c') ADVANCE(222);
       END_STATE();
     case 195:
       if (lookahead == 'C' ||
-          lookahead == 'c') ADVANCE(222);
+          lookahead == 'c') ADVANCE(223);
       END_STATE();
     case 196:
       if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(425);
+          lookahead == 'd') ADVANCE(428);
       END_STATE();
     case 197:
       if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(447);
+          lookahead == 'd') ADVANCE(451);
       END_STATE();
     case 198:
       if (lookahead == 'D' ||
@@ -3579,35 +3628,36 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 199:
       if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(419);
+          lookahead == 'd') ADVANCE(422);
       END_STATE();
     case 200:
       if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(209);
+          lookahead == 'd') ADVANCE(210);
       END_STATE();
     case 201:
       if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(256);
+          lookahead == 'd') ADVANCE(210);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 202:
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(454);
+      if (lookahead == 'D' ||
+          lookahead == 'd') ADVANCE(258);
       END_STATE();
     case 203:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(425);
+          lookahead == 'e') ADVANCE(458);
       END_STATE();
     case 204:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(387);
+          lookahead == 'e') ADVANCE(428);
       END_STATE();
     case 205:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(372);
+          lookahead == 'e') ADVANCE(390);
       END_STATE();
     case 206:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(378);
+          lookahead == 'e') ADVANCE(375);
       END_STATE();
     case 207:
       if (lookahead == 'E' ||
@@ -3615,131 +3665,134 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 208:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(189);
+          lookahead == 'e') ADVANCE(384);
       END_STATE();
     case 209:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(215);
+          lookahead == 'e') ADVANCE(189);
       END_STATE();
     case 210:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(215);
-      if (lookahead == 'V' ||
-          lookahead == 'v') ADVANCE(200);
+          lookahead == 'e') ADVANCE(216);
       END_STATE();
     case 211:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(243);
+          lookahead == 'e') ADVANCE(216);
+      if (lookahead == 'V' ||
+          lookahead == 'v') ADVANCE(200);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 212:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(272);
+          lookahead == 'e') ADVANCE(244);
       END_STATE();
     case 213:
       if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(248);
-      if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(282);
+          lookahead == 'e') ADVANCE(274);
       END_STATE();
     case 214:
-      if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(441);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(249);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(284);
       END_STATE();
     case 215:
       if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(437);
+          lookahead == 'f') ADVANCE(444);
       END_STATE();
     case 216:
       if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(375);
+          lookahead == 'f') ADVANCE(440);
       END_STATE();
     case 217:
       if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(178);
+          lookahead == 'f') ADVANCE(378);
       END_STATE();
     case 218:
       if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(190);
+          lookahead == 'f') ADVANCE(178);
       END_STATE();
     case 219:
-      if (lookahead == 'G' ||
-          lookahead == 'g') ADVANCE(242);
+      if (lookahead == 'F' ||
+          lookahead == 'f') ADVANCE(190);
       END_STATE();
     case 220:
       if (lookahead == 'G' ||
-          lookahead == 'g') ADVANCE(425);
+          lookahead == 'g') ADVANCE(243);
       END_STATE();
     case 221:
-      if (lookahead == 'H' ||
-          lookahead == 'h') ADVANCE(384);
+      if (lookahead == 'G' ||
+          lookahead == 'g') ADVANCE(428);
       END_STATE();
     case 222:
       if (lookahead == 'H' ||
-          lookahead == 'h') ADVANCE(396);
+          lookahead == 'h') ADVANCE(387);
       END_STATE();
     case 223:
       if (lookahead == 'H' ||
-          lookahead == 'h') ADVANCE(233);
+          lookahead == 'h') ADVANCE(399);
       END_STATE();
     case 224:
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(242);
+      if (lookahead == 'H' ||
+          lookahead == 'h') ADVANCE(234);
       END_STATE();
     case 225:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(242);
-      if (lookahead == 'Q' ||
-          lookahead == 'q') ADVANCE(264);
-      if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(267);
+          lookahead == 'i') ADVANCE(243);
       END_STATE();
     case 226:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(237);
+          lookahead == 'i') ADVANCE(243);
+      if (lookahead == 'Q' ||
+          lookahead == 'q') ADVANCE(266);
+      if (lookahead == 'T' ||
+          lookahead == 't') ADVANCE(269);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 227:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(284);
+          lookahead == 'i') ADVANCE(238);
       END_STATE();
     case 228:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(249);
+          lookahead == 'i') ADVANCE(286);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 229:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(280);
+          lookahead == 'i') ADVANCE(250);
       END_STATE();
     case 230:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(274);
+          lookahead == 'i') ADVANCE(282);
       END_STATE();
     case 231:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(245);
+          lookahead == 'i') ADVANCE(276);
       END_STATE();
     case 232:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(279);
+          lookahead == 'i') ADVANCE(246);
       END_STATE();
     case 233:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(238);
+          lookahead == 'i') ADVANCE(281);
       END_STATE();
     case 234:
       if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(283);
+          lookahead == 'i') ADVANCE(239);
       END_STATE();
     case 235:
-      if (lookahead == 'K' ||
-          lookahead == 'k') ADVANCE(213);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(285);
       END_STATE();
     case 236:
       if (lookahead == 'K' ||
-          lookahead == 'k') ADVANCE(393);
+          lookahead == 'k') ADVANCE(214);
       END_STATE();
     case 237:
-      if (lookahead == 'L' ||
-          lookahead == 'l') ADVANCE(206);
+      if (lookahead == 'K' ||
+          lookahead == 'k') ADVANCE(396);
       END_STATE();
     case 238:
       if (lookahead == 'L' ||
@@ -3747,336 +3800,353 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 239:
       if (lookahead == 'L' ||
-          lookahead == 'l') ADVANCE(277);
+          lookahead == 'l') ADVANCE(208);
       END_STATE();
     case 240:
-      if (lookahead == 'M' ||
-          lookahead == 'm') ADVANCE(203);
+      if (lookahead == 'L' ||
+          lookahead == 'l') ADVANCE(279);
       END_STATE();
     case 241:
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(197);
+      if (lookahead == 'M' ||
+          lookahead == 'm') ADVANCE(204);
       END_STATE();
     case 242:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(425);
+          lookahead == 'n') ADVANCE(197);
       END_STATE();
     case 243:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(369);
+          lookahead == 'n') ADVANCE(428);
       END_STATE();
     case 244:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(399);
+          lookahead == 'n') ADVANCE(372);
       END_STATE();
     case 245:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(220);
+          lookahead == 'n') ADVANCE(402);
       END_STATE();
     case 246:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(201);
+          lookahead == 'n') ADVANCE(221);
       END_STATE();
     case 247:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(196);
+          lookahead == 'n') ADVANCE(202);
       END_STATE();
     case 248:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(199);
+          lookahead == 'n') ADVANCE(196);
       END_STATE();
     case 249:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(276);
+          lookahead == 'n') ADVANCE(199);
       END_STATE();
     case 250:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(272);
+          lookahead == 'n') ADVANCE(278);
       END_STATE();
     case 251:
       if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(232);
+          lookahead == 'n') ADVANCE(274);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 252:
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(268);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(233);
       END_STATE();
     case 253:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(219);
+          lookahead == 'o') ADVANCE(270);
       END_STATE();
     case 254:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(289);
+          lookahead == 'o') ADVANCE(270);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 255:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(193);
+          lookahead == 'o') ADVANCE(220);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 256:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(290);
+          lookahead == 'o') ADVANCE(291);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 257:
       if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(217);
+          lookahead == 'o') ADVANCE(193);
       END_STATE();
     case 258:
-      if (lookahead == 'P' ||
-          lookahead == 'p') ADVANCE(425);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(292);
       END_STATE();
     case 259:
-      if (lookahead == 'P' ||
-          lookahead == 'p') ADVANCE(287);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(218);
       END_STATE();
     case 260:
       if (lookahead == 'P' ||
-          lookahead == 'p') ADVANCE(287);
-      if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(425);
+          lookahead == 'p') ADVANCE(428);
       END_STATE();
     case 261:
-      if (lookahead == 'Q' ||
-          lookahead == 'q') ADVANCE(454);
+      if (lookahead == 'P' ||
+          lookahead == 'p') ADVANCE(289);
       END_STATE();
     case 262:
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(449);
+      if (lookahead == 'P' ||
+          lookahead == 'p') ADVANCE(289);
+      if (lookahead == 'T' ||
+          lookahead == 't') ADVANCE(428);
       END_STATE();
     case 263:
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(188);
+      if (lookahead == 'Q' ||
+          lookahead == 'q') ADVANCE(458);
       END_STATE();
     case 264:
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(273);
+          lookahead == 'r') ADVANCE(453);
       END_STATE();
     case 265:
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(244);
+          lookahead == 'r') ADVANCE(188);
       END_STATE();
     case 266:
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(278);
+          lookahead == 'r') ADVANCE(275);
       END_STATE();
     case 267:
       if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(231);
+          lookahead == 'r') ADVANCE(245);
       END_STATE();
     case 268:
-      if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(425);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(280);
       END_STATE();
     case 269:
-      if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(204);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(232);
       END_STATE();
     case 270:
       if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(205);
+          lookahead == 's') ADVANCE(428);
       END_STATE();
     case 271:
       if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(212);
+          lookahead == 's') ADVANCE(205);
       END_STATE();
     case 272:
-      if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(425);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(206);
       END_STATE();
     case 273:
-      if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(434);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(213);
       END_STATE();
     case 274:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(411);
+          lookahead == 't') ADVANCE(428);
       END_STATE();
     case 275:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(405);
+          lookahead == 't') ADVANCE(437);
       END_STATE();
     case 276:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(402);
+          lookahead == 't') ADVANCE(414);
       END_STATE();
     case 277:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(390);
+          lookahead == 't') ADVANCE(408);
       END_STATE();
     case 278:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(416);
+          lookahead == 't') ADVANCE(405);
       END_STATE();
     case 279:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(414);
+          lookahead == 't') ADVANCE(393);
       END_STATE();
     case 280:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(194);
+          lookahead == 't') ADVANCE(419);
       END_STATE();
     case 281:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(286);
+          lookahead == 't') ADVANCE(417);
       END_STATE();
     case 282:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(191);
+          lookahead == 't') ADVANCE(194);
       END_STATE();
     case 283:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(195);
+          lookahead == 't') ADVANCE(288);
       END_STATE();
     case 284:
       if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(271);
+          lookahead == 't') ADVANCE(191);
       END_STATE();
     case 285:
-      if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(239);
+      if (lookahead == 'T' ||
+          lookahead == 't') ADVANCE(195);
       END_STATE();
     case 286:
-      if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(265);
+      if (lookahead == 'T' ||
+          lookahead == 't') ADVANCE(273);
       END_STATE();
     case 287:
       if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(275);
+          lookahead == 'u') ADVANCE(240);
       END_STATE();
     case 288:
       if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(251);
+          lookahead == 'u') ADVANCE(267);
       END_STATE();
     case 289:
       if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(247);
+          lookahead == 'u') ADVANCE(277);
       END_STATE();
     case 290:
-      if (lookahead == 'W' ||
-          lookahead == 'w') ADVANCE(408);
+      if (lookahead == 'U' ||
+          lookahead == 'u') ADVANCE(252);
       END_STATE();
     case 291:
-      if (lookahead == 'W' ||
-          lookahead == 'w') ADVANCE(234);
+      if (lookahead == 'U' ||
+          lookahead == 'u') ADVANCE(248);
       END_STATE();
     case 292:
-      if (lookahead == 'X' ||
-          lookahead == 'x') ADVANCE(258);
+      if (lookahead == 'W' ||
+          lookahead == 'w') ADVANCE(411);
       END_STATE();
     case 293:
-      if (lookahead == '"' ||
-          (0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(472);
-      if (lookahead != 0 &&
-          lookahead != '\n' &&
-          lookahead != '\r') ADVANCE(293);
+      if (lookahead == 'W' ||
+          lookahead == 'w') ADVANCE(235);
       END_STATE();
     case 294:
+      if (lookahead == 'X' ||
+          lookahead == 'x') ADVANCE(260);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
+      END_STATE();
+    case 295:
+      if (lookahead == '"' ||
+          (0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(476);
+      if (lookahead != 0 &&
+          lookahead != '\n' &&
+          lookahead != '\r') ADVANCE(295);
+      END_STATE();
+    case 296:
       if (lookahead == 'E' ||
           lookahead == 'T' ||
           lookahead == 'e' ||
-          lookahead == 't') ADVANCE(454);
-      END_STATE();
-    case 295:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(349);
-      END_STATE();
-    case 296:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(459);
+          lookahead == 't') ADVANCE(458);
       END_STATE();
     case 297:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
       END_STATE();
     case 298:
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(486);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(463);
       END_STATE();
     case 299:
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(713);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(304);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(488);
+      END_STATE();
+    case 300:
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(490);
+      END_STATE();
+    case 301:
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
+      END_STATE();
+    case 302:
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 303:
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(717);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(307);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(711);
-      END_STATE();
-    case 300:
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
-      END_STATE();
-    case 301:
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 302:
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(344);
-      END_STATE();
-    case 303:
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(715);
       END_STATE();
     case 304:
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
     case 305:
       if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(347);
+      END_STATE();
+    case 306:
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 307:
+      if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
-    case 306:
-      if (eof) ADVANCE(324);
+    case 308:
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(307);
+      END_STATE();
+    case 309:
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
+        '\n', 330,
+        '\r', 329,
         '!', 105,
-        '"', 471,
-        '#', 465,
-        '$', 295,
-        '%', 338,
-        '(', 423,
-        ')', 356,
-        '*', 445,
-        '+', 444,
-        ',', 424,
-        '-', 443,
-        '.', 296,
-        '/', 446,
-        ';', 336,
-        '<', 453,
-        '=', 359,
-        '>', 452,
-        '?', 491,
-        'A', 500,
-        'B', 528,
-        'C', 497,
-        'D', 507,
-        'E', 543,
-        'G', 555,
-        'H', 530,
-        'I', 517,
-        'L', 361,
-        'M', 557,
-        'N', 353,
-        'O', 569,
-        'P', 492,
-        'R', 510,
-        'S', 532,
-        'T', 494,
-        'U', 552,
-        'W', 524,
-        '[', 330,
-        ']', 357,
+        '"', 475,
+        '#', 469,
+        '$', 297,
+        '%', 341,
+        '(', 426,
+        ')', 359,
+        '*', 449,
+        '+', 448,
+        ',', 427,
+        '-', 447,
+        '.', 298,
+        '/', 450,
+        ';', 339,
+        '<', 457,
+        '=', 362,
+        '>', 456,
+        '?', 495,
+        'A', 504,
+        'B', 532,
+        'C', 501,
+        'D', 511,
+        'E', 547,
+        'G', 559,
+        'H', 534,
+        'I', 521,
+        'L', 364,
+        'M', 561,
+        'N', 356,
+        'O', 573,
+        'P', 496,
+        'R', 514,
+        'S', 536,
+        'T', 498,
+        'U', 556,
+        'W', 528,
+        '[', 333,
+        ']', 360,
         '_', 174,
         'a', 31,
         'b', 42,
@@ -4097,51 +4167,51 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(306);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
+          lookahead == 0xfeff) SKIP(309);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
       if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(101);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       END_STATE();
-    case 307:
-      if (eof) ADVANCE(324);
+    case 310:
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
+        '\n', 330,
+        '\r', 329,
         '!', 105,
-        '"', 471,
-        '#', 466,
-        '(', 422,
-        ')', 356,
-        '*', 445,
-        '+', 444,
-        '-', 443,
-        '.', 296,
-        '/', 446,
-        ';', 336,
-        '<', 453,
-        '=', 359,
-        '>', 452,
-        'A', 548,
-        'B', 540,
-        'C', 499,
-        'D', 514,
-        'E', 544,
-        'G', 555,
-        'H', 530,
-        'I', 518,
-        'L', 362,
-        'M', 557,
+        '"', 475,
+        '#', 470,
+        '(', 425,
+        ')', 359,
+        '*', 449,
+        '+', 448,
+        '-', 447,
+        '.', 298,
+        '/', 450,
+        ';', 339,
+        '<', 457,
+        '=', 362,
+        '>', 456,
+        'A', 552,
+        'B', 544,
+        'C', 503,
+        'D', 518,
+        'E', 548,
+        'G', 559,
+        'H', 534,
+        'I', 522,
+        'L', 365,
+        'M', 561,
         'N', 123,
-        'O', 569,
-        'P', 573,
-        'R', 511,
-        'S', 582,
-        'T', 527,
-        'U', 552,
-        'W', 524,
-        '[', 330,
-        ']', 357,
+        'O', 573,
+        'P', 577,
+        'R', 515,
+        'S', 586,
+        'T', 531,
+        'U', 556,
+        'W', 528,
+        '[', 333,
+        ']', 360,
         '_', 174,
         'a', 49,
         'b', 44,
@@ -4162,101 +4232,45 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(307);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
+          lookahead == 0xfeff) SKIP(310);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
       if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(101);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       END_STATE();
-    case 308:
-      if (eof) ADVANCE(324);
+    case 311:
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '#', 465,
-        '$', 295,
-        '%', 338,
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '#', 469,
+        '$', 297,
+        '%', 341,
         '(', 179,
-        ')', 356,
-        '.', 296,
-        '/', 350,
-        ';', 336,
-        'B', 541,
-        'C', 498,
-        'D', 513,
-        'E', 542,
-        'G', 558,
-        'H', 531,
-        'I', 519,
-        'L', 364,
-        'M', 559,
-        'N', 354,
-        'O', 568,
-        'P', 574,
-        'R', 512,
-        'S', 583,
-        'T', 526,
-        'U', 553,
-        'W', 525,
-        '[', 330,
-        ']', 357,
-        '_', 174,
-        'b', 44,
-        'c', 30,
-        'd', 37,
-        'e', 48,
-        'i', 51,
-        'n', 181,
-        'o', 100,
-        'p', 58,
-        'r', 35,
-        's', 59,
-        't', 39,
-        'u', 53,
-        'w', 38,
-      );
-      if (lookahead == '\t' ||
-          lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(308);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(596);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
-      END_STATE();
-    case 309:
-      if (eof) ADVANCE(324);
-      ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '#', 466,
-        '$', 295,
-        '(', 423,
-        ')', 356,
-        '.', 296,
-        '/', 350,
-        ';', 336,
-        '=', 358,
-        'B', 540,
-        'C', 499,
-        'D', 514,
+        ')', 359,
+        '.', 298,
+        '/', 353,
+        ';', 339,
+        'B', 545,
+        'C', 502,
+        'D', 517,
         'E', 546,
-        'G', 556,
-        'H', 530,
-        'I', 518,
-        'L', 365,
-        'M', 557,
-        'N', 355,
-        'O', 591,
-        'P', 573,
-        'R', 511,
-        'S', 582,
-        'T', 527,
-        'U', 552,
-        'W', 524,
-        '[', 330,
-        ']', 357,
+        'G', 562,
+        'H', 535,
+        'I', 523,
+        'L', 367,
+        'M', 563,
+        'N', 357,
+        'O', 572,
+        'P', 578,
+        'R', 516,
+        'S', 587,
+        'T', 530,
+        'U', 557,
+        'W', 529,
+        '[', 333,
+        ']', 360,
         '_', 174,
         'b', 44,
         'c', 30,
@@ -4274,56 +4288,112 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(309);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+          lookahead == 0xfeff) SKIP(311);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(600);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
       END_STATE();
-    case 310:
-      if (eof) ADVANCE(324);
+    case 312:
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '#', 466,
-        '$', 295,
-        '(', 422,
-        ')', 356,
-        '+', 444,
-        ',', 424,
-        '-', 443,
-        '.', 296,
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '#', 470,
+        '$', 297,
+        '(', 426,
+        ')', 359,
+        '.', 298,
+        '/', 353,
+        ';', 339,
+        '=', 361,
+        'B', 544,
+        'C', 503,
+        'D', 518,
+        'E', 550,
+        'G', 560,
+        'H', 534,
+        'I', 522,
+        'L', 368,
+        'M', 561,
+        'N', 358,
+        'O', 595,
+        'P', 577,
+        'R', 515,
+        'S', 586,
+        'T', 531,
+        'U', 556,
+        'W', 528,
+        '[', 333,
+        ']', 360,
+        '_', 174,
+        'b', 44,
+        'c', 30,
+        'd', 37,
+        'e', 48,
+        'i', 51,
+        'n', 181,
+        'o', 100,
+        'p', 58,
+        'r', 35,
+        's', 59,
+        't', 39,
+        'u', 53,
+        'w', 38,
+      );
+      if (lookahead == '\t' ||
+          lookahead == ' ' ||
+          lookahead == 0xfeff) SKIP(312);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
+      END_STATE();
+    case 313:
+      if (eof) ADVANCE(327);
+      ADVANCE_MAP(
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '#', 470,
+        '$', 297,
+        '(', 425,
+        ')', 359,
+        '+', 448,
+        ',', 427,
+        '-', 447,
+        '.', 298,
         '/', 104,
-        ';', 336,
-        '?', 491,
-        'A', 501,
-        'B', 528,
-        'C', 497,
-        'D', 507,
-        'E', 545,
-        'G', 556,
-        'H', 530,
-        'I', 517,
-        'L', 363,
-        'M', 557,
+        ';', 339,
+        '?', 495,
+        'A', 505,
+        'B', 532,
+        'C', 501,
+        'D', 511,
+        'E', 549,
+        'G', 560,
+        'H', 534,
+        'I', 521,
+        'L', 366,
+        'M', 561,
         'N', 115,
-        'O', 591,
-        'P', 492,
-        'R', 510,
-        'S', 532,
-        'T', 494,
-        'U', 552,
-        'W', 524,
-        '[', 330,
-        ']', 357,
+        'O', 595,
+        'P', 496,
+        'R', 514,
+        'S', 536,
+        'T', 498,
+        'U', 556,
+        'W', 528,
+        '[', 333,
+        ']', 360,
         '_', 174,
         'a', 32,
         'b', 42,
         'c', 29,
         'd', 33,
         'e', 47,
-        'i', 488,
+        'i', 492,
         'l', 56,
         'n', 118,
         'o', 100,
@@ -4336,49 +4406,49 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(311);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+          lookahead == 0xfeff) SKIP(314);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(101);
       END_STATE();
-    case 311:
-      if (eof) ADVANCE(324);
+    case 314:
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '#', 466,
-        '$', 295,
-        '(', 422,
-        ')', 356,
-        '+', 444,
-        ',', 424,
-        '-', 443,
-        '.', 296,
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '#', 470,
+        '$', 297,
+        '(', 425,
+        ')', 359,
+        '+', 448,
+        ',', 427,
+        '-', 447,
+        '.', 298,
         '/', 104,
-        ';', 336,
-        '?', 491,
-        'A', 501,
-        'B', 528,
-        'C', 497,
-        'D', 507,
-        'E', 545,
-        'G', 556,
-        'H', 530,
-        'I', 517,
-        'L', 363,
-        'M', 557,
+        ';', 339,
+        '?', 495,
+        'A', 505,
+        'B', 532,
+        'C', 501,
+        'D', 511,
+        'E', 549,
+        'G', 560,
+        'H', 534,
+        'I', 521,
+        'L', 366,
+        'M', 561,
         'N', 115,
-        'O', 591,
-        'P', 492,
-        'R', 510,
-        'S', 532,
-        'T', 494,
-        'U', 552,
-        'W', 524,
-        '[', 330,
-        ']', 357,
+        'O', 595,
+        'P', 496,
+        'R', 514,
+        'S', 536,
+        'T', 498,
+        'U', 556,
+        'W', 528,
+        '[', 333,
+        ']', 360,
         '_', 174,
         'a', 32,
         'b', 42,
@@ -4398,51 +4468,51 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(311);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+          lookahead == 0xfeff) SKIP(314);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(101);
       END_STATE();
-    case 312:
-      if (eof) ADVANCE(324);
+    case 315:
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '#', 466,
-        '$', 295,
-        '(', 422,
-        '+', 444,
-        '-', 443,
-        '.', 296,
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '#', 470,
+        '$', 297,
+        '(', 425,
+        '+', 448,
+        '-', 447,
+        '.', 298,
         '/', 104,
-        ';', 336,
-        '?', 491,
-        'A', 501,
-        'B', 529,
-        'C', 554,
-        'D', 515,
-        'E', 584,
-        'G', 556,
-        'H', 530,
-        'I', 551,
+        ';', 339,
+        '?', 495,
+        'A', 505,
+        'B', 533,
+        'C', 558,
+        'D', 519,
+        'E', 588,
+        'G', 560,
+        'H', 534,
+        'I', 555,
         'L', 7,
-        'M', 557,
+        'M', 561,
         'N', 116,
-        'O', 591,
-        'P', 493,
-        'R', 560,
-        'S', 533,
-        'T', 495,
-        '[', 330,
+        'O', 595,
+        'P', 497,
+        'R', 564,
+        'S', 537,
+        'T', 499,
+        '[', 333,
         '_', 174,
         'a', 32,
         'b', 43,
         'c', 54,
         'd', 36,
         'e', 60,
-        'i', 489,
+        'i', 493,
         'l', 56,
         'n', 119,
         'o', 100,
@@ -4453,44 +4523,44 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(313);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+          lookahead == 0xfeff) SKIP(316);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(101);
       END_STATE();
-    case 313:
-      if (eof) ADVANCE(324);
+    case 316:
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '#', 466,
-        '$', 295,
-        '(', 422,
-        '+', 444,
-        '-', 443,
-        '.', 296,
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '#', 470,
+        '$', 297,
+        '(', 425,
+        '+', 448,
+        '-', 447,
+        '.', 298,
         '/', 104,
-        ';', 336,
-        '?', 491,
-        'A', 501,
-        'B', 529,
-        'C', 554,
-        'D', 515,
-        'E', 584,
-        'G', 556,
-        'H', 530,
-        'I', 551,
+        ';', 339,
+        '?', 495,
+        'A', 505,
+        'B', 533,
+        'C', 558,
+        'D', 519,
+        'E', 588,
+        'G', 560,
+        'H', 534,
+        'I', 555,
         'L', 7,
-        'M', 557,
+        'M', 561,
         'N', 116,
-        'O', 591,
-        'P', 493,
-        'R', 560,
-        'S', 533,
-        'T', 495,
-        '[', 330,
+        'O', 595,
+        'P', 497,
+        'R', 564,
+        'S', 537,
+        'T', 499,
+        '[', 333,
         '_', 174,
         'a', 32,
         'b', 43,
@@ -4508,46 +4578,46 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(313);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+          lookahead == 0xfeff) SKIP(316);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(101);
       END_STATE();
-    case 314:
-      if (eof) ADVANCE(324);
+    case 317:
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '#', 466,
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '#', 470,
         '(', 179,
-        ')', 356,
-        '*', 445,
-        '+', 444,
-        '-', 443,
-        '.', 296,
-        '/', 446,
-        ';', 336,
-        'B', 540,
-        'C', 499,
-        'D', 514,
-        'E', 546,
-        'G', 556,
-        'H', 530,
-        'I', 518,
-        'L', 365,
-        'M', 557,
+        ')', 359,
+        '*', 449,
+        '+', 448,
+        '-', 447,
+        '.', 298,
+        '/', 450,
+        ';', 339,
+        'B', 544,
+        'C', 503,
+        'D', 518,
+        'E', 550,
+        'G', 560,
+        'H', 534,
+        'I', 522,
+        'L', 368,
+        'M', 561,
         'N', 127,
-        'O', 591,
-        'P', 573,
-        'R', 511,
-        'S', 582,
-        'T', 527,
-        'U', 552,
-        'W', 524,
-        '[', 330,
-        ']', 357,
+        'O', 595,
+        'P', 577,
+        'R', 515,
+        'S', 586,
+        'T', 531,
+        'U', 556,
+        'W', 528,
+        '[', 333,
+        ']', 360,
         '_', 174,
         'b', 44,
         'c', 30,
@@ -4565,47 +4635,47 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(314);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+          lookahead == 0xfeff) SKIP(317);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
       END_STATE();
-    case 315:
-      if (eof) ADVANCE(324);
+    case 318:
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '#', 466,
-        '(', 422,
-        ')', 356,
-        '*', 445,
-        '+', 444,
-        '-', 443,
-        '.', 296,
-        '/', 446,
-        ';', 336,
-        '=', 358,
-        'B', 540,
-        'C', 499,
-        'D', 514,
-        'E', 546,
-        'G', 556,
-        'H', 530,
-        'I', 518,
-        'L', 365,
-        'M', 557,
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '#', 470,
+        '(', 425,
+        ')', 359,
+        '*', 449,
+        '+', 448,
+        '-', 447,
+        '.', 298,
+        '/', 450,
+        ';', 339,
+        '=', 361,
+        'B', 544,
+        'C', 503,
+        'D', 518,
+        'E', 550,
+        'G', 560,
+        'H', 534,
+        'I', 522,
+        'L', 368,
+        'M', 561,
         'N', 127,
-        'O', 591,
-        'P', 573,
-        'R', 511,
-        'S', 582,
-        'T', 527,
-        'U', 552,
-        'W', 524,
-        '[', 330,
-        ']', 357,
+        'O', 595,
+        'P', 577,
+        'R', 515,
+        'S', 586,
+        'T', 531,
+        'U', 556,
+        'W', 528,
+        '[', 333,
+        ']', 360,
         '_', 174,
         'b', 44,
         'c', 30,
@@ -4623,43 +4693,43 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(315);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+          lookahead == 0xfeff) SKIP(318);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
       END_STATE();
-    case 316:
-      if (eof) ADVANCE(324);
+    case 319:
+      if (eof) ADVANCE(327);
       ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '#', 466,
-        ')', 356,
-        '.', 296,
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '#', 470,
+        ')', 359,
+        '.', 298,
         '/', 104,
-        ';', 336,
-        'A', 548,
-        'B', 540,
-        'C', 499,
-        'D', 514,
-        'E', 546,
-        'G', 556,
-        'H', 530,
-        'I', 518,
-        'L', 365,
-        'M', 557,
+        ';', 339,
+        'A', 552,
+        'B', 544,
+        'C', 503,
+        'D', 518,
+        'E', 550,
+        'G', 560,
+        'H', 534,
+        'I', 522,
+        'L', 368,
+        'M', 561,
         'N', 127,
-        'O', 569,
-        'P', 573,
-        'R', 511,
-        'S', 582,
-        'T', 527,
-        'U', 552,
-        'W', 524,
-        '[', 330,
-        ']', 357,
+        'O', 573,
+        'P', 577,
+        'R', 515,
+        'S', 586,
+        'T', 531,
+        'U', 556,
+        'W', 528,
+        '[', 333,
+        ']', 360,
         '_', 174,
         'a', 49,
         'b', 44,
@@ -4678,250 +4748,250 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(316);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
+          lookahead == 0xfeff) SKIP(319);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('F' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       if (('f' <= lookahead && lookahead <= 'z')) ADVANCE(101);
       END_STATE();
-    case 317:
-      if (eof) ADVANCE(324);
-      ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '$', 295,
-        '(', 179,
-        '*', 445,
-        '+', 444,
-        '-', 443,
-        '.', 296,
-        '/', 446,
-        ';', 336,
-        'E', 590,
-        'G', 563,
-        'H', 536,
-        'I', 588,
-        'L', 9,
-        'N', 130,
-        'O', 592,
-        '[', 330,
-        'i', 99,
-        'n', 300,
-        'o', 100,
-        'M', 564,
-        'T', 564,
-      );
-      if (lookahead == '\t' ||
-          lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(317);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(594);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
-      END_STATE();
-    case 318:
-      if (eof) ADVANCE(324);
-      ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '$', 295,
-        '(', 422,
-        '*', 445,
-        '+', 444,
-        '-', 443,
-        '.', 296,
-        '/', 446,
-        ';', 336,
-        'E', 590,
-        'G', 563,
-        'H', 536,
-        'I', 588,
-        'L', 9,
-        'N', 130,
-        'O', 592,
-        '[', 330,
-        'i', 99,
-        'n', 300,
-        'o', 100,
-        'M', 564,
-        'T', 564,
-      );
-      if (lookahead == '\t' ||
-          lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(318);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(594);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
-      END_STATE();
-    case 319:
-      if (eof) ADVANCE(324);
-      ADVANCE_MAP(
-        '\n', 327,
-        '\r', 326,
-        '"', 471,
-        '$', 295,
-        '(', 422,
-        '.', 296,
-        '/', 104,
-        ';', 336,
-        'E', 589,
-        'G', 556,
-        'H', 530,
-        'I', 587,
-        'L', 8,
-        'N', 128,
-        'O', 591,
-        '[', 330,
-        'i', 99,
-        'n', 300,
-        'o', 100,
-        'M', 557,
-        'T', 557,
-      );
-      if (lookahead == '\t' ||
-          lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(319);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(593);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
-      END_STATE();
     case 320:
-      if (eof) ADVANCE(324);
-      if (lookahead == '\n') ADVANCE(327);
-      if (lookahead == '\r') ADVANCE(326);
-      if (lookahead == '"') ADVANCE(471);
-      if (lookahead == '/') ADVANCE(104);
-      if (lookahead == ';') ADVANCE(336);
-      if (lookahead == '[') ADVANCE(330);
+      if (eof) ADVANCE(327);
+      ADVANCE_MAP(
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '$', 297,
+        '(', 179,
+        '*', 449,
+        '+', 448,
+        '-', 447,
+        '.', 298,
+        '/', 450,
+        ';', 339,
+        'E', 594,
+        'G', 567,
+        'H', 540,
+        'I', 592,
+        'L', 9,
+        'N', 130,
+        'O', 596,
+        '[', 333,
+        'i', 99,
+        'n', 304,
+        'o', 100,
+        'M', 568,
+        'T', 568,
+      );
       if (lookahead == '\t' ||
           lookahead == ' ' ||
           lookahead == 0xfeff) SKIP(320);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(598);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
       END_STATE();
     case 321:
-      if (eof) ADVANCE(324);
-      if (lookahead == '\n') ADVANCE(327);
-      if (lookahead == '\r') ADVANCE(326);
-      if (lookahead == '"') ADVANCE(471);
-      if (lookahead == '/') ADVANCE(340);
-      if (lookahead == ';') ADVANCE(342);
-      if (lookahead == '[') ADVANCE(330);
-      if (lookahead == 0xfeff) ADVANCE(339);
+      if (eof) ADVANCE(327);
+      ADVANCE_MAP(
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '$', 297,
+        '(', 425,
+        '*', 449,
+        '+', 448,
+        '-', 447,
+        '.', 298,
+        '/', 450,
+        ';', 339,
+        'E', 594,
+        'G', 567,
+        'H', 540,
+        'I', 592,
+        'L', 9,
+        'N', 130,
+        'O', 596,
+        '[', 333,
+        'i', 99,
+        'n', 304,
+        'o', 100,
+        'M', 568,
+        'T', 568,
+      );
       if (lookahead == '\t' ||
-          lookahead == ' ') SKIP(320);
-      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(293);
-      if (lookahead != 0) ADVANCE(341);
+          lookahead == ' ' ||
+          lookahead == 0xfeff) SKIP(321);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(598);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
       END_STATE();
     case 322:
-      if (eof) ADVANCE(324);
-      if (lookahead == '\n') ADVANCE(327);
-      if (lookahead == '\r') ADVANCE(326);
+      if (eof) ADVANCE(327);
+      ADVANCE_MAP(
+        '\n', 330,
+        '\r', 329,
+        '"', 475,
+        '$', 297,
+        '(', 425,
+        '.', 298,
+        '/', 104,
+        ';', 339,
+        'E', 593,
+        'G', 560,
+        'H', 534,
+        'I', 591,
+        'L', 8,
+        'N', 128,
+        'O', 595,
+        '[', 333,
+        'i', 99,
+        'n', 304,
+        'o', 100,
+        'M', 561,
+        'T', 561,
+      );
+      if (lookahead == '\t' ||
+          lookahead == ' ' ||
+          lookahead == 0xfeff) SKIP(322);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(597);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(101);
+      END_STATE();
+    case 323:
+      if (eof) ADVANCE(327);
+      if (lookahead == '\n') ADVANCE(330);
+      if (lookahead == '\r') ADVANCE(329);
+      if (lookahead == '"') ADVANCE(475);
       if (lookahead == '/') ADVANCE(104);
-      if (lookahead == ';') ADVANCE(336);
-      if (lookahead == '[') ADVANCE(330);
-      if (lookahead == 0xfeff) SKIP(323);
+      if (lookahead == ';') ADVANCE(339);
+      if (lookahead == '[') ADVANCE(333);
+      if (lookahead == '\t' ||
+          lookahead == ' ' ||
+          lookahead == 0xfeff) SKIP(323);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      END_STATE();
+    case 324:
+      if (eof) ADVANCE(327);
+      if (lookahead == '\n') ADVANCE(330);
+      if (lookahead == '\r') ADVANCE(329);
+      if (lookahead == '"') ADVANCE(475);
+      if (lookahead == '/') ADVANCE(343);
+      if (lookahead == ';') ADVANCE(345);
+      if (lookahead == '[') ADVANCE(333);
+      if (lookahead == 0xfeff) ADVANCE(342);
+      if (lookahead == '\t' ||
+          lookahead == ' ') SKIP(323);
+      if ((0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(295);
+      if (lookahead != 0) ADVANCE(344);
+      END_STATE();
+    case 325:
+      if (eof) ADVANCE(327);
+      if (lookahead == '\n') ADVANCE(330);
+      if (lookahead == '\r') ADVANCE(329);
+      if (lookahead == '/') ADVANCE(104);
+      if (lookahead == ';') ADVANCE(339);
+      if (lookahead == '[') ADVANCE(333);
+      if (lookahead == 0xfeff) SKIP(326);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(2);
       if (lookahead == ':' ||
           lookahead == '=') ADVANCE(184);
       END_STATE();
-    case 323:
-      if (eof) ADVANCE(324);
-      if (lookahead == '\n') ADVANCE(327);
-      if (lookahead == '\r') ADVANCE(326);
+    case 326:
+      if (eof) ADVANCE(327);
+      if (lookahead == '\n') ADVANCE(330);
+      if (lookahead == '\r') ADVANCE(329);
       if (lookahead == '/') ADVANCE(104);
-      if (lookahead == ';') ADVANCE(336);
-      if (lookahead == '[') ADVANCE(330);
+      if (lookahead == ';') ADVANCE(339);
+      if (lookahead == '[') ADVANCE(333);
       if (lookahead == '\t' ||
           lookahead == ' ' ||
-          lookahead == 0xfeff) SKIP(323);
-      END_STATE();
-    case 324:
-      ACCEPT_TOKEN(ts_builtin_sym_end);
-      END_STATE();
-    case 325:
-      ACCEPT_TOKEN(sym__end_of_line);
-      END_STATE();
-    case 326:
-      ACCEPT_TOKEN(sym__end_of_line);
-      if (lookahead == '\n') ADVANCE(325);
+          lookahead == 0xfeff) SKIP(326);
       END_STATE();
     case 327:
-      ACCEPT_TOKEN(sym__end_of_line);
-      if (lookahead == '\r') ADVANCE(327);
+      ACCEPT_TOKEN(ts_builtin_sym_end);
       END_STATE();
     case 328:
-      ACCEPT_TOKEN(sym_description_mark);
+      ACCEPT_TOKEN(sym__end_of_line);
       END_STATE();
     case 329:
-      ACCEPT_TOKEN(sym_comment);
+      ACCEPT_TOKEN(sym__end_of_line);
+      if (lookahead == '\n') ADVANCE(328);
       END_STATE();
     case 330:
-      ACCEPT_TOKEN(sym_unclosed_comment);
-      if (lookahead == '/') ADVANCE(331);
-      if (lookahead == ']') ADVANCE(329);
-      if (lookahead != 0) ADVANCE(332);
+      ACCEPT_TOKEN(sym__end_of_line);
+      if (lookahead == '\r') ADVANCE(330);
       END_STATE();
     case 331:
-      ACCEPT_TOKEN(sym_unclosed_comment);
-      if (lookahead == '/') ADVANCE(333);
-      if (lookahead == ']') ADVANCE(329);
-      if (lookahead != 0) ADVANCE(332);
+      ACCEPT_TOKEN(sym_description_mark);
       END_STATE();
     case 332:
-      ACCEPT_TOKEN(sym_unclosed_comment);
-      if (lookahead == ']') ADVANCE(329);
-      if (lookahead != 0) ADVANCE(332);
+      ACCEPT_TOKEN(sym_comment);
       END_STATE();
     case 333:
       ACCEPT_TOKEN(sym_unclosed_comment);
-      if (lookahead == ']') ADVANCE(328);
-      if (lookahead != 0) ADVANCE(332);
+      if (lookahead == '/') ADVANCE(334);
+      if (lookahead == ']') ADVANCE(332);
+      if (lookahead != 0) ADVANCE(335);
       END_STATE();
     case 334:
-      ACCEPT_TOKEN(sym_foreign_comment);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(334);
-      if (lookahead == '"' ||
-          (0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(336);
-      if (lookahead != 0 &&
-          lookahead != '\t' &&
-          lookahead != '\n' &&
-          lookahead != '\r' &&
-          lookahead != '[') ADVANCE(342);
+      ACCEPT_TOKEN(sym_unclosed_comment);
+      if (lookahead == '/') ADVANCE(336);
+      if (lookahead == ']') ADVANCE(332);
+      if (lookahead != 0) ADVANCE(335);
       END_STATE();
     case 335:
+      ACCEPT_TOKEN(sym_unclosed_comment);
+      if (lookahead == ']') ADVANCE(332);
+      if (lookahead != 0) ADVANCE(335);
+      END_STATE();
+    case 336:
+      ACCEPT_TOKEN(sym_unclosed_comment);
+      if (lookahead == ']') ADVANCE(331);
+      if (lookahead != 0) ADVANCE(335);
+      END_STATE();
+    case 337:
       ACCEPT_TOKEN(sym_foreign_comment);
       if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(335);
+          lookahead == ' ') ADVANCE(337);
+      if (lookahead == '"' ||
+          (0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(339);
       if (lookahead != 0 &&
           lookahead != '\t' &&
           lookahead != '\n' &&
           lookahead != '\r' &&
-          lookahead != '[') ADVANCE(348);
+          lookahead != '[') ADVANCE(345);
       END_STATE();
-    case 336:
+    case 338:
+      ACCEPT_TOKEN(sym_foreign_comment);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(338);
+      if (lookahead != 0 &&
+          lookahead != '\t' &&
+          lookahead != '\n' &&
+          lookahead != '\r' &&
+          lookahead != '[') ADVANCE(351);
+      END_STATE();
+    case 339:
       ACCEPT_TOKEN(sym_foreign_comment);
       if (lookahead != 0 &&
           lookahead != '\n' &&
           lookahead != '\r' &&
-          lookahead != '[') ADVANCE(336);
+          lookahead != '[') ADVANCE(339);
       END_STATE();
-    case 337:
+    case 340:
       ACCEPT_TOKEN(sym__parenthesis_comment);
       END_STATE();
-    case 338:
+    case 341:
       ACCEPT_TOKEN(anon_sym_PERCENT);
       END_STATE();
-    case 339:
+    case 342:
       ACCEPT_TOKEN(sym_program_name);
-      if (lookahead == '/') ADVANCE(340);
-      if (lookahead == ';') ADVANCE(342);
-      if (lookahead == 0xfeff) ADVANCE(339);
+      if (lookahead == '/') ADVANCE(343);
+      if (lookahead == ';') ADVANCE(345);
+      if (lookahead == 0xfeff) ADVANCE(342);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(1);
       if (lookahead != 0 &&
@@ -4930,1256 +5000,1260 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead != '\r' &&
           lookahead != '"' &&
           lookahead != '[' &&
-          (lookahead < 0x201c || 0x201e < lookahead)) ADVANCE(341);
-      END_STATE();
-    case 340:
-      ACCEPT_TOKEN(sym_program_name);
-      if (lookahead == '/') ADVANCE(342);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(183);
-      if (lookahead != 0 &&
-          lookahead != '\t' &&
-          lookahead != '\n' &&
-          lookahead != '\r' &&
-          lookahead != '"' &&
-          lookahead != '[' &&
-          (lookahead < 0x201c || 0x201e < lookahead)) ADVANCE(341);
-      END_STATE();
-    case 341:
-      ACCEPT_TOKEN(sym_program_name);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(183);
-      if (lookahead != 0 &&
-          lookahead != '\t' &&
-          lookahead != '\n' &&
-          lookahead != '\r' &&
-          lookahead != '"' &&
-          lookahead != '[' &&
-          (lookahead < 0x201c || 0x201e < lookahead)) ADVANCE(341);
-      END_STATE();
-    case 342:
-      ACCEPT_TOKEN(sym_program_name);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(334);
-      if (lookahead == '"' ||
-          (0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(336);
-      if (lookahead != 0 &&
-          lookahead != '\t' &&
-          lookahead != '\n' &&
-          lookahead != '\r' &&
-          lookahead != '[') ADVANCE(342);
+          (lookahead < 0x201c || 0x201e < lookahead)) ADVANCE(344);
       END_STATE();
     case 343:
+      ACCEPT_TOKEN(sym_program_name);
+      if (lookahead == '/') ADVANCE(345);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(183);
+      if (lookahead != 0 &&
+          lookahead != '\t' &&
+          lookahead != '\n' &&
+          lookahead != '\r' &&
+          lookahead != '"' &&
+          lookahead != '[' &&
+          (lookahead < 0x201c || 0x201e < lookahead)) ADVANCE(344);
+      END_STATE();
+    case 344:
+      ACCEPT_TOKEN(sym_program_name);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(183);
+      if (lookahead != 0 &&
+          lookahead != '\t' &&
+          lookahead != '\n' &&
+          lookahead != '\r' &&
+          lookahead != '"' &&
+          lookahead != '[' &&
+          (lookahead < 0x201c || 0x201e < lookahead)) ADVANCE(344);
+      END_STATE();
+    case 345:
+      ACCEPT_TOKEN(sym_program_name);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(337);
+      if (lookahead == '"' ||
+          (0x201c <= lookahead && lookahead <= 0x201e)) ADVANCE(339);
+      if (lookahead != 0 &&
+          lookahead != '\t' &&
+          lookahead != '\n' &&
+          lookahead != '\r' &&
+          lookahead != '[') ADVANCE(345);
+      END_STATE();
+    case 346:
       ACCEPT_TOKEN(sym_header_name);
       if (lookahead == '.') ADVANCE(182);
       END_STATE();
-    case 344:
+    case 347:
       ACCEPT_TOKEN(sym_header_name);
       if (lookahead == '.') ADVANCE(182);
-      if (lookahead == '_') ADVANCE(302);
+      if (lookahead == '_') ADVANCE(305);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(344);
+          lookahead != 0xfeff) ADVANCE(347);
       END_STATE();
-    case 345:
+    case 348:
       ACCEPT_TOKEN(sym_header_value);
-      if (lookahead == '/') ADVANCE(346);
-      if (lookahead == ';') ADVANCE(348);
-      if (lookahead == 0xfeff) ADVANCE(345);
+      if (lookahead == '/') ADVANCE(349);
+      if (lookahead == ';') ADVANCE(351);
+      if (lookahead == 0xfeff) ADVANCE(348);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(2);
       if (lookahead != 0 &&
           lookahead != '\t' &&
           lookahead != '\n' &&
           lookahead != '\r' &&
-          lookahead != '[') ADVANCE(347);
-      END_STATE();
-    case 346:
-      ACCEPT_TOKEN(sym_header_value);
-      if (lookahead == '/') ADVANCE(348);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(184);
-      if (lookahead != 0 &&
-          lookahead != '\t' &&
-          lookahead != '\n' &&
-          lookahead != '\r' &&
-          lookahead != '[') ADVANCE(347);
-      END_STATE();
-    case 347:
-      ACCEPT_TOKEN(sym_header_value);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(184);
-      if (lookahead != 0 &&
-          lookahead != '\t' &&
-          lookahead != '\n' &&
-          lookahead != '\r' &&
-          lookahead != '[') ADVANCE(347);
-      END_STATE();
-    case 348:
-      ACCEPT_TOKEN(sym_header_value);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(335);
-      if (lookahead != 0 &&
-          lookahead != '\t' &&
-          lookahead != '\n' &&
-          lookahead != '\r' &&
-          lookahead != '[') ADVANCE(348);
+          lookahead != '[') ADVANCE(350);
       END_STATE();
     case 349:
-      ACCEPT_TOKEN(sym_slide);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(349);
+      ACCEPT_TOKEN(sym_header_value);
+      if (lookahead == '/') ADVANCE(351);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(184);
+      if (lookahead != 0 &&
+          lookahead != '\t' &&
+          lookahead != '\n' &&
+          lookahead != '\r' &&
+          lookahead != '[') ADVANCE(350);
       END_STATE();
     case 350:
-      ACCEPT_TOKEN(sym_skip);
-      if (lookahead == '/') ADVANCE(336);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(351);
+      ACCEPT_TOKEN(sym_header_value);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(184);
+      if (lookahead != 0 &&
+          lookahead != '\t' &&
+          lookahead != '\n' &&
+          lookahead != '\r' &&
+          lookahead != '[') ADVANCE(350);
       END_STATE();
     case 351:
-      ACCEPT_TOKEN(sym_skip);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(351);
+      ACCEPT_TOKEN(sym_header_value);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(338);
+      if (lookahead != 0 &&
+          lookahead != '\t' &&
+          lookahead != '\n' &&
+          lookahead != '\r' &&
+          lookahead != '[') ADVANCE(351);
       END_STATE();
     case 352:
-      ACCEPT_TOKEN(sym_block_number);
+      ACCEPT_TOKEN(sym_slide);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
       END_STATE();
     case 353:
-      ACCEPT_TOKEN(anon_sym_N);
-      if (lookahead == 'D') ADVANCE(509);
-      if (lookahead == 'E') ADVANCE(455);
-      if (lookahead == 'd') ADVANCE(209);
-      if (lookahead == 'e') ADVANCE(454);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+      ACCEPT_TOKEN(sym_skip);
+      if (lookahead == '/') ADVANCE(339);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(354);
       END_STATE();
     case 354:
-      ACCEPT_TOKEN(anon_sym_N);
-      if (lookahead == 'E') ADVANCE(598);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
+      ACCEPT_TOKEN(sym_skip);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(354);
       END_STATE();
     case 355:
-      ACCEPT_TOKEN(anon_sym_N);
-      if (lookahead == 'E') ADVANCE(598);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(180);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(352);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+      ACCEPT_TOKEN(sym_block_number);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
       END_STATE();
     case 356:
-      ACCEPT_TOKEN(anon_sym_RPAREN);
+      ACCEPT_TOKEN(anon_sym_N);
+      if (lookahead == 'D') ADVANCE(513);
+      if (lookahead == 'E') ADVANCE(459);
+      if (lookahead == 'd') ADVANCE(210);
+      if (lookahead == 'e') ADVANCE(458);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(180);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 357:
-      ACCEPT_TOKEN(sym_stray_bracket);
+      ACCEPT_TOKEN(anon_sym_N);
+      if (lookahead == 'E') ADVANCE(602);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(180);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(303);
       END_STATE();
     case 358:
-      ACCEPT_TOKEN(anon_sym_EQ);
-      if (lookahead == '=') ADVANCE(360);
+      ACCEPT_TOKEN(anon_sym_N);
+      if (lookahead == 'E') ADVANCE(602);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(180);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(355);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 359:
-      ACCEPT_TOKEN(anon_sym_EQ);
-      if (lookahead == '=') ADVANCE(360);
-      if (('<' <= lookahead && lookahead <= '>')) ADVANCE(454);
+      ACCEPT_TOKEN(anon_sym_RPAREN);
       END_STATE();
     case 360:
-      ACCEPT_TOKEN(anon_sym_EQ_EQ);
+      ACCEPT_TOKEN(sym_stray_bracket);
       END_STATE();
     case 361:
-      ACCEPT_TOKEN(anon_sym_L);
-      ADVANCE_MAP(
-        '.', 23,
-        'E', 455,
-        'O', 523,
-        'T', 457,
-        'i', 19,
-        'o', 219,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-        'e', 454,
-        't', 454,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+      ACCEPT_TOKEN(anon_sym_EQ);
+      if (lookahead == '=') ADVANCE(363);
       END_STATE();
     case 362:
-      ACCEPT_TOKEN(anon_sym_L);
-      ADVANCE_MAP(
-        '.', 23,
-        'E', 455,
-        'T', 457,
-        'i', 19,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-        'e', 454,
-        't', 454,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+      ACCEPT_TOKEN(anon_sym_EQ);
+      if (lookahead == '=') ADVANCE(363);
+      if (('<' <= lookahead && lookahead <= '>')) ADVANCE(458);
       END_STATE();
     case 363:
-      ACCEPT_TOKEN(anon_sym_L);
-      ADVANCE_MAP(
-        '.', 23,
-        'E', 598,
-        'O', 523,
-        'i', 19,
-        'o', 219,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'S') ||
-          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'S' < lookahead) &&
-          (lookahead < 'U' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+      ACCEPT_TOKEN(anon_sym_EQ_EQ);
       END_STATE();
     case 364:
       ACCEPT_TOKEN(anon_sym_L);
       ADVANCE_MAP(
         '.', 23,
-        'E', 598,
-        'T', 303,
+        'E', 459,
+        'O', 527,
+        'T', 461,
+        'i', 19,
+        'o', 220,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+        'e', 458,
+        't', 458,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 365:
+      ACCEPT_TOKEN(anon_sym_L);
+      ADVANCE_MAP(
+        '.', 23,
+        'E', 459,
+        'T', 461,
+        'i', 19,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+        'e', 458,
+        't', 458,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 366:
+      ACCEPT_TOKEN(anon_sym_L);
+      ADVANCE_MAP(
+        '.', 23,
+        'E', 602,
+        'O', 527,
+        'i', 19,
+        'o', 220,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'S') ||
+          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'S' < lookahead) &&
+          (lookahead < 'U' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 367:
+      ACCEPT_TOKEN(anon_sym_L);
+      ADVANCE_MAP(
+        '.', 23,
+        'E', 602,
+        'T', 306,
         'i', 20,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
+          lookahead != 0xfeff) ADVANCE(303);
       END_STATE();
-    case 365:
+    case 368:
       ACCEPT_TOKEN(anon_sym_L);
       if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'E') ADVANCE(598);
+      if (lookahead == 'E') ADVANCE(602);
       if (lookahead == 'i') ADVANCE(19);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (('A' <= lookahead && lookahead <= 'S') ||
-          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'S' < lookahead) &&
           (lookahead < 'U' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 366:
-      ACCEPT_TOKEN(aux_sym_if_statement_token1);
-      END_STATE();
-    case 367:
-      ACCEPT_TOKEN(aux_sym_if_statement_token1);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 368:
-      ACCEPT_TOKEN(aux_sym_if_statement_token1);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(304);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 369:
-      ACCEPT_TOKEN(aux_sym_then_statement_token1);
+      ACCEPT_TOKEN(aux_sym_if_statement_token1);
       END_STATE();
     case 370:
-      ACCEPT_TOKEN(aux_sym_then_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
+      ACCEPT_TOKEN(aux_sym_if_statement_token1);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 371:
+      ACCEPT_TOKEN(aux_sym_if_statement_token1);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(307);
+      END_STATE();
+    case 372:
+      ACCEPT_TOKEN(aux_sym_then_statement_token1);
+      END_STATE();
+    case 373:
+      ACCEPT_TOKEN(aux_sym_then_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 374:
       ACCEPT_TOKEN(aux_sym_then_statement_token1);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 372:
-      ACCEPT_TOKEN(aux_sym_else_statement_token1);
-      END_STATE();
-    case 373:
-      ACCEPT_TOKEN(aux_sym_else_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 374:
-      ACCEPT_TOKEN(aux_sym_else_statement_token1);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 375:
-      ACCEPT_TOKEN(aux_sym_endif_statement_token1);
+      ACCEPT_TOKEN(aux_sym_else_statement_token1);
       END_STATE();
     case 376:
-      ACCEPT_TOKEN(aux_sym_endif_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
+      ACCEPT_TOKEN(aux_sym_else_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 377:
+      ACCEPT_TOKEN(aux_sym_else_statement_token1);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 378:
+      ACCEPT_TOKEN(aux_sym_endif_statement_token1);
+      END_STATE();
+    case 379:
+      ACCEPT_TOKEN(aux_sym_endif_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 380:
       ACCEPT_TOKEN(aux_sym_endif_statement_token1);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 378:
-      ACCEPT_TOKEN(aux_sym_while_statement_token1);
-      END_STATE();
-    case 379:
-      ACCEPT_TOKEN(aux_sym_while_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 380:
-      ACCEPT_TOKEN(aux_sym_while_statement_token1);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 381:
-      ACCEPT_TOKEN(aux_sym_endwhile_statement_token1);
+      ACCEPT_TOKEN(aux_sym_while_statement_token1);
       END_STATE();
     case 382:
-      ACCEPT_TOKEN(aux_sym_endwhile_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
+      ACCEPT_TOKEN(aux_sym_while_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 383:
+      ACCEPT_TOKEN(aux_sym_while_statement_token1);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 384:
+      ACCEPT_TOKEN(aux_sym_endwhile_statement_token1);
+      END_STATE();
+    case 385:
+      ACCEPT_TOKEN(aux_sym_endwhile_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 386:
       ACCEPT_TOKEN(aux_sym_endwhile_statement_token1);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 384:
-      ACCEPT_TOKEN(aux_sym_switch_statement_token1);
-      END_STATE();
-    case 385:
-      ACCEPT_TOKEN(aux_sym_switch_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 386:
-      ACCEPT_TOKEN(aux_sym_switch_statement_token1);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 387:
-      ACCEPT_TOKEN(aux_sym_case_statement_token1);
+      ACCEPT_TOKEN(aux_sym_switch_statement_token1);
       END_STATE();
     case 388:
-      ACCEPT_TOKEN(aux_sym_case_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
+      ACCEPT_TOKEN(aux_sym_switch_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 389:
+      ACCEPT_TOKEN(aux_sym_switch_statement_token1);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 390:
+      ACCEPT_TOKEN(aux_sym_case_statement_token1);
+      END_STATE();
+    case 391:
+      ACCEPT_TOKEN(aux_sym_case_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 392:
       ACCEPT_TOKEN(aux_sym_case_statement_token1);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 390:
-      ACCEPT_TOKEN(aux_sym_default_statement_token1);
-      END_STATE();
-    case 391:
-      ACCEPT_TOKEN(aux_sym_default_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 392:
-      ACCEPT_TOKEN(aux_sym_default_statement_token1);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 393:
-      ACCEPT_TOKEN(aux_sym_break_statement_token1);
+      ACCEPT_TOKEN(aux_sym_default_statement_token1);
       END_STATE();
     case 394:
-      ACCEPT_TOKEN(aux_sym_break_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
+      ACCEPT_TOKEN(aux_sym_default_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 395:
+      ACCEPT_TOKEN(aux_sym_default_statement_token1);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 396:
+      ACCEPT_TOKEN(aux_sym_break_statement_token1);
+      END_STATE();
+    case 397:
+      ACCEPT_TOKEN(aux_sym_break_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 398:
       ACCEPT_TOKEN(aux_sym_break_statement_token1);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 396:
-      ACCEPT_TOKEN(aux_sym_endswitch_statement_token1);
-      END_STATE();
-    case 397:
-      ACCEPT_TOKEN(aux_sym_endswitch_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 398:
-      ACCEPT_TOKEN(aux_sym_endswitch_statement_token1);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 399:
-      ACCEPT_TOKEN(aux_sym_return_statement_token1);
+      ACCEPT_TOKEN(aux_sym_endswitch_statement_token1);
       END_STATE();
     case 400:
-      ACCEPT_TOKEN(aux_sym_return_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
+      ACCEPT_TOKEN(aux_sym_endswitch_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 401:
+      ACCEPT_TOKEN(aux_sym_endswitch_statement_token1);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 402:
+      ACCEPT_TOKEN(aux_sym_return_statement_token1);
+      END_STATE();
+    case 403:
+      ACCEPT_TOKEN(aux_sym_return_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 404:
       ACCEPT_TOKEN(aux_sym_return_statement_token1);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 402:
-      ACCEPT_TOKEN(aux_sym_output_statement_token1);
-      END_STATE();
-    case 403:
-      ACCEPT_TOKEN(aux_sym_output_statement_token1);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 404:
-      ACCEPT_TOKEN(aux_sym_output_statement_token1);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 405:
-      ACCEPT_TOKEN(aux_sym_output_statement_token2);
+      ACCEPT_TOKEN(aux_sym_output_statement_token1);
       END_STATE();
     case 406:
-      ACCEPT_TOKEN(aux_sym_output_statement_token2);
-      if (lookahead == '_') ADVANCE(303);
+      ACCEPT_TOKEN(aux_sym_output_statement_token1);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 407:
+      ACCEPT_TOKEN(aux_sym_output_statement_token1);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 408:
+      ACCEPT_TOKEN(aux_sym_output_statement_token2);
+      END_STATE();
+    case 409:
+      ACCEPT_TOKEN(aux_sym_output_statement_token2);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 410:
       ACCEPT_TOKEN(aux_sym_output_statement_token2);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 408:
-      ACCEPT_TOKEN(aux_sym_output_statement_token3);
-      END_STATE();
-    case 409:
-      ACCEPT_TOKEN(aux_sym_output_statement_token3);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 410:
-      ACCEPT_TOKEN(aux_sym_output_statement_token3);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 411:
-      ACCEPT_TOKEN(aux_sym_unit_start_token1);
+      ACCEPT_TOKEN(aux_sym_output_statement_token3);
       END_STATE();
     case 412:
-      ACCEPT_TOKEN(aux_sym_unit_start_token1);
-      if (lookahead == '_') ADVANCE(303);
+      ACCEPT_TOKEN(aux_sym_output_statement_token3);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 413:
+      ACCEPT_TOKEN(aux_sym_output_statement_token3);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 414:
+      ACCEPT_TOKEN(aux_sym_unit_start_token1);
+      END_STATE();
+    case 415:
+      ACCEPT_TOKEN(aux_sym_unit_start_token1);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 416:
       ACCEPT_TOKEN(aux_sym_unit_start_token1);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 414:
-      ACCEPT_TOKEN(aux_sym_unit_end_token1);
-      END_STATE();
-    case 415:
-      ACCEPT_TOKEN(aux_sym_unit_end_token1);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 416:
-      ACCEPT_TOKEN(aux_sym_group_start_token1);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 417:
-      ACCEPT_TOKEN(aux_sym_group_start_token1);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+      ACCEPT_TOKEN(aux_sym_unit_end_token1);
       END_STATE();
     case 418:
+      ACCEPT_TOKEN(aux_sym_unit_end_token1);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 419:
+      ACCEPT_TOKEN(aux_sym_group_start_token1);
+      END_STATE();
+    case 420:
+      ACCEPT_TOKEN(aux_sym_group_start_token1);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 421:
       ACCEPT_TOKEN(aux_sym_group_start_token1);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
-    case 419:
+    case 422:
       ACCEPT_TOKEN(aux_sym_group_end_token1);
       END_STATE();
-    case 420:
+    case 423:
       ACCEPT_TOKEN(aux_sym_group_end_token1);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 421:
+    case 424:
       ACCEPT_TOKEN(aux_sym_group_end_token1);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
-    case 422:
+    case 425:
       ACCEPT_TOKEN(anon_sym_LPAREN);
       END_STATE();
-    case 423:
+    case 426:
       ACCEPT_TOKEN(anon_sym_LPAREN);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(179);
       if (('A' <= lookahead && lookahead <= 'Z') ||
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(6);
       END_STATE();
-    case 424:
-      ACCEPT_TOKEN(anon_sym_COMMA);
-      END_STATE();
-    case 425:
-      ACCEPT_TOKEN(sym_function);
-      END_STATE();
-    case 426:
-      ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'M') ADVANCE(431);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'm') ADVANCE(425);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
     case 427:
-      ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'M') ADVANCE(430);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'm') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+      ACCEPT_TOKEN(anon_sym_COMMA);
       END_STATE();
     case 428:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'A' ||
-          lookahead == 'S') ADVANCE(431);
-      if (lookahead == 'a' ||
-          lookahead == 's') ADVANCE(425);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'A' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
       END_STATE();
     case 429:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'A' ||
-          lookahead == 'S') ADVANCE(430);
-      if (lookahead == 'a' ||
-          lookahead == 's') ADVANCE(436);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 430:
-      ACCEPT_TOKEN(sym_function);
-      if (lookahead == '_') ADVANCE(303);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 431:
-      ACCEPT_TOKEN(sym_function);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == 'M') ADVANCE(434);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'm') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 432:
+    case 430:
       ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'M' ||
-          lookahead == 'm') ADVANCE(425);
-      END_STATE();
-    case 433:
-      ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'M' ||
-          lookahead == 'm') ADVANCE(436);
+      if (lookahead == 'M') ADVANCE(433);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'm') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 434:
+    case 431:
       ACCEPT_TOKEN(sym_function);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 'A' ||
-          lookahead == 'S' ||
-          lookahead == 'a' ||
-          lookahead == 's') ADVANCE(425);
-      END_STATE();
-    case 435:
-      ACCEPT_TOKEN(sym_function);
-      if (lookahead == 'A' ||
-          lookahead == 'S' ||
-          lookahead == 'a' ||
-          lookahead == 's') ADVANCE(436);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('B' <= lookahead && lookahead <= 'Z') ||
-          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 436:
-      ACCEPT_TOKEN(sym_function);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 437:
-      ACCEPT_TOKEN(sym__vacancy);
-      END_STATE();
-    case 438:
-      ACCEPT_TOKEN(sym__vacancy);
-      if (lookahead == 'A') ADVANCE(707);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'a') ADVANCE(285);
+          lookahead == 'S') ADVANCE(434);
+      if (lookahead == 'a' ||
+          lookahead == 's') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'A' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 439:
-      ACCEPT_TOKEN(sym__vacancy);
-      if (lookahead == '_') ADVANCE(303);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+    case 432:
+      ACCEPT_TOKEN(sym_function);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'A' ||
+          lookahead == 'S') ADVANCE(433);
+      if (lookahead == 'a' ||
+          lookahead == 's') ADVANCE(439);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 433:
+      ACCEPT_TOKEN(sym_function);
+      if (lookahead == '_') ADVANCE(306);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 434:
+      ACCEPT_TOKEN(sym_function);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 435:
+      ACCEPT_TOKEN(sym_function);
+      if (lookahead == 'M' ||
+          lookahead == 'm') ADVANCE(428);
+      END_STATE();
+    case 436:
+      ACCEPT_TOKEN(sym_function);
+      if (lookahead == 'M' ||
+          lookahead == 'm') ADVANCE(439);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 437:
+      ACCEPT_TOKEN(sym_function);
+      if (lookahead == 'A' ||
+          lookahead == 'S' ||
+          lookahead == 'a' ||
+          lookahead == 's') ADVANCE(428);
+      END_STATE();
+    case 438:
+      ACCEPT_TOKEN(sym_function);
+      if (lookahead == 'A' ||
+          lookahead == 'S' ||
+          lookahead == 'a' ||
+          lookahead == 's') ADVANCE(439);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('B' <= lookahead && lookahead <= 'Z') ||
+          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 439:
+      ACCEPT_TOKEN(sym_function);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 440:
       ACCEPT_TOKEN(sym__vacancy);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
       END_STATE();
     case 441:
       ACCEPT_TOKEN(sym__vacancy);
-      if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(285);
+      if (lookahead == 'A') ADVANCE(711);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'a') ADVANCE(287);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'A' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 442:
       ACCEPT_TOKEN(sym__vacancy);
+      if (lookahead == '_') ADVANCE(306);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 443:
-      ACCEPT_TOKEN(anon_sym_DASH);
+      ACCEPT_TOKEN(sym__vacancy);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 444:
-      ACCEPT_TOKEN(anon_sym_PLUS);
+      ACCEPT_TOKEN(sym__vacancy);
+      if (lookahead == 'A' ||
+          lookahead == 'a') ADVANCE(287);
       END_STATE();
     case 445:
-      ACCEPT_TOKEN(anon_sym_STAR);
+      ACCEPT_TOKEN(sym__vacancy);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 446:
-      ACCEPT_TOKEN(anon_sym_SLASH);
-      if (lookahead == '/') ADVANCE(336);
+      ACCEPT_TOKEN(sym__signless_variable);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(446);
       END_STATE();
     case 447:
-      ACCEPT_TOKEN(sym__and);
+      ACCEPT_TOKEN(anon_sym_DASH);
       END_STATE();
     case 448:
-      ACCEPT_TOKEN(sym__and);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+      ACCEPT_TOKEN(anon_sym_PLUS);
       END_STATE();
     case 449:
-      ACCEPT_TOKEN(sym__or);
+      ACCEPT_TOKEN(anon_sym_STAR);
       END_STATE();
     case 450:
+      ACCEPT_TOKEN(anon_sym_SLASH);
+      if (lookahead == '/') ADVANCE(339);
+      END_STATE();
+    case 451:
+      ACCEPT_TOKEN(sym__and);
+      END_STATE();
+    case 452:
+      ACCEPT_TOKEN(sym__and);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 453:
+      ACCEPT_TOKEN(sym__or);
+      END_STATE();
+    case 454:
       ACCEPT_TOKEN(sym__or);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 451:
-      ACCEPT_TOKEN(sym__comparison);
-      END_STATE();
-    case 452:
-      ACCEPT_TOKEN(sym__comparison);
-      if (lookahead == '<') ADVANCE(454);
-      if (lookahead == '=') ADVANCE(451);
-      END_STATE();
-    case 453:
-      ACCEPT_TOKEN(sym__comparison);
-      if (lookahead == '=' ||
-          lookahead == '>') ADVANCE(451);
-      END_STATE();
-    case 454:
-      ACCEPT_TOKEN(sym_foreign_operator);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 455:
+      ACCEPT_TOKEN(sym__comparison);
+      END_STATE();
+    case 456:
+      ACCEPT_TOKEN(sym__comparison);
+      if (lookahead == '<') ADVANCE(458);
+      if (lookahead == '=') ADVANCE(455);
+      END_STATE();
+    case 457:
+      ACCEPT_TOKEN(sym__comparison);
+      if (lookahead == '=' ||
+          lookahead == '>') ADVANCE(455);
+      END_STATE();
+    case 458:
+      ACCEPT_TOKEN(sym_foreign_operator);
+      END_STATE();
+    case 459:
       ACCEPT_TOKEN(sym_foreign_operator);
       if (lookahead == '.') ADVANCE(23);
       if (lookahead == 'i') ADVANCE(22);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 456:
-      ACCEPT_TOKEN(sym_foreign_operator);
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
-      END_STATE();
-    case 457:
-      ACCEPT_TOKEN(sym_foreign_operator);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 458:
-      ACCEPT_TOKEN(sym_number);
-      if (lookahead == '.') ADVANCE(459);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(458);
-      END_STATE();
-    case 459:
-      ACCEPT_TOKEN(sym_number);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(459);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 460:
-      ACCEPT_TOKEN(sym_variable);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(460);
+      ACCEPT_TOKEN(sym_foreign_operator);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(61);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 461:
-      ACCEPT_TOKEN(sym_variable_kind);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(460);
-      END_STATE();
-    case 462:
-      ACCEPT_TOKEN(sym_variable_kind);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(460);
+      ACCEPT_TOKEN(sym_foreign_operator);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(344);
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 462:
+      ACCEPT_TOKEN(sym_number);
+      if (lookahead == '.') ADVANCE(463);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(462);
       END_STATE();
     case 463:
+      ACCEPT_TOKEN(sym_number);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(463);
+      END_STATE();
+    case 464:
+      ACCEPT_TOKEN(sym_variable);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(464);
+      END_STATE();
+    case 465:
+      ACCEPT_TOKEN(sym_variable_kind);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(464);
+      END_STATE();
+    case 466:
+      ACCEPT_TOKEN(sym_variable_kind);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(464);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(347);
+      END_STATE();
+    case 467:
       ACCEPT_TOKEN(sym_named_variable);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
           lookahead == '_' ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(463);
-      END_STATE();
-    case 464:
-      ACCEPT_TOKEN(sym_transfer_variable);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          lookahead == '_' ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(464);
-      END_STATE();
-    case 465:
-      ACCEPT_TOKEN(anon_sym_POUND);
-      if (lookahead == '_') ADVANCE(175);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(176);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(467);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(462);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(461);
-      END_STATE();
-    case 466:
-      ACCEPT_TOKEN(anon_sym_POUND);
-      if (lookahead == '_') ADVANCE(175);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(176);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(467);
-      if (('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(461);
-      END_STATE();
-    case 467:
-      ACCEPT_TOKEN(sym_foreign_variable);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(467);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(467);
       END_STATE();
     case 468:
-      ACCEPT_TOKEN(sym_constant);
+      ACCEPT_TOKEN(sym_transfer_variable);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
           lookahead == '_' ||
           ('a' <= lookahead && lookahead <= 'z')) ADVANCE(468);
       END_STATE();
     case 469:
+      ACCEPT_TOKEN(anon_sym_POUND);
+      if (lookahead == '_') ADVANCE(175);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(176);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(471);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(466);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(465);
+      END_STATE();
+    case 470:
+      ACCEPT_TOKEN(anon_sym_POUND);
+      if (lookahead == '_') ADVANCE(175);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(176);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(471);
+      if (('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(465);
+      END_STATE();
+    case 471:
+      ACCEPT_TOKEN(sym_foreign_variable);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(471);
+      END_STATE();
+    case 472:
+      ACCEPT_TOKEN(sym_constant);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          lookahead == '_' ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(472);
+      END_STATE();
+    case 473:
       ACCEPT_TOKEN(sym_internal_constant);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
           lookahead == '_' ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(469);
-      END_STATE();
-    case 470:
-      ACCEPT_TOKEN(sym_string);
-      END_STATE();
-    case 471:
-      ACCEPT_TOKEN(sym_unclosed_string);
-      if (lookahead == '"') ADVANCE(470);
-      if (lookahead != 0 &&
-          lookahead != '\n' &&
-          lookahead != '\r') ADVANCE(471);
-      END_STATE();
-    case 472:
-      ACCEPT_TOKEN(sym_typographic_string);
-      END_STATE();
-    case 473:
-      ACCEPT_TOKEN(sym_letter_o_word);
-      if (lookahead == ',') ADVANCE(298);
-      if (lookahead == '.') ADVANCE(476);
-      if (lookahead == 'O') ADVANCE(479);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(473);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(473);
       END_STATE();
     case 474:
-      ACCEPT_TOKEN(sym_letter_o_word);
-      if (lookahead == '.') ADVANCE(476);
-      if (lookahead == 'O') ADVANCE(477);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(473);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+      ACCEPT_TOKEN(sym_string);
       END_STATE();
     case 475:
-      ACCEPT_TOKEN(sym_letter_o_word);
-      if (lookahead == '.') ADVANCE(476);
-      if (lookahead == 'O') ADVANCE(479);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(473);
+      ACCEPT_TOKEN(sym_unclosed_string);
+      if (lookahead == '"') ADVANCE(474);
+      if (lookahead != 0 &&
+          lookahead != '\n' &&
+          lookahead != '\r') ADVANCE(475);
       END_STATE();
     case 476:
-      ACCEPT_TOKEN(sym_letter_o_word);
-      if (lookahead == '.') ADVANCE(478);
-      if (lookahead == 'O') ADVANCE(479);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(476);
+      ACCEPT_TOKEN(sym_typographic_string);
       END_STATE();
     case 477:
       ACCEPT_TOKEN(sym_letter_o_word);
-      if (lookahead == 'O') ADVANCE(477);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == '.' ||
-          ('0' <= lookahead && lookahead <= '9')) ADVANCE(479);
+      if (lookahead == ',') ADVANCE(300);
+      if (lookahead == '.') ADVANCE(480);
+      if (lookahead == 'O') ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(477);
+      END_STATE();
+    case 478:
+      ACCEPT_TOKEN(sym_letter_o_word);
+      if (lookahead == '.') ADVANCE(480);
+      if (lookahead == 'O') ADVANCE(481);
+      if (lookahead == 'i') ADVANCE(19);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(477);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 478:
-      ACCEPT_TOKEN(sym_letter_o_word);
-      if (lookahead == 'O') ADVANCE(479);
-      if (lookahead == '.' ||
-          ('0' <= lookahead && lookahead <= '9')) ADVANCE(478);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 479:
       ACCEPT_TOKEN(sym_letter_o_word);
-      if (lookahead == '.' ||
-          ('0' <= lookahead && lookahead <= '9') ||
-          lookahead == 'O') ADVANCE(479);
+      if (lookahead == '.') ADVANCE(480);
+      if (lookahead == 'O') ADVANCE(483);
+      if (lookahead == 'i') ADVANCE(19);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(477);
       END_STATE();
     case 480:
-      ACCEPT_TOKEN(sym_literal_word);
-      if (lookahead == ',') ADVANCE(298);
+      ACCEPT_TOKEN(sym_letter_o_word);
       if (lookahead == '.') ADVANCE(482);
-      if (lookahead == 'O') ADVANCE(479);
+      if (lookahead == 'O') ADVANCE(483);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
       END_STATE();
     case 481:
-      ACCEPT_TOKEN(sym_literal_word);
-      if (lookahead == ',') ADVANCE(298);
-      if (lookahead == '.') ADVANCE(482);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      ACCEPT_TOKEN(sym_letter_o_word);
+      if (lookahead == 'O') ADVANCE(481);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == '.' ||
+          ('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 482:
-      ACCEPT_TOKEN(sym_literal_word);
-      if (lookahead == '.') ADVANCE(487);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(482);
+      ACCEPT_TOKEN(sym_letter_o_word);
+      if (lookahead == 'O') ADVANCE(483);
+      if (lookahead == '.' ||
+          ('0' <= lookahead && lookahead <= '9')) ADVANCE(482);
       END_STATE();
     case 483:
-      ACCEPT_TOKEN(sym_lower_case_word);
-      if (lookahead == '.') ADVANCE(484);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      ACCEPT_TOKEN(sym_letter_o_word);
+      if (lookahead == '.' ||
+          ('0' <= lookahead && lookahead <= '9') ||
+          lookahead == 'O') ADVANCE(483);
       END_STATE();
     case 484:
-      ACCEPT_TOKEN(sym_lower_case_word);
+      ACCEPT_TOKEN(sym_literal_word);
+      if (lookahead == ',') ADVANCE(300);
+      if (lookahead == '.') ADVANCE(486);
+      if (lookahead == 'O') ADVANCE(483);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
       END_STATE();
     case 485:
-      ACCEPT_TOKEN(sym_malformed_word);
+      ACCEPT_TOKEN(sym_literal_word);
+      if (lookahead == ',') ADVANCE(300);
       if (lookahead == '.') ADVANCE(486);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 486:
-      ACCEPT_TOKEN(sym_malformed_word);
+      ACCEPT_TOKEN(sym_literal_word);
+      if (lookahead == '.') ADVANCE(491);
       if (('0' <= lookahead && lookahead <= '9')) ADVANCE(486);
       END_STATE();
     case 487:
-      ACCEPT_TOKEN(sym_malformed_word);
-      if (lookahead == '.' ||
-          ('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
+      ACCEPT_TOKEN(sym_lower_case_word);
+      if (lookahead == '.') ADVANCE(488);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       END_STATE();
     case 488:
+      ACCEPT_TOKEN(sym_lower_case_word);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(488);
+      END_STATE();
+    case 489:
+      ACCEPT_TOKEN(sym_malformed_word);
+      if (lookahead == '.') ADVANCE(490);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(489);
+      END_STATE();
+    case 490:
+      ACCEPT_TOKEN(sym_malformed_word);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(490);
+      END_STATE();
+    case 491:
+      ACCEPT_TOKEN(sym_malformed_word);
+      if (lookahead == '.' ||
+          ('0' <= lookahead && lookahead <= '9')) ADVANCE(491);
+      END_STATE();
+    case 492:
       ACCEPT_TOKEN(sym_incremental);
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'N') ADVANCE(260);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'N') ADVANCE(262);
       if (lookahead == 'n') ADVANCE(85);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
       if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(366);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+          lookahead == 'f') ADVANCE(369);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
-    case 489:
+    case 493:
       ACCEPT_TOKEN(sym_incremental);
-      if (lookahead == '.') ADVANCE(297);
-      if (lookahead == 'N') ADVANCE(272);
+      if (lookahead == '.') ADVANCE(299);
+      if (lookahead == 'N') ADVANCE(274);
       if (lookahead == 'n') ADVANCE(94);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(61);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(483);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(487);
       if (('a' <= lookahead && lookahead <= 'e') ||
           ('g' <= lookahead && lookahead <= 'z')) ADVANCE(98);
       END_STATE();
-    case 490:
-      ACCEPT_TOKEN(sym_unknown_coordinate);
-      END_STATE();
-    case 491:
-      ACCEPT_TOKEN(sym_unknown_coordinate);
-      if (lookahead == '<' ||
-          lookahead == '>') ADVANCE(490);
-      END_STATE();
-    case 492:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'A', 572,
-        'R', 537,
-        'a', 263,
-        'i', 19,
-        'r', 228,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 493:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'A', 572,
-        'a', 263,
-        'i', 19,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
     case 494:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'A', 549,
-        'H', 516,
-        'I', 547,
-        'O', 474,
-        'a', 242,
-        'h', 211,
-        'i', 12,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+      ACCEPT_TOKEN(sym_unknown_coordinate);
       END_STATE();
     case 495:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'A', 549,
-        'I', 547,
-        'O', 474,
-        'a', 242,
-        'i', 12,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+      ACCEPT_TOKEN(sym_unknown_coordinate);
+      if (lookahead == '<' ||
+          lookahead == '>') ADVANCE(494);
       END_STATE();
     case 496:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'A', 675,
-        'a', 242,
+        'A', 576,
+        'R', 541,
+        'a', 265,
         'i', 19,
+        'r', 229,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 'A' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 497:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
         'A', 576,
-        'O', 575,
-        'a', 269,
+        'a', 265,
         'i', 19,
-        'o', 268,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 498:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'A', 576,
+        'A', 553,
+        'H', 520,
+        'I', 551,
+        'O', 478,
+        'a', 243,
+        'h', 212,
+        'i', 12,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 499:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'A', 553,
+        'I', 551,
+        'O', 478,
+        'a', 243,
+        'i', 12,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 500:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'A', 679,
+        'a', 243,
+        'i', 19,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'A' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 501:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'A', 580,
+        'O', 579,
+        'a', 271,
+        'i', 19,
+        'o', 270,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 502:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'A', 580,
         'a', 162,
         'i', 20,
         '\t', 19,
@@ -6187,109 +6261,109 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('b' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
-      END_STATE();
-    case 499:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'A', 576,
-        'a', 269,
-        'i', 19,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('b' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
           lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 500:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'B', 575,
-        'C', 561,
-        'N', 502,
-        'S', 534,
-        'T', 496,
-        'b', 268,
-        'c', 252,
-        'i', 19,
-        'n', 197,
-        's', 224,
-        't', 186,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 501:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'B', 575,
-        'C', 561,
-        'S', 534,
-        'T', 496,
-        'b', 268,
-        'c', 252,
-        'i', 19,
-        's', 224,
-        't', 186,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 502:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'D', 448,
-        'd', 447,
-        'i', 19,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
       END_STATE();
     case 503:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'D', 664,
+        'A', 580,
+        'a', 271,
+        'i', 19,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 504:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'B', 579,
+        'C', 565,
+        'N', 506,
+        'S', 538,
+        'T', 500,
+        'b', 270,
+        'c', 253,
+        'i', 19,
+        'n', 197,
+        's', 225,
+        't', 186,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 505:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'B', 579,
+        'C', 565,
+        'S', 538,
+        'T', 500,
+        'b', 270,
+        'c', 253,
+        'i', 19,
+        's', 225,
+        't', 186,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 506:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'D', 452,
+        'd', 451,
+        'i', 19,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 507:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'D', 668,
         'd', 177,
         'i', 19,
         '\t', 19,
@@ -6297,66 +6371,66 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 504:
+    case 508:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'D') ADVANCE(585);
+      if (lookahead == 'D') ADVANCE(589);
       if (lookahead == 'i') ADVANCE(19);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 505:
+    case 509:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'D') ADVANCE(586);
+      if (lookahead == 'D') ADVANCE(590);
       if (lookahead == 'i') ADVANCE(19);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
-    case 506:
+    case 510:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'D', 645,
-        'd', 209,
+        'D', 649,
+        'd', 210,
         'i', 19,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 507:
+    case 511:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'E', 520,
-        'V', 506,
-        'e', 214,
+        'E', 524,
+        'V', 510,
+        'e', 215,
         'i', 19,
         'v', 200,
         '\t', 19,
@@ -6364,18 +6438,18 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
-    case 508:
+    case 512:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'E', 634,
+        'E', 638,
         'e', 189,
         'i', 19,
         '\t', 19,
@@ -6383,77 +6457,77 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 509:
+    case 513:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'E', 655,
-        'e', 215,
+        'E', 659,
+        'e', 216,
         'i', 19,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 510:
+    case 514:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'E', 580,
-        'O', 581,
-        'e', 281,
+        'E', 584,
+        'O', 585,
+        'e', 283,
         'i', 19,
-        'o', 289,
+        'o', 291,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
-    case 511:
+    case 515:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'E', 580,
-        'e', 281,
+        'E', 584,
+        'e', 283,
         'i', 19,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
-    case 512:
+    case 516:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'E', 580,
+        'E', 584,
         'e', 168,
         'i', 20,
         '\t', 19,
@@ -6461,19 +6535,19 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
+          lookahead != 0xfeff) ADVANCE(303);
       END_STATE();
-    case 513:
+    case 517:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'E', 522,
+        'E', 526,
         'e', 134,
         'i', 20,
         '\t', 19,
@@ -6481,89 +6555,9 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
-      END_STATE();
-    case 514:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'E', 522,
-        'e', 218,
-        'i', 19,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 515:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'E', 521,
-        'V', 506,
-        'e', 215,
-        'i', 19,
-        'v', 200,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 516:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'E', 676,
-        'e', 243,
-        'i', 19,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 517:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'F', 367,
-        'N', 566,
-        'f', 366,
-        'i', 19,
-        'n', 260,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
@@ -6573,30 +6567,110 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'F', 367,
-        'N', 567,
-        'f', 366,
+        'E', 526,
+        'e', 219,
         'i', 19,
-        'n', 259,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 519:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'F', 367,
-        'N', 567,
-        'f', 368,
+        'E', 525,
+        'V', 510,
+        'e', 216,
+        'i', 19,
+        'v', 200,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 520:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'E', 680,
+        'e', 244,
+        'i', 19,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 521:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'F', 370,
+        'N', 570,
+        'f', 369,
+        'i', 19,
+        'n', 262,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 522:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'F', 370,
+        'N', 571,
+        'f', 369,
+        'i', 19,
+        'n', 261,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 523:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'F', 370,
+        'N', 571,
+        'f', 371,
         'i', 20,
         'n', 157,
         '\t', 19,
@@ -6604,57 +6678,57 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
+          lookahead != 0xfeff) ADVANCE(303);
       END_STATE();
-    case 520:
+    case 524:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'F', 438,
-        'f', 441,
+        'F', 441,
+        'f', 444,
         'i', 19,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 521:
+    case 525:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'F', 440,
-        'f', 437,
+        'F', 443,
+        'f', 440,
         'i', 19,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 522:
+    case 526:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'F', 636,
+        'F', 640,
         'f', 190,
         'i', 19,
         '\t', 19,
@@ -6662,58 +6736,58 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 523:
+    case 527:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'G', 675,
-        'g', 242,
+        'G', 679,
+        'g', 243,
         'i', 19,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 524:
+    case 528:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'H', 535,
-        'I', 550,
-        'h', 226,
+        'H', 539,
+        'I', 554,
+        'h', 227,
         'i', 14,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
-    case 525:
+    case 529:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'H', 535,
-        'I', 550,
+        'H', 539,
+        'I', 554,
         'h', 137,
         'i', 10,
         '\t', 19,
@@ -6721,88 +6795,9 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
-      END_STATE();
-    case 526:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'H', 516,
-        'O', 474,
-        'h', 132,
-        'i', 20,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
-      END_STATE();
-    case 527:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'H', 516,
-        'O', 474,
-        'h', 211,
-        'i', 19,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 528:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'I', 579,
-        'L', 562,
-        'R', 508,
-        'i', 18,
-        'l', 255,
-        'r', 208,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 529:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'I') ADVANCE(579);
-      if (lookahead == 'i') ADVANCE(18);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
@@ -6810,15 +6805,20 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 530:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'I') ADVANCE(504);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      ADVANCE_MAP(
+        '.', 23,
+        'H', 520,
+        'O', 478,
+        'h', 132,
+        'i', 20,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
@@ -6826,186 +6826,260 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       END_STATE();
     case 531:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'I') ADVANCE(504);
-      if (lookahead == 'i') ADVANCE(20);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
+      ADVANCE_MAP(
+        '.', 23,
+        'H', 520,
+        'O', 478,
+        'h', 212,
+        'i', 19,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 532:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'I', 549,
-        'Q', 570,
-        'T', 571,
-        'W', 538,
-        'i', 13,
-        'q', 264,
-        't', 267,
-        'w', 229,
+        'I', 583,
+        'L', 566,
+        'R', 512,
+        'i', 18,
+        'l', 257,
+        'r', 209,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 533:
       ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'I', 549,
-        'Q', 570,
-        'T', 571,
-        'i', 13,
-        'q', 264,
-        't', 267,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'I') ADVANCE(583);
+      if (lookahead == 'i') ADVANCE(18);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 534:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'I') ADVANCE(675);
-      if (lookahead == 'i') ADVANCE(13);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 535:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'I') ADVANCE(672);
-      if (lookahead == 'i') ADVANCE(11);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 536:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'I') ADVANCE(505);
+      if (lookahead == 'I') ADVANCE(508);
       if (lookahead == 'i') ADVANCE(19);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(586);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
-    case 537:
+    case 535:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'I') ADVANCE(685);
-      if (lookahead == 'i') ADVANCE(15);
+      if (lookahead == 'I') ADVANCE(508);
+      if (lookahead == 'i') ADVANCE(20);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 538:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'I') ADVANCE(703);
-      if (lookahead == 'i') ADVANCE(17);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 539:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'I') ADVANCE(695);
-      if (lookahead == 'i') ADVANCE(16);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 540:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'L', 562,
-        'R', 508,
-        'i', 19,
-        'l', 255,
-        'r', 208,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
           lookahead != 0xfeff) ADVANCE(303);
       END_STATE();
-    case 541:
+    case 536:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'L', 562,
-        'R', 508,
+        'I', 553,
+        'Q', 574,
+        'T', 575,
+        'W', 542,
+        'i', 13,
+        'q', 266,
+        't', 269,
+        'w', 230,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 537:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'I', 553,
+        'Q', 574,
+        'T', 575,
+        'i', 13,
+        'q', 266,
+        't', 269,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 538:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'I') ADVANCE(679);
+      if (lookahead == 'i') ADVANCE(13);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 539:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'I') ADVANCE(676);
+      if (lookahead == 'i') ADVANCE(11);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 540:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'I') ADVANCE(509);
+      if (lookahead == 'i') ADVANCE(19);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(590);
+      END_STATE();
+    case 541:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'I') ADVANCE(689);
+      if (lookahead == 'i') ADVANCE(15);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 542:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'I') ADVANCE(707);
+      if (lookahead == 'i') ADVANCE(17);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 543:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'I') ADVANCE(699);
+      if (lookahead == 'i') ADVANCE(16);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 544:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'L', 566,
+        'R', 512,
+        'i', 19,
+        'l', 257,
+        'r', 209,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 545:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'L', 566,
+        'R', 512,
         'i', 20,
         'l', 151,
         'r', 131,
@@ -7014,21 +7088,21 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
+          lookahead != 0xfeff) ADVANCE(303);
       END_STATE();
-    case 542:
+    case 546:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'L', 577,
-        'N', 503,
-        'Q', 303,
+        'L', 581,
+        'N', 507,
+        'Q', 306,
         'i', 20,
         'l', 163,
         'n', 113,
@@ -7037,107 +7111,11 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
-      END_STATE();
-    case 543:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'L', 577,
-        'N', 503,
-        'Q', 457,
-        'X', 565,
-        'i', 19,
-        'l', 270,
-        'n', 198,
-        'q', 454,
-        'x', 258,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 544:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'L', 577,
-        'N', 503,
-        'Q', 457,
-        'i', 19,
-        'l', 270,
-        'n', 198,
-        'q', 454,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 545:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'L', 577,
-        'N', 503,
-        'X', 565,
-        'i', 19,
-        'l', 270,
-        'n', 198,
-        'x', 258,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'P') ||
-          ('R' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'P' < lookahead) &&
-          (lookahead < 'R' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 546:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'L', 577,
-        'N', 503,
-        'i', 19,
-        'l', 270,
-        'n', 198,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'P') ||
-          ('R' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'P' < lookahead) &&
-          (lookahead < 'R' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
           lookahead != 0xfeff) ADVANCE(303);
       END_STATE();
@@ -7145,26 +7123,122 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'M', 644,
+        'L', 581,
+        'N', 507,
+        'Q', 461,
+        'X', 569,
         'i', 19,
-        'm', 203,
+        'l', 272,
+        'n', 198,
+        'q', 458,
+        'x', 260,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 548:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'N', 502,
+        'L', 581,
+        'N', 507,
+        'Q', 461,
+        'i', 19,
+        'l', 272,
+        'n', 198,
+        'q', 458,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 549:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'L', 581,
+        'N', 507,
+        'X', 569,
+        'i', 19,
+        'l', 272,
+        'n', 198,
+        'x', 260,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'P') ||
+          ('R' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'P' < lookahead) &&
+          (lookahead < 'R' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 550:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'L', 581,
+        'N', 507,
+        'i', 19,
+        'l', 272,
+        'n', 198,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'P') ||
+          ('R' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'P' < lookahead) &&
+          (lookahead < 'R' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 551:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'M', 648,
+        'i', 19,
+        'm', 204,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 552:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'N', 506,
         'i', 19,
         'n', 197,
         '\t', 19,
@@ -7172,96 +7246,96 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 549:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'N', 431,
-        'i', 19,
-        'n', 425,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 550:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'N', 641,
-        'i', 19,
-        'n', 201,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 551:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'N', 578,
-        'i', 19,
-        'n', 272,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'E') ||
-          ('G' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'E' < lookahead) &&
-          (lookahead < 'G' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 552:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'N', 539,
-        'i', 19,
-        'n', 230,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 553:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'N', 539,
+        'N', 434,
+        'i', 19,
+        'n', 428,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 554:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'N', 645,
+        'i', 19,
+        'n', 202,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 555:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'N', 582,
+        'i', 19,
+        'n', 274,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'E') ||
+          ('G' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'E' < lookahead) &&
+          (lookahead < 'G' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 556:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'N', 543,
+        'i', 19,
+        'n', 231,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 557:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'N', 543,
         'i', 20,
         'n', 143,
         '\t', 19,
@@ -7269,85 +7343,9 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
-      END_STATE();
-    case 554:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'O', 575,
-        'i', 19,
-        'o', 268,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 555:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'O', 474,
-        'i', 19,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-        'E', 457,
-        'T', 457,
-        'e', 454,
-        't', 454,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 556:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'O') ADVANCE(474);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('A' <= lookahead && lookahead <= 'D') ||
-          ('F' <= lookahead && lookahead <= 'S') ||
-          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'D' < lookahead) &&
-          (lookahead < 'U' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 557:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'O') ADVANCE(474);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
@@ -7357,83 +7355,159 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'O', 474,
-        'i', 20,
+        'O', 579,
+        'i', 19,
+        'o', 270,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
-        'E', 303,
-        'T', 303,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 559:
       ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'O', 478,
+        'i', 19,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+        'E', 461,
+        'T', 461,
+        'e', 458,
+        't', 458,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 560:
+      ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'O') ADVANCE(474);
-      if (lookahead == 'i') ADVANCE(20);
+      if (lookahead == 'O') ADVANCE(478);
+      if (lookahead == 'i') ADVANCE(19);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('A' <= lookahead && lookahead <= 'D') ||
+          ('F' <= lookahead && lookahead <= 'S') ||
+          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 'D' < lookahead) &&
+          (lookahead < 'U' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
-      END_STATE();
-    case 560:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'O', 581,
-        'i', 19,
-        'o', 289,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 561:
       ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'O', 689,
-        'i', 19,
-        'o', 268,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'O') ADVANCE(478);
+      if (lookahead == 'i') ADVANCE(19);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 562:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'O', 637,
+        'O', 478,
+        'i', 20,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+        'E', 306,
+        'T', 306,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(303);
+      END_STATE();
+    case 563:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'O') ADVANCE(478);
+      if (lookahead == 'i') ADVANCE(20);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(303);
+      END_STATE();
+    case 564:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'O', 585,
+        'i', 19,
+        'o', 291,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 565:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'O', 693,
+        'i', 19,
+        'o', 270,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 566:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'O', 641,
         'i', 19,
         'o', 193,
         '\t', 19,
@@ -7441,177 +7515,177 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 563:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'O') ADVANCE(475);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('A' <= lookahead && lookahead <= 'D') ||
-          ('F' <= lookahead && lookahead <= 'S') ||
-          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(586);
-      END_STATE();
-    case 564:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'O') ADVANCE(475);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(480);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(586);
-      END_STATE();
-    case 565:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'P', 431,
-        'i', 19,
-        'p', 425,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 566:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'P', 708,
-        'T', 431,
-        'i', 19,
-        'p', 287,
-        't', 425,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 567:
       ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'P', 708,
-        'i', 19,
-        'p', 287,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'O') ADVANCE(479);
+      if (lookahead == 'i') ADVANCE(19);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('A' <= lookahead && lookahead <= 'D') ||
+          ('F' <= lookahead && lookahead <= 'S') ||
+          ('U' <= lookahead && lookahead <= 'Z')) ADVANCE(590);
       END_STATE();
     case 568:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'R') ADVANCE(303);
-      if (lookahead == 'i') ADVANCE(20);
+      if (lookahead == 'O') ADVANCE(479);
+      if (lookahead == 'i') ADVANCE(19);
       if (lookahead == '\t' ||
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(484);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(590);
       END_STATE();
     case 569:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'R', 450,
+        'P', 434,
         'i', 19,
-        'r', 449,
+        'p', 428,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 570:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'R', 694,
+        'P', 712,
+        'T', 434,
         'i', 19,
-        'r', 273,
+        'p', 289,
+        't', 428,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 571:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'R', 666,
+        'P', 712,
         'i', 19,
-        'r', 231,
+        'p', 289,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 572:
       ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'R') ADVANCE(306);
+      if (lookahead == 'i') ADVANCE(20);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(303);
+      END_STATE();
+    case 573:
+      ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'R', 632,
+        'R', 454,
+        'i', 19,
+        'r', 453,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 574:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'R', 698,
+        'i', 19,
+        'r', 275,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 575:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'R', 670,
+        'i', 19,
+        'r', 232,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 576:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'R', 636,
         'i', 19,
         'r', 188,
         '\t', 19,
@@ -7619,37 +7693,37 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 573:
+    case 577:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'R', 537,
+        'R', 541,
         'i', 19,
-        'r', 228,
+        'r', 229,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
-    case 574:
+    case 578:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'R', 537,
+        'R', 541,
         'i', 20,
         'r', 141,
         '\t', 19,
@@ -7657,57 +7731,38 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
+          lookahead != 0xfeff) ADVANCE(303);
       END_STATE();
-    case 575:
+    case 579:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'S', 431,
+        'S', 434,
         'i', 19,
-        's', 425,
+        's', 428,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 576:
+    case 580:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'S', 646,
-        'i', 19,
-        's', 204,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 577:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'S', 647,
+        'S', 650,
         'i', 19,
         's', 205,
         '\t', 19,
@@ -7715,113 +7770,132 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 578:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'T', 431,
-        'i', 19,
-        't', 425,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 579:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'T', 692,
-        'i', 19,
-        't', 271,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 580:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'T', 706,
-        'i', 19,
-        't', 286,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 581:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'U', 682,
+        'S', 651,
         'i', 19,
-        'u', 247,
+        's', 206,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 582:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'W', 538,
+        'T', 434,
         'i', 19,
-        'w', 229,
+        't', 428,
         '\t', 19,
         ' ', 19,
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 583:
       ACCEPT_TOKEN(sym__address);
       ADVANCE_MAP(
         '.', 23,
-        'W', 538,
+        'T', 696,
+        'i', 19,
+        't', 273,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 584:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'T', 710,
+        'i', 19,
+        't', 288,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 585:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'U', 686,
+        'i', 19,
+        'u', 248,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 586:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'W', 542,
+        'i', 19,
+        'w', 230,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 587:
+      ACCEPT_TOKEN(sym__address);
+      ADVANCE_MAP(
+        '.', 23,
+        'W', 542,
         'i', 20,
         'w', 142,
         '\t', 19,
@@ -7829,106 +7903,50 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
         '+', 21,
         '-', 21,
       );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
-      END_STATE();
-    case 584:
-      ACCEPT_TOKEN(sym__address);
-      ADVANCE_MAP(
-        '.', 23,
-        'X', 565,
-        'i', 19,
-        'x', 258,
-        '\t', 19,
-        ' ', 19,
-        '+', 21,
-        '-', 21,
-      );
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'P') ||
-          ('R' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'P' < lookahead) &&
-          (lookahead < 'R' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 585:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 586:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      END_STATE();
-    case 587:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'E') ||
-          ('G' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'E' < lookahead) &&
-          (lookahead < 'G' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
           lookahead != 0xfeff) ADVANCE(303);
       END_STATE();
     case 588:
       ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'E') ||
-          ('G' <= lookahead && lookahead <= 'Z')) ADVANCE(586);
-      END_STATE();
-    case 589:
-      ACCEPT_TOKEN(sym__address);
-      if (lookahead == '.') ADVANCE(23);
-      if (lookahead == 'i') ADVANCE(19);
-      if (lookahead == '\t' ||
-          lookahead == ' ') ADVANCE(19);
-      if (lookahead == '+' ||
-          lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      ADVANCE_MAP(
+        '.', 23,
+        'X', 569,
+        'i', 19,
+        'x', 260,
+        '\t', 19,
+        ' ', 19,
+        '+', 21,
+        '-', 21,
+      );
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (('A' <= lookahead && lookahead <= 'P') ||
-          ('R' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+          ('R' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'P' < lookahead) &&
           (lookahead < 'R' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 589:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'i') ADVANCE(19);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 590:
       ACCEPT_TOKEN(sym__address);
@@ -7938,9 +7956,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'P') ||
-          ('R' <= lookahead && lookahead <= 'Z')) ADVANCE(586);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
     case 591:
       ACCEPT_TOKEN(sym__address);
@@ -7950,14 +7966,14 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Q') ||
-          ('S' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'E') ||
+          ('G' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 'Q' < lookahead) &&
-          (lookahead < 'S' || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 'E' < lookahead) &&
+          (lookahead < 'G' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 592:
       ACCEPT_TOKEN(sym__address);
@@ -7967,9 +7983,9 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Q') ||
-          ('S' <= lookahead && lookahead <= 'Z')) ADVANCE(586);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'E') ||
+          ('G' <= lookahead && lookahead <= 'Z')) ADVANCE(590);
       END_STATE();
     case 593:
       ACCEPT_TOKEN(sym__address);
@@ -7979,12 +7995,14 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'P') ||
+          ('R' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 'P' < lookahead) &&
+          (lookahead < 'R' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 594:
       ACCEPT_TOKEN(sym__address);
@@ -7994,8 +8012,9 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(586);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'P') ||
+          ('R' <= lookahead && lookahead <= 'Z')) ADVANCE(590);
       END_STATE();
     case 595:
       ACCEPT_TOKEN(sym__address);
@@ -8005,14 +8024,69 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Q') ||
+          ('S' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'Q' < lookahead) &&
+          (lookahead < 'S' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 596:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'i') ADVANCE(19);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Q') ||
+          ('S' <= lookahead && lookahead <= 'Z')) ADVANCE(590);
+      END_STATE();
+    case 597:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'i') ADVANCE(19);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 598:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'i') ADVANCE(19);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(590);
+      END_STATE();
+    case 599:
+      ACCEPT_TOKEN(sym__address);
+      if (lookahead == '.') ADVANCE(23);
+      if (lookahead == 'i') ADVANCE(19);
+      if (lookahead == '\t' ||
+          lookahead == ' ') ADVANCE(19);
+      if (lookahead == '+' ||
+          lookahead == '-') ADVANCE(21);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 596:
+    case 600:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(23);
       if (lookahead == 'i') ADVANCE(20);
@@ -8020,86 +8094,76 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           lookahead == ' ') ADVANCE(19);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(305);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(595);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(308);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(599);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(299);
+          lookahead != 0xfeff) ADVANCE(303);
       END_STATE();
-    case 597:
+    case 601:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(23);
       if (lookahead == 'i') ADVANCE(22);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       END_STATE();
-    case 598:
+    case 602:
       ACCEPT_TOKEN(sym__address);
       if (lookahead == '.') ADVANCE(23);
       if (lookahead == 'i') ADVANCE(22);
       if (lookahead == '+' ||
           lookahead == '-') ADVANCE(21);
-      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(481);
+      if (('0' <= lookahead && lookahead <= '9')) ADVANCE(485);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 599:
+    case 603:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'A') ADVANCE(266);
-      if (lookahead == 'a') ADVANCE(620);
+      if (lookahead == 'A') ADVANCE(268);
+      if (lookahead == 'a') ADVANCE(624);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'a' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 600:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'C') ADVANCE(221);
-      if (lookahead == 'c') ADVANCE(607);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 601:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'C') ADVANCE(222);
-      if (lookahead == 'c') ADVANCE(608);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 602:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'D') ADVANCE(419);
-      if (lookahead == 'd') ADVANCE(421);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 603:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'E') ADVANCE(378);
-      if (lookahead == 'e') ADVANCE(380);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 604:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'C') ADVANCE(222);
+      if (lookahead == 'c') ADVANCE(611);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 605:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'C') ADVANCE(223);
+      if (lookahead == 'c') ADVANCE(612);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 606:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'D') ADVANCE(422);
+      if (lookahead == 'd') ADVANCE(424);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 607:
       ACCEPT_TOKEN(sym__capitalized);
       if (lookahead == 'E') ADVANCE(381);
       if (lookahead == 'e') ADVANCE(383);
@@ -8107,171 +8171,191 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 605:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'E') ADVANCE(248);
-      if (lookahead == 'S') ADVANCE(282);
-      if (lookahead == 'e') ADVANCE(617);
-      if (lookahead == 's') ADVANCE(625);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 606:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'F') ADVANCE(375);
-      if (lookahead == 'f') ADVANCE(377);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 607:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'H') ADVANCE(384);
-      if (lookahead == 'h') ADVANCE(386);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 608:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'H') ADVANCE(396);
-      if (lookahead == 'h') ADVANCE(398);
+      if (lookahead == 'E') ADVANCE(384);
+      if (lookahead == 'e') ADVANCE(386);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 609:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'H') ADVANCE(233);
-      if (lookahead == 'h') ADVANCE(610);
+      if (lookahead == 'E') ADVANCE(249);
+      if (lookahead == 'S') ADVANCE(284);
+      if (lookahead == 'e') ADVANCE(621);
+      if (lookahead == 's') ADVANCE(629);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 610:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'I') ADVANCE(238);
-      if (lookahead == 'i') ADVANCE(614);
+      if (lookahead == 'F') ADVANCE(378);
+      if (lookahead == 'f') ADVANCE(380);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 611:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'I') ADVANCE(283);
-      if (lookahead == 'i') ADVANCE(626);
+      if (lookahead == 'H') ADVANCE(387);
+      if (lookahead == 'h') ADVANCE(389);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 612:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'K') ADVANCE(213);
-      if (lookahead == 'k') ADVANCE(605);
+      if (lookahead == 'H') ADVANCE(399);
+      if (lookahead == 'h') ADVANCE(401);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 613:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'K') ADVANCE(393);
-      if (lookahead == 'k') ADVANCE(395);
+      if (lookahead == 'H') ADVANCE(234);
+      if (lookahead == 'h') ADVANCE(614);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 614:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'L') ADVANCE(207);
-      if (lookahead == 'l') ADVANCE(604);
+      if (lookahead == 'I') ADVANCE(239);
+      if (lookahead == 'i') ADVANCE(618);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 615:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'L') ADVANCE(277);
-      if (lookahead == 'l') ADVANCE(623);
+      if (lookahead == 'I') ADVANCE(285);
+      if (lookahead == 'i') ADVANCE(630);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 616:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'N') ADVANCE(399);
-      if (lookahead == 'n') ADVANCE(401);
+      if (lookahead == 'K') ADVANCE(214);
+      if (lookahead == 'k') ADVANCE(609);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 617:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'N') ADVANCE(199);
-      if (lookahead == 'n') ADVANCE(602);
+      if (lookahead == 'K') ADVANCE(396);
+      if (lookahead == 'k') ADVANCE(398);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 618:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'O') ADVANCE(290);
-      if (lookahead == 'o') ADVANCE(628);
+      if (lookahead == 'L') ADVANCE(208);
+      if (lookahead == 'l') ADVANCE(608);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 619:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'R') ADVANCE(244);
-      if (lookahead == 'r') ADVANCE(616);
+      if (lookahead == 'L') ADVANCE(279);
+      if (lookahead == 'l') ADVANCE(627);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 620:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'R') ADVANCE(278);
-      if (lookahead == 'r') ADVANCE(624);
+      if (lookahead == 'N') ADVANCE(402);
+      if (lookahead == 'n') ADVANCE(404);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 621:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'N') ADVANCE(199);
+      if (lookahead == 'n') ADVANCE(606);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 622:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'O') ADVANCE(292);
+      if (lookahead == 'o') ADVANCE(632);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 623:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'R') ADVANCE(245);
+      if (lookahead == 'r') ADVANCE(620);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 624:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'R') ADVANCE(280);
+      if (lookahead == 'r') ADVANCE(628);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 625:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'T') ADVANCE(408);
+      if (lookahead == 't') ADVANCE(410);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 626:
       ACCEPT_TOKEN(sym__capitalized);
       if (lookahead == 'T') ADVANCE(405);
       if (lookahead == 't') ADVANCE(407);
@@ -8279,1751 +8363,1741 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 622:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'T') ADVANCE(402);
-      if (lookahead == 't') ADVANCE(404);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 623:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'T') ADVANCE(390);
-      if (lookahead == 't') ADVANCE(392);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 624:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'T') ADVANCE(416);
-      if (lookahead == 't') ADVANCE(418);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 625:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'T') ADVANCE(191);
-      if (lookahead == 't') ADVANCE(599);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 626:
-      ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'T') ADVANCE(195);
-      if (lookahead == 't') ADVANCE(601);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '`' < lookahead) &&
-          (lookahead < '{' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 627:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'U') ADVANCE(239);
-      if (lookahead == 'u') ADVANCE(615);
+      if (lookahead == 'T') ADVANCE(393);
+      if (lookahead == 't') ADVANCE(395);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 628:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'W') ADVANCE(408);
-      if (lookahead == 'w') ADVANCE(410);
+      if (lookahead == 'T') ADVANCE(419);
+      if (lookahead == 't') ADVANCE(421);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 629:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == 'W') ADVANCE(234);
-      if (lookahead == 'w') ADVANCE(611);
+      if (lookahead == 'T') ADVANCE(191);
+      if (lookahead == 't') ADVANCE(603);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 630:
       ACCEPT_TOKEN(sym__capitalized);
-      if (lookahead == '_') ADVANCE(303);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(713);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(631);
+      if (lookahead == 'T') ADVANCE(195);
+      if (lookahead == 't') ADVANCE(605);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 631:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'U') ADVANCE(240);
+      if (lookahead == 'u') ADVANCE(619);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 632:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'W') ADVANCE(411);
+      if (lookahead == 'w') ADVANCE(413);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 633:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == 'W') ADVANCE(235);
+      if (lookahead == 'w') ADVANCE(615);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '`' < lookahead) &&
+          (lookahead < '{' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(635);
+      END_STATE();
+    case 634:
+      ACCEPT_TOKEN(sym__capitalized);
+      if (lookahead == '_') ADVANCE(306);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(717);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(635);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(630);
+          lookahead != 0xfeff) ADVANCE(634);
       END_STATE();
-    case 631:
+    case 635:
       ACCEPT_TOKEN(sym__capitalized);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '`' < lookahead) &&
           (lookahead < '{' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(631);
-      END_STATE();
-    case 632:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'A') ADVANCE(426);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'a') ADVANCE(432);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'A' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 633:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'A') ADVANCE(427);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'a') ADVANCE(433);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 634:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'A') ADVANCE(671);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'a') ADVANCE(236);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'A' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 635:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'A') ADVANCE(688);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'a') ADVANCE(266);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 'A' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(635);
       END_STATE();
     case 636:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'A') ADVANCE(707);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'a') ADVANCE(285);
+      if (lookahead == 'A') ADVANCE(429);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'a') ADVANCE(435);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 'A' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 637:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'C') ADVANCE(670);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'c') ADVANCE(235);
+      if (lookahead == 'A') ADVANCE(430);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'a') ADVANCE(436);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 638:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'C') ADVANCE(661);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'c') ADVANCE(221);
+      if (lookahead == 'A') ADVANCE(675);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'a') ADVANCE(237);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'A' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 639:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'A') ADVANCE(692);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'a') ADVANCE(268);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'A' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 640:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'A') ADVANCE(711);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'a') ADVANCE(287);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 'A' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 641:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'C') ADVANCE(674);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'c') ADVANCE(236);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 639:
+    case 642:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'C') ADVANCE(662);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == 'C') ADVANCE(665);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 'c') ADVANCE(222);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 640:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'D') ADVANCE(431);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'd') ADVANCE(425);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 641:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'D') ADVANCE(686);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'd') ADVANCE(256);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 642:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'D') ADVANCE(420);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'd') ADVANCE(419);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 643:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'D') ADVANCE(430);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'd') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+      if (lookahead == 'C') ADVANCE(666);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'c') ADVANCE(223);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 644:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'E') ADVANCE(431);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'e') ADVANCE(425);
+      if (lookahead == 'D') ADVANCE(434);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'd') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 645:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'E') ADVANCE(655);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'e') ADVANCE(215);
+      if (lookahead == 'D') ADVANCE(690);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'd') ADVANCE(258);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 646:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'E') ADVANCE(388);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'e') ADVANCE(387);
+      if (lookahead == 'D') ADVANCE(423);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'd') ADVANCE(422);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 647:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'E') ADVANCE(373);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'e') ADVANCE(372);
+      if (lookahead == 'D') ADVANCE(433);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'd') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 648:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'E') ADVANCE(379);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'e') ADVANCE(378);
+      if (lookahead == 'E') ADVANCE(434);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'e') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 649:
       ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'E') ADVANCE(659);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'e') ADVANCE(216);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 650:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'E') ADVANCE(391);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'e') ADVANCE(390);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 651:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'E') ADVANCE(376);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'e') ADVANCE(375);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 652:
+      ACCEPT_TOKEN(sym__capitals);
       if (lookahead == 'E') ADVANCE(382);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 'e') ADVANCE(381);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 650:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'E') ADVANCE(430);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'e') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 651:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'E') ADVANCE(657);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'e') ADVANCE(755);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 652:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'E') ADVANCE(701);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'e') ADVANCE(776);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 653:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'E') ADVANCE(693);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'e') ADVANCE(272);
+      if (lookahead == 'E') ADVANCE(385);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'e') ADVANCE(384);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 654:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'E') ADVANCE(683);
-      if (lookahead == 'S') ADVANCE(704);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'e') ADVANCE(248);
-      if (lookahead == 's') ADVANCE(282);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 655:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'F') ADVANCE(440);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'f') ADVANCE(437);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 656:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'F') ADVANCE(376);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'f') ADVANCE(375);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 657:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'F') ADVANCE(439);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'f') ADVANCE(442);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'E') ADVANCE(433);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'e') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 655:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'E') ADVANCE(661);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'e') ADVANCE(759);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 656:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'E') ADVANCE(705);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'e') ADVANCE(780);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 657:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'E') ADVANCE(697);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'e') ADVANCE(274);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 658:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'F') ADVANCE(714);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == 'E') ADVANCE(687);
+      if (lookahead == 'S') ADVANCE(708);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'e') ADVANCE(249);
+      if (lookahead == 's') ADVANCE(284);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 659:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'F') ADVANCE(443);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'f') ADVANCE(440);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 660:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'F') ADVANCE(379);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'f') ADVANCE(378);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 661:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'F') ADVANCE(442);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'f') ADVANCE(445);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 662:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'F') ADVANCE(718);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 'f') ADVANCE(178);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 659:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'G') ADVANCE(431);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'g') ADVANCE(425);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 660:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'G') ADVANCE(430);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'g') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 661:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'H') ADVANCE(385);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'h') ADVANCE(384);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 662:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'H') ADVANCE(397);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'h') ADVANCE(396);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 663:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'H') ADVANCE(668);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'h') ADVANCE(233);
+      if (lookahead == 'G') ADVANCE(434);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'g') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 664:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'I') ADVANCE(656);
-      if (lookahead == 'S') ADVANCE(710);
-      if (lookahead == 'W') ADVANCE(663);
-      if (lookahead == '_') ADVANCE(154);
-      if (lookahead == 'i') ADVANCE(216);
-      if (lookahead == 's') ADVANCE(291);
-      if (lookahead == 'w') ADVANCE(223);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 665:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'I') ADVANCE(681);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'i') ADVANCE(766);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'G') ADVANCE(433);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'g') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 665:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'H') ADVANCE(388);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'h') ADVANCE(387);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 666:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'I') ADVANCE(677);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'i') ADVANCE(245);
+      if (lookahead == 'H') ADVANCE(400);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'h') ADVANCE(399);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 667:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'I') ADVANCE(700);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'i') ADVANCE(279);
+      if (lookahead == 'H') ADVANCE(672);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'h') ADVANCE(234);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 668:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'I') ADVANCE(673);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'i') ADVANCE(238);
+      if (lookahead == 'I') ADVANCE(660);
+      if (lookahead == 'S') ADVANCE(714);
+      if (lookahead == 'W') ADVANCE(667);
+      if (lookahead == '_') ADVANCE(154);
+      if (lookahead == 'i') ADVANCE(217);
+      if (lookahead == 's') ADVANCE(293);
+      if (lookahead == 'w') ADVANCE(224);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 669:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'I') ADVANCE(705);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'i') ADVANCE(283);
+      if (lookahead == 'I') ADVANCE(685);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'i') ADVANCE(770);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 670:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'K') ADVANCE(654);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'k') ADVANCE(213);
+      if (lookahead == 'I') ADVANCE(681);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'i') ADVANCE(246);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 671:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'K') ADVANCE(394);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'k') ADVANCE(393);
+      if (lookahead == 'I') ADVANCE(704);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'i') ADVANCE(281);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 672:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'L') ADVANCE(648);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'l') ADVANCE(206);
+      if (lookahead == 'I') ADVANCE(677);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'i') ADVANCE(239);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 673:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'L') ADVANCE(649);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == 'I') ADVANCE(709);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'i') ADVANCE(285);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 674:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'K') ADVANCE(658);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'k') ADVANCE(214);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 675:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'K') ADVANCE(397);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'k') ADVANCE(396);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 676:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'L') ADVANCE(652);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 'l') ADVANCE(207);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 674:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'L') ADVANCE(698);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'l') ADVANCE(277);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 675:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(431);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'n') ADVANCE(425);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 676:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(370);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'n') ADVANCE(369);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 677:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(659);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'n') ADVANCE(220);
+      if (lookahead == 'L') ADVANCE(653);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'l') ADVANCE(208);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 678:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(400);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'n') ADVANCE(399);
+      if (lookahead == 'L') ADVANCE(702);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'l') ADVANCE(279);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 679:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(430);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'n') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+      if (lookahead == 'N') ADVANCE(434);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'n') ADVANCE(428);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 680:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(643);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'n') ADVANCE(750);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+      if (lookahead == 'N') ADVANCE(373);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'n') ADVANCE(372);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 681:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(660);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'n') ADVANCE(756);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+      if (lookahead == 'N') ADVANCE(663);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'n') ADVANCE(221);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 682:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(640);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == 'N') ADVANCE(403);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'n') ADVANCE(402);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 683:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'N') ADVANCE(433);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'n') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 684:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'N') ADVANCE(647);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'n') ADVANCE(754);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 685:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'N') ADVANCE(664);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'n') ADVANCE(760);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 686:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'N') ADVANCE(644);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 'n') ADVANCE(196);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 683:
+    case 687:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(642);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == 'N') ADVANCE(646);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 'n') ADVANCE(199);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 684:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(667);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'n') ADVANCE(232);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 685:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'N') ADVANCE(697);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'n') ADVANCE(276);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 686:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'O') ADVANCE(709);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'o') ADVANCE(290);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 687:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'R') ADVANCE(678);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'r') ADVANCE(244);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 688:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'R') ADVANCE(699);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'r') ADVANCE(278);
+      if (lookahead == 'N') ADVANCE(671);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'n') ADVANCE(233);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 689:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'S') ADVANCE(431);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 's') ADVANCE(425);
+      if (lookahead == 'N') ADVANCE(701);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'n') ADVANCE(278);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 690:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'S') ADVANCE(430);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 's') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+      if (lookahead == 'O') ADVANCE(713);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'o') ADVANCE(292);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 691:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'S') ADVANCE(652);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 's') ADVANCE(754);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+      if (lookahead == 'R') ADVANCE(682);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'r') ADVANCE(245);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 692:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'S') ADVANCE(653);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 's') ADVANCE(212);
+      if (lookahead == 'R') ADVANCE(703);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'r') ADVANCE(280);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 693:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(431);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 't') ADVANCE(425);
+      if (lookahead == 'S') ADVANCE(434);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 's') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 694:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(428);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 't') ADVANCE(434);
+      if (lookahead == 'S') ADVANCE(433);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 's') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 695:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(412);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 't') ADVANCE(411);
+      if (lookahead == 'S') ADVANCE(656);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 's') ADVANCE(758);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 696:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(406);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 't') ADVANCE(405);
+      if (lookahead == 'S') ADVANCE(657);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 's') ADVANCE(213);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 697:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(403);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 't') ADVANCE(402);
+      if (lookahead == 'T') ADVANCE(434);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 't') ADVANCE(428);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 698:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(391);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 't') ADVANCE(390);
+      if (lookahead == 'T') ADVANCE(431);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 't') ADVANCE(437);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 699:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(417);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 't') ADVANCE(416);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 700:
-      ACCEPT_TOKEN(sym__capitals);
       if (lookahead == 'T') ADVANCE(415);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 't') ADVANCE(414);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 700:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'T') ADVANCE(409);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 't') ADVANCE(408);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 701:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(430);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 't') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+      if (lookahead == 'T') ADVANCE(406);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 't') ADVANCE(405);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 702:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(429);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 't') ADVANCE(435);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+      if (lookahead == 'T') ADVANCE(394);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 't') ADVANCE(393);
       if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 703:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(638);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == 'T') ADVANCE(420);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 't') ADVANCE(419);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 704:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'T') ADVANCE(418);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 't') ADVANCE(417);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 705:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'T') ADVANCE(433);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 't') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 706:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'T') ADVANCE(432);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 't') ADVANCE(438);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 707:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'T') ADVANCE(642);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 't') ADVANCE(194);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 704:
+    case 708:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(635);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == 'T') ADVANCE(639);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 't') ADVANCE(191);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
-    case 705:
+    case 709:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'T') ADVANCE(639);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == 'T') ADVANCE(643);
+      if (lookahead == '_') ADVANCE(306);
       if (lookahead == 't') ADVANCE(195);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 706:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'U') ADVANCE(687);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'u') ADVANCE(265);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 707:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'U') ADVANCE(674);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'u') ADVANCE(239);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 708:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'U') ADVANCE(696);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'u') ADVANCE(275);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 709:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'W') ADVANCE(409);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'w') ADVANCE(408);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || '@' < lookahead) &&
-          (lookahead < '[' || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 710:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == 'W') ADVANCE(669);
-      if (lookahead == '_') ADVANCE(303);
-      if (lookahead == 'w') ADVANCE(234);
+      if (lookahead == 'U') ADVANCE(691);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'u') ADVANCE(267);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 711:
       ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == '_') ADVANCE(303);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(713);
-      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(631);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(630);
-      END_STATE();
-    case 712:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == '_') ADVANCE(303);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 713:
-      ACCEPT_TOKEN(sym__capitals);
-      if (lookahead == '_') ADVANCE(303);
+      if (lookahead == 'U') ADVANCE(678);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'u') ADVANCE(240);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 712:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'U') ADVANCE(700);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'u') ADVANCE(277);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 713:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'W') ADVANCE(412);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'w') ADVANCE(411);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 714:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == 'W') ADVANCE(673);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead == 'w') ADVANCE(235);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 715:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == '_') ADVANCE(306);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(717);
+      if (('a' <= lookahead && lookahead <= 'z')) ADVANCE(635);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(634);
+      END_STATE();
+    case 716:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == '_') ADVANCE(306);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 717:
+      ACCEPT_TOKEN(sym__capitals);
+      if (lookahead == '_') ADVANCE(306);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || '@' < lookahead) &&
+          (lookahead < '[' || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 718:
       ACCEPT_TOKEN(sym__capitals);
       if (lookahead == '_') ADVANCE(172);
       if (lookahead != 0 &&
           (lookahead < 0x02 || '@' < lookahead) &&
           (lookahead < '[' || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 715:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'A') ADVANCE(736);
-      if (lookahead == 'a') ADVANCE(771);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 716:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'A') ADVANCE(679);
-      if (lookahead == 'a') ADVANCE(763);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
-      END_STATE();
-    case 717:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'A') ADVANCE(729);
-      if (lookahead == 'I') ADVANCE(728);
-      if (lookahead == 'a') ADVANCE(763);
-      if (lookahead == 'i') ADVANCE(762);
-      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
-      END_STATE();
-    case 718:
-      ACCEPT_TOKEN(sym_selector);
-      ADVANCE_MAP(
-        'B', 739,
-        'C', 734,
-        'S', 726,
-        'T', 716,
-        'b', 774,
-        'c', 767,
-        's', 760,
-        't', 747,
-      );
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 719:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'D') ADVANCE(722);
-      if (lookahead == 'd') ADVANCE(752);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
+      if (lookahead == 'A') ADVANCE(740);
+      if (lookahead == 'a') ADVANCE(775);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 720:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'D') ADVANCE(651);
-      if (lookahead == 'd') ADVANCE(752);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'A') ADVANCE(683);
+      if (lookahead == 'a') ADVANCE(767);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 721:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'E') ADVANCE(723);
-      if (lookahead == 'V') ADVANCE(720);
-      if (lookahead == 'e') ADVANCE(755);
-      if (lookahead == 'v') ADVANCE(749);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
+      if (lookahead == 'A') ADVANCE(733);
+      if (lookahead == 'I') ADVANCE(732);
+      if (lookahead == 'a') ADVANCE(767);
+      if (lookahead == 'i') ADVANCE(766);
+      if (('B' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 722:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'E') ADVANCE(657);
-      if (lookahead == 'e') ADVANCE(755);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      ADVANCE_MAP(
+        'B', 743,
+        'C', 738,
+        'S', 730,
+        'T', 720,
+        'b', 778,
+        'c', 771,
+        's', 764,
+        't', 751,
+      );
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 723:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'F') ADVANCE(439);
-      if (lookahead == 'f') ADVANCE(442);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'D') ADVANCE(726);
+      if (lookahead == 'd') ADVANCE(756);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 724:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'G') ADVANCE(679);
-      if (lookahead == 'g') ADVANCE(763);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'D') ADVANCE(655);
+      if (lookahead == 'd') ADVANCE(756);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 725:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'I') ADVANCE(741);
-      if (lookahead == 'i') ADVANCE(778);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
+      if (lookahead == 'E') ADVANCE(727);
+      if (lookahead == 'V') ADVANCE(724);
+      if (lookahead == 'e') ADVANCE(759);
+      if (lookahead == 'v') ADVANCE(753);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 726:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'I') ADVANCE(679);
-      if (lookahead == 'i') ADVANCE(763);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'E') ADVANCE(661);
+      if (lookahead == 'e') ADVANCE(759);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 727:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'I') ADVANCE(729);
-      if (lookahead == 'Q') ADVANCE(737);
-      if (lookahead == 'T') ADVANCE(738);
-      if (lookahead == 'i') ADVANCE(763);
-      if (lookahead == 'q') ADVANCE(772);
-      if (lookahead == 't') ADVANCE(773);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
+      if (lookahead == 'F') ADVANCE(442);
+      if (lookahead == 'f') ADVANCE(445);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 728:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'M') ADVANCE(650);
-      if (lookahead == 'm') ADVANCE(753);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'G') ADVANCE(683);
+      if (lookahead == 'g') ADVANCE(767);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 729:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'N') ADVANCE(430);
-      if (lookahead == 'n') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'I') ADVANCE(745);
+      if (lookahead == 'i') ADVANCE(782);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 730:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'N') ADVANCE(740);
-      if (lookahead == 'n') ADVANCE(776);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
+      if (lookahead == 'I') ADVANCE(683);
+      if (lookahead == 'i') ADVANCE(767);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 731:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'O') ADVANCE(739);
-      if (lookahead == 'o') ADVANCE(774);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
+      if (lookahead == 'I') ADVANCE(733);
+      if (lookahead == 'Q') ADVANCE(741);
+      if (lookahead == 'T') ADVANCE(742);
+      if (lookahead == 'i') ADVANCE(767);
+      if (lookahead == 'q') ADVANCE(776);
+      if (lookahead == 't') ADVANCE(777);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 732:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'O') ADVANCE(724);
-      if (lookahead == 'o') ADVANCE(757);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
+      if (lookahead == 'M') ADVANCE(654);
+      if (lookahead == 'm') ADVANCE(757);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 733:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'O') ADVANCE(742);
-      if (lookahead == 'o') ADVANCE(779);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
+      if (lookahead == 'N') ADVANCE(433);
+      if (lookahead == 'n') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 734:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'O') ADVANCE(690);
-      if (lookahead == 'o') ADVANCE(774);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'N') ADVANCE(744);
+      if (lookahead == 'n') ADVANCE(780);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 735:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'P') ADVANCE(430);
-      if (lookahead == 'p') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'O') ADVANCE(743);
+      if (lookahead == 'o') ADVANCE(778);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 736:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'R') ADVANCE(633);
-      if (lookahead == 'r') ADVANCE(745);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'O') ADVANCE(728);
+      if (lookahead == 'o') ADVANCE(761);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 737:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'R') ADVANCE(702);
-      if (lookahead == 'r') ADVANCE(777);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'O') ADVANCE(746);
+      if (lookahead == 'o') ADVANCE(783);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 738:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'R') ADVANCE(665);
-      if (lookahead == 'r') ADVANCE(761);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'O') ADVANCE(694);
+      if (lookahead == 'o') ADVANCE(778);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 739:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'S') ADVANCE(430);
-      if (lookahead == 's') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'P') ADVANCE(433);
+      if (lookahead == 'p') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 740:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'T') ADVANCE(430);
-      if (lookahead == 't') ADVANCE(436);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'R') ADVANCE(637);
+      if (lookahead == 'r') ADVANCE(749);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 741:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'T') ADVANCE(691);
-      if (lookahead == 't') ADVANCE(775);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'R') ADVANCE(706);
+      if (lookahead == 'r') ADVANCE(781);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 742:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'U') ADVANCE(680);
-      if (lookahead == 'u') ADVANCE(764);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'R') ADVANCE(669);
+      if (lookahead == 'r') ADVANCE(765);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 743:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'X') ADVANCE(735);
-      if (lookahead == 'x') ADVANCE(770);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
+      if (lookahead == 'S') ADVANCE(433);
+      if (lookahead == 's') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       if (lookahead != 0 &&
           (lookahead < 0x02 || 0xbf < lookahead) &&
           (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 744:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(771);
+      if (lookahead == 'T') ADVANCE(433);
+      if (lookahead == 't') ADVANCE(439);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('B' <= lookahead && lookahead <= 'Z') ||
-          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 745:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(433);
+      if (lookahead == 'T') ADVANCE(695);
+      if (lookahead == 't') ADVANCE(779);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('B' <= lookahead && lookahead <= 'Z') ||
-          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 746:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(763);
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(762);
+      if (lookahead == 'U') ADVANCE(684);
+      if (lookahead == 'u') ADVANCE(768);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('B' <= lookahead && lookahead <= 'Z') ||
-          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
       END_STATE();
     case 747:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'A' ||
-          lookahead == 'a') ADVANCE(763);
+      if (lookahead == 'X') ADVANCE(739);
+      if (lookahead == 'x') ADVANCE(774);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('B' <= lookahead && lookahead <= 'Z') ||
-          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
       END_STATE();
     case 748:
       ACCEPT_TOKEN(sym_selector);
-      ADVANCE_MAP(
-        'B', 774,
-        'b', 774,
-        'C', 767,
-        'c', 767,
-        'S', 760,
-        's', 760,
-        'T', 747,
-        't', 747,
-      );
+      if (lookahead == 'A' ||
+          lookahead == 'a') ADVANCE(775);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('B' <= lookahead && lookahead <= 'Z') ||
+          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 749:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(752);
+      if (lookahead == 'A' ||
+          lookahead == 'a') ADVANCE(436);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('B' <= lookahead && lookahead <= 'Z') ||
+          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 750:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'D' ||
-          lookahead == 'd') ADVANCE(436);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 751:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(755);
-      if (lookahead == 'V' ||
-          lookahead == 'v') ADVANCE(749);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 752:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(755);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 753:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(436);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 754:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'E' ||
-          lookahead == 'e') ADVANCE(776);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 755:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'F' ||
-          lookahead == 'f') ADVANCE(442);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 756:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'G' ||
-          lookahead == 'g') ADVANCE(436);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 757:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'G' ||
-          lookahead == 'g') ADVANCE(763);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 758:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(778);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 759:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(763);
-      if (lookahead == 'Q' ||
-          lookahead == 'q') ADVANCE(772);
-      if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(773);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 760:
-      ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'I' ||
-          lookahead == 'i') ADVANCE(763);
-      if (('0' <= lookahead && lookahead <= '9') ||
-          ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      END_STATE();
-    case 761:
-      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'A' ||
+          lookahead == 'a') ADVANCE(767);
       if (lookahead == 'I' ||
           lookahead == 'i') ADVANCE(766);
       if (('0' <= lookahead && lookahead <= '9') ||
+          ('B' <= lookahead && lookahead <= 'Z') ||
+          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 751:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'A' ||
+          lookahead == 'a') ADVANCE(767);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('B' <= lookahead && lookahead <= 'Z') ||
+          ('b' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 752:
+      ACCEPT_TOKEN(sym_selector);
+      ADVANCE_MAP(
+        'B', 778,
+        'b', 778,
+        'C', 771,
+        'c', 771,
+        'S', 764,
+        's', 764,
+        'T', 751,
+        't', 751,
+      );
+      if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 753:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'D' ||
+          lookahead == 'd') ADVANCE(756);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 754:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'D' ||
+          lookahead == 'd') ADVANCE(439);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 755:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(759);
+      if (lookahead == 'V' ||
+          lookahead == 'v') ADVANCE(753);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 756:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(759);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 757:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(439);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 758:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'E' ||
+          lookahead == 'e') ADVANCE(780);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 759:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'F' ||
+          lookahead == 'f') ADVANCE(445);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 760:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'G' ||
+          lookahead == 'g') ADVANCE(439);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 761:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'G' ||
+          lookahead == 'g') ADVANCE(767);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 762:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'M' ||
-          lookahead == 'm') ADVANCE(753);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(782);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 763:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(436);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(767);
+      if (lookahead == 'Q' ||
+          lookahead == 'q') ADVANCE(776);
+      if (lookahead == 'T' ||
+          lookahead == 't') ADVANCE(777);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 764:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(750);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(767);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 765:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(776);
+      if (lookahead == 'I' ||
+          lookahead == 'i') ADVANCE(770);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 766:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'N' ||
-          lookahead == 'n') ADVANCE(756);
+      if (lookahead == 'M' ||
+          lookahead == 'm') ADVANCE(757);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 767:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(774);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(439);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 768:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(757);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(754);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 769:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'O' ||
-          lookahead == 'o') ADVANCE(779);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(780);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 770:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'P' ||
-          lookahead == 'p') ADVANCE(436);
+      if (lookahead == 'N' ||
+          lookahead == 'n') ADVANCE(760);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 771:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(745);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(778);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 772:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(777);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(761);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 773:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'R' ||
-          lookahead == 'r') ADVANCE(761);
+      if (lookahead == 'O' ||
+          lookahead == 'o') ADVANCE(783);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 774:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(436);
+      if (lookahead == 'P' ||
+          lookahead == 'p') ADVANCE(439);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 775:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'S' ||
-          lookahead == 's') ADVANCE(754);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(749);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 776:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(436);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(781);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 777:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(435);
+      if (lookahead == 'R' ||
+          lookahead == 'r') ADVANCE(765);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 778:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'T' ||
-          lookahead == 't') ADVANCE(775);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(439);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 779:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'U' ||
-          lookahead == 'u') ADVANCE(764);
+      if (lookahead == 'S' ||
+          lookahead == 's') ADVANCE(758);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 780:
       ACCEPT_TOKEN(sym_selector);
-      if (lookahead == 'X' ||
-          lookahead == 'x') ADVANCE(770);
+      if (lookahead == 'T' ||
+          lookahead == 't') ADVANCE(439);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 781:
       ACCEPT_TOKEN(sym_selector);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(712);
+      if (lookahead == 'T' ||
+          lookahead == 't') ADVANCE(438);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(713);
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 782:
       ACCEPT_TOKEN(sym_selector);
-      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(781);
+      if (lookahead == 'T' ||
+          lookahead == 't') ADVANCE(779);
       if (('0' <= lookahead && lookahead <= '9') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
-      if (lookahead != 0 &&
-          (lookahead < 0x02 || 0xbf < lookahead) &&
-          (lookahead < 0x2000 || 0x206f < lookahead) &&
-          lookahead != 0xfeff) ADVANCE(303);
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     case 783:
       ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'U' ||
+          lookahead == 'u') ADVANCE(768);
       if (('0' <= lookahead && lookahead <= '9') ||
           ('A' <= lookahead && lookahead <= 'Z') ||
-          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(783);
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 784:
+      ACCEPT_TOKEN(sym_selector);
+      if (lookahead == 'X' ||
+          lookahead == 'x') ADVANCE(774);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      END_STATE();
+    case 785:
+      ACCEPT_TOKEN(sym_selector);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(716);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(717);
+      END_STATE();
+    case 786:
+      ACCEPT_TOKEN(sym_selector);
+      if (('A' <= lookahead && lookahead <= 'Z')) ADVANCE(785);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
+      if (lookahead != 0 &&
+          (lookahead < 0x02 || 0xbf < lookahead) &&
+          (lookahead < 0x2000 || 0x206f < lookahead) &&
+          lookahead != 0xfeff) ADVANCE(306);
+      END_STATE();
+    case 787:
+      ACCEPT_TOKEN(sym_selector);
+      if (('0' <= lookahead && lookahead <= '9') ||
+          ('A' <= lookahead && lookahead <= 'Z') ||
+          ('a' <= lookahead && lookahead <= 'z')) ADVANCE(787);
       END_STATE();
     default:
       return false;
@@ -10032,126 +10106,126 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
 
 static const TSLexMode ts_lex_modes[STATE_COUNT] = {
   [0] = {.lex_state = 0},
-  [1] = {.lex_state = 308},
-  [2] = {.lex_state = 308},
-  [3] = {.lex_state = 309},
-  [4] = {.lex_state = 309},
-  [5] = {.lex_state = 309},
-  [6] = {.lex_state = 309},
-  [7] = {.lex_state = 309},
-  [8] = {.lex_state = 309},
-  [9] = {.lex_state = 310},
-  [10] = {.lex_state = 310},
-  [11] = {.lex_state = 310},
-  [12] = {.lex_state = 310},
-  [13] = {.lex_state = 310},
-  [14] = {.lex_state = 307},
-  [15] = {.lex_state = 307},
-  [16] = {.lex_state = 307},
-  [17] = {.lex_state = 307},
-  [18] = {.lex_state = 307},
-  [19] = {.lex_state = 307},
-  [20] = {.lex_state = 307},
-  [21] = {.lex_state = 307},
-  [22] = {.lex_state = 307},
-  [23] = {.lex_state = 307},
-  [24] = {.lex_state = 307},
-  [25] = {.lex_state = 307},
-  [26] = {.lex_state = 307},
-  [27] = {.lex_state = 307},
-  [28] = {.lex_state = 307},
-  [29] = {.lex_state = 307},
-  [30] = {.lex_state = 307},
-  [31] = {.lex_state = 307},
-  [32] = {.lex_state = 307},
-  [33] = {.lex_state = 307},
-  [34] = {.lex_state = 309},
-  [35] = {.lex_state = 309},
-  [36] = {.lex_state = 309},
-  [37] = {.lex_state = 309},
-  [38] = {.lex_state = 309},
-  [39] = {.lex_state = 309},
-  [40] = {.lex_state = 315},
-  [41] = {.lex_state = 309},
-  [42] = {.lex_state = 315},
-  [43] = {.lex_state = 309},
-  [44] = {.lex_state = 309},
-  [45] = {.lex_state = 309},
-  [46] = {.lex_state = 315},
-  [47] = {.lex_state = 309},
-  [48] = {.lex_state = 309},
-  [49] = {.lex_state = 315},
-  [50] = {.lex_state = 315},
-  [51] = {.lex_state = 315},
-  [52] = {.lex_state = 315},
+  [1] = {.lex_state = 311},
+  [2] = {.lex_state = 311},
+  [3] = {.lex_state = 312},
+  [4] = {.lex_state = 312},
+  [5] = {.lex_state = 312},
+  [6] = {.lex_state = 312},
+  [7] = {.lex_state = 312},
+  [8] = {.lex_state = 312},
+  [9] = {.lex_state = 313},
+  [10] = {.lex_state = 313},
+  [11] = {.lex_state = 313},
+  [12] = {.lex_state = 313},
+  [13] = {.lex_state = 313},
+  [14] = {.lex_state = 310},
+  [15] = {.lex_state = 310},
+  [16] = {.lex_state = 310},
+  [17] = {.lex_state = 310},
+  [18] = {.lex_state = 310},
+  [19] = {.lex_state = 310},
+  [20] = {.lex_state = 310},
+  [21] = {.lex_state = 310},
+  [22] = {.lex_state = 310},
+  [23] = {.lex_state = 310},
+  [24] = {.lex_state = 310},
+  [25] = {.lex_state = 310},
+  [26] = {.lex_state = 310},
+  [27] = {.lex_state = 310},
+  [28] = {.lex_state = 310},
+  [29] = {.lex_state = 310},
+  [30] = {.lex_state = 310},
+  [31] = {.lex_state = 310},
+  [32] = {.lex_state = 310},
+  [33] = {.lex_state = 310},
+  [34] = {.lex_state = 310},
+  [35] = {.lex_state = 312},
+  [36] = {.lex_state = 312},
+  [37] = {.lex_state = 312},
+  [38] = {.lex_state = 312},
+  [39] = {.lex_state = 312},
+  [40] = {.lex_state = 312},
+  [41] = {.lex_state = 318},
+  [42] = {.lex_state = 312},
+  [43] = {.lex_state = 318},
+  [44] = {.lex_state = 312},
+  [45] = {.lex_state = 312},
+  [46] = {.lex_state = 318},
+  [47] = {.lex_state = 312},
+  [48] = {.lex_state = 318},
+  [49] = {.lex_state = 312},
+  [50] = {.lex_state = 318},
+  [51] = {.lex_state = 318},
+  [52] = {.lex_state = 318},
   [53] = {.lex_state = 315},
-  [54] = {.lex_state = 315},
-  [55] = {.lex_state = 312},
-  [56] = {.lex_state = 315},
-  [57] = {.lex_state = 307},
-  [58] = {.lex_state = 315},
-  [59] = {.lex_state = 309},
-  [60] = {.lex_state = 309},
-  [61] = {.lex_state = 314},
-  [62] = {.lex_state = 315},
-  [63] = {.lex_state = 315},
-  [64] = {.lex_state = 315},
-  [65] = {.lex_state = 315},
-  [66] = {.lex_state = 315},
-  [67] = {.lex_state = 309},
-  [68] = {.lex_state = 315},
-  [69] = {.lex_state = 315},
-  [70] = {.lex_state = 315},
-  [71] = {.lex_state = 315},
-  [72] = {.lex_state = 315},
-  [73] = {.lex_state = 315},
-  [74] = {.lex_state = 315},
-  [75] = {.lex_state = 315},
-  [76] = {.lex_state = 309},
-  [77] = {.lex_state = 316},
-  [78] = {.lex_state = 316},
-  [79] = {.lex_state = 316},
-  [80] = {.lex_state = 316},
-  [81] = {.lex_state = 316},
-  [82] = {.lex_state = 316},
-  [83] = {.lex_state = 316},
-  [84] = {.lex_state = 316},
-  [85] = {.lex_state = 316},
-  [86] = {.lex_state = 316},
-  [87] = {.lex_state = 309},
-  [88] = {.lex_state = 309},
-  [89] = {.lex_state = 309},
-  [90] = {.lex_state = 309},
-  [91] = {.lex_state = 309},
-  [92] = {.lex_state = 309},
-  [93] = {.lex_state = 309},
-  [94] = {.lex_state = 309},
-  [95] = {.lex_state = 309},
-  [96] = {.lex_state = 309},
-  [97] = {.lex_state = 309},
-  [98] = {.lex_state = 309},
-  [99] = {.lex_state = 309},
-  [100] = {.lex_state = 309},
-  [101] = {.lex_state = 309},
-  [102] = {.lex_state = 309},
-  [103] = {.lex_state = 309},
-  [104] = {.lex_state = 309},
-  [105] = {.lex_state = 309},
-  [106] = {.lex_state = 309},
-  [107] = {.lex_state = 309},
-  [108] = {.lex_state = 309},
-  [109] = {.lex_state = 309},
-  [110] = {.lex_state = 309},
+  [54] = {.lex_state = 318},
+  [55] = {.lex_state = 318},
+  [56] = {.lex_state = 312},
+  [57] = {.lex_state = 310},
+  [58] = {.lex_state = 318},
+  [59] = {.lex_state = 318},
+  [60] = {.lex_state = 317},
+  [61] = {.lex_state = 312},
+  [62] = {.lex_state = 312},
+  [63] = {.lex_state = 318},
+  [64] = {.lex_state = 318},
+  [65] = {.lex_state = 318},
+  [66] = {.lex_state = 318},
+  [67] = {.lex_state = 318},
+  [68] = {.lex_state = 312},
+  [69] = {.lex_state = 318},
+  [70] = {.lex_state = 312},
+  [71] = {.lex_state = 318},
+  [72] = {.lex_state = 318},
+  [73] = {.lex_state = 318},
+  [74] = {.lex_state = 318},
+  [75] = {.lex_state = 318},
+  [76] = {.lex_state = 318},
+  [77] = {.lex_state = 318},
+  [78] = {.lex_state = 318},
+  [79] = {.lex_state = 319},
+  [80] = {.lex_state = 319},
+  [81] = {.lex_state = 319},
+  [82] = {.lex_state = 319},
+  [83] = {.lex_state = 319},
+  [84] = {.lex_state = 319},
+  [85] = {.lex_state = 319},
+  [86] = {.lex_state = 319},
+  [87] = {.lex_state = 319},
+  [88] = {.lex_state = 319},
+  [89] = {.lex_state = 312},
+  [90] = {.lex_state = 312},
+  [91] = {.lex_state = 312},
+  [92] = {.lex_state = 312},
+  [93] = {.lex_state = 312},
+  [94] = {.lex_state = 312},
+  [95] = {.lex_state = 312},
+  [96] = {.lex_state = 312},
+  [97] = {.lex_state = 312},
+  [98] = {.lex_state = 312},
+  [99] = {.lex_state = 312},
+  [100] = {.lex_state = 312},
+  [101] = {.lex_state = 312},
+  [102] = {.lex_state = 312},
+  [103] = {.lex_state = 312},
+  [104] = {.lex_state = 312},
+  [105] = {.lex_state = 312},
+  [106] = {.lex_state = 312},
+  [107] = {.lex_state = 312},
+  [108] = {.lex_state = 312},
+  [109] = {.lex_state = 312},
+  [110] = {.lex_state = 312},
   [111] = {.lex_state = 312},
   [112] = {.lex_state = 312},
-  [113] = {.lex_state = 5},
-  [114] = {.lex_state = 5},
+  [113] = {.lex_state = 315},
+  [114] = {.lex_state = 315},
   [115] = {.lex_state = 5},
   [116] = {.lex_state = 5},
   [117] = {.lex_state = 5},
   [118] = {.lex_state = 5},
-  [119] = {.lex_state = 4},
-  [120] = {.lex_state = 4},
+  [119] = {.lex_state = 5},
+  [120] = {.lex_state = 5},
   [121] = {.lex_state = 4},
   [122] = {.lex_state = 4},
   [123] = {.lex_state = 4},
@@ -10191,144 +10265,157 @@ static const TSLexMode ts_lex_modes[STATE_COUNT] = {
   [157] = {.lex_state = 4},
   [158] = {.lex_state = 4},
   [159] = {.lex_state = 4},
-  [160] = {.lex_state = 318},
-  [161] = {.lex_state = 318},
-  [162] = {.lex_state = 318},
-  [163] = {.lex_state = 318},
-  [164] = {.lex_state = 318},
-  [165] = {.lex_state = 318},
-  [166] = {.lex_state = 318},
-  [167] = {.lex_state = 318},
-  [168] = {.lex_state = 318},
-  [169] = {.lex_state = 318},
-  [170] = {.lex_state = 318},
-  [171] = {.lex_state = 318},
-  [172] = {.lex_state = 318},
-  [173] = {.lex_state = 318},
-  [174] = {.lex_state = 318},
-  [175] = {.lex_state = 317},
-  [176] = {.lex_state = 318},
-  [177] = {.lex_state = 318},
-  [178] = {.lex_state = 318},
-  [179] = {.lex_state = 318},
-  [180] = {.lex_state = 318},
-  [181] = {.lex_state = 318},
-  [182] = {.lex_state = 318},
-  [183] = {.lex_state = 318},
-  [184] = {.lex_state = 318},
-  [185] = {.lex_state = 318},
-  [186] = {.lex_state = 318},
-  [187] = {.lex_state = 319},
-  [188] = {.lex_state = 3},
-  [189] = {.lex_state = 3},
-  [190] = {.lex_state = 3},
-  [191] = {.lex_state = 3},
-  [192] = {.lex_state = 0},
-  [193] = {.lex_state = 319},
-  [194] = {.lex_state = 3},
-  [195] = {.lex_state = 319},
+  [160] = {.lex_state = 4},
+  [161] = {.lex_state = 4},
+  [162] = {.lex_state = 321},
+  [163] = {.lex_state = 321},
+  [164] = {.lex_state = 321},
+  [165] = {.lex_state = 321},
+  [166] = {.lex_state = 321},
+  [167] = {.lex_state = 321},
+  [168] = {.lex_state = 321},
+  [169] = {.lex_state = 321},
+  [170] = {.lex_state = 321},
+  [171] = {.lex_state = 321},
+  [172] = {.lex_state = 321},
+  [173] = {.lex_state = 321},
+  [174] = {.lex_state = 321},
+  [175] = {.lex_state = 321},
+  [176] = {.lex_state = 321},
+  [177] = {.lex_state = 320},
+  [178] = {.lex_state = 321},
+  [179] = {.lex_state = 321},
+  [180] = {.lex_state = 321},
+  [181] = {.lex_state = 321},
+  [182] = {.lex_state = 321},
+  [183] = {.lex_state = 321},
+  [184] = {.lex_state = 321},
+  [185] = {.lex_state = 321},
+  [186] = {.lex_state = 321},
+  [187] = {.lex_state = 321},
+  [188] = {.lex_state = 321},
+  [189] = {.lex_state = 321},
+  [190] = {.lex_state = 4},
+  [191] = {.lex_state = 322},
+  [192] = {.lex_state = 4},
+  [193] = {.lex_state = 4},
+  [194] = {.lex_state = 4},
+  [195] = {.lex_state = 3},
   [196] = {.lex_state = 3},
-  [197] = {.lex_state = 3},
+  [197] = {.lex_state = 0},
   [198] = {.lex_state = 3},
   [199] = {.lex_state = 3},
-  [200] = {.lex_state = 0},
+  [200] = {.lex_state = 3},
   [201] = {.lex_state = 3},
-  [202] = {.lex_state = 0},
-  [203] = {.lex_state = 0},
-  [204] = {.lex_state = 0},
-  [205] = {.lex_state = 318},
-  [206] = {.lex_state = 318},
-  [207] = {.lex_state = 318},
+  [202] = {.lex_state = 322},
+  [203] = {.lex_state = 3},
+  [204] = {.lex_state = 3},
+  [205] = {.lex_state = 322},
+  [206] = {.lex_state = 3},
+  [207] = {.lex_state = 3},
   [208] = {.lex_state = 3},
   [209] = {.lex_state = 3},
   [210] = {.lex_state = 3},
   [211] = {.lex_state = 3},
   [212] = {.lex_state = 3},
   [213] = {.lex_state = 3},
-  [214] = {.lex_state = 3},
+  [214] = {.lex_state = 321},
   [215] = {.lex_state = 3},
   [216] = {.lex_state = 3},
-  [217] = {.lex_state = 318},
+  [217] = {.lex_state = 321},
   [218] = {.lex_state = 3},
-  [219] = {.lex_state = 310},
-  [220] = {.lex_state = 318},
-  [221] = {.lex_state = 0},
-  [222] = {.lex_state = 0},
-  [223] = {.lex_state = 0},
-  [224] = {.lex_state = 0},
+  [219] = {.lex_state = 3},
+  [220] = {.lex_state = 313},
+  [221] = {.lex_state = 321},
+  [222] = {.lex_state = 3},
+  [223] = {.lex_state = 321},
+  [224] = {.lex_state = 321},
   [225] = {.lex_state = 0},
   [226] = {.lex_state = 0},
-  [227] = {.lex_state = 3},
-  [228] = {.lex_state = 321},
+  [227] = {.lex_state = 0},
+  [228] = {.lex_state = 0},
   [229] = {.lex_state = 0},
   [230] = {.lex_state = 0},
-  [231] = {.lex_state = 0},
-  [232] = {.lex_state = 3},
-  [233] = {.lex_state = 3},
-  [234] = {.lex_state = 3},
-  [235] = {.lex_state = 3},
+  [231] = {.lex_state = 3},
+  [232] = {.lex_state = 324},
+  [233] = {.lex_state = 0},
+  [234] = {.lex_state = 0},
+  [235] = {.lex_state = 0},
   [236] = {.lex_state = 3},
   [237] = {.lex_state = 3},
   [238] = {.lex_state = 3},
-  [239] = {.lex_state = 310},
+  [239] = {.lex_state = 3},
   [240] = {.lex_state = 3},
   [241] = {.lex_state = 3},
-  [242] = {.lex_state = 0},
-  [243] = {.lex_state = 0},
-  [244] = {.lex_state = 322},
+  [242] = {.lex_state = 3},
+  [243] = {.lex_state = 313},
+  [244] = {.lex_state = 3},
   [245] = {.lex_state = 3},
-  [246] = {.lex_state = 0},
+  [246] = {.lex_state = 325},
   [247] = {.lex_state = 0},
   [248] = {.lex_state = 0},
   [249] = {.lex_state = 0},
-  [250] = {.lex_state = 3},
-  [251] = {.lex_state = 3},
+  [250] = {.lex_state = 0},
+  [251] = {.lex_state = 0},
   [252] = {.lex_state = 0},
-  [253] = {.lex_state = 0},
+  [253] = {.lex_state = 3},
   [254] = {.lex_state = 0},
   [255] = {.lex_state = 0},
-  [256] = {.lex_state = 3},
+  [256] = {.lex_state = 313},
   [257] = {.lex_state = 0},
   [258] = {.lex_state = 0},
   [259] = {.lex_state = 0},
-  [260] = {.lex_state = 0},
-  [261] = {.lex_state = 3},
-  [262] = {.lex_state = 0},
+  [260] = {.lex_state = 3},
+  [261] = {.lex_state = 0},
+  [262] = {.lex_state = 313},
   [263] = {.lex_state = 0},
   [264] = {.lex_state = 0},
   [265] = {.lex_state = 0},
-  [266] = {.lex_state = 0},
+  [266] = {.lex_state = 3},
   [267] = {.lex_state = 0},
-  [268] = {.lex_state = 0},
+  [268] = {.lex_state = 313},
   [269] = {.lex_state = 0},
-  [270] = {.lex_state = 310},
-  [271] = {.lex_state = 310},
-  [272] = {.lex_state = 310},
-  [273] = {.lex_state = 310},
-  [274] = {.lex_state = 310},
-  [275] = {.lex_state = 310},
-  [276] = {.lex_state = 310},
-  [277] = {.lex_state = 310},
+  [270] = {.lex_state = 0},
+  [271] = {.lex_state = 3},
+  [272] = {.lex_state = 0},
+  [273] = {.lex_state = 0},
+  [274] = {.lex_state = 3},
+  [275] = {.lex_state = 0},
+  [276] = {.lex_state = 313},
+  [277] = {.lex_state = 313},
   [278] = {.lex_state = 0},
-  [279] = {.lex_state = 310},
-  [280] = {.lex_state = 310},
-  [281] = {.lex_state = 310},
-  [282] = {.lex_state = 310},
-  [283] = {.lex_state = 310},
-  [284] = {.lex_state = 0},
-  [285] = {.lex_state = 310},
-  [286] = {.lex_state = 310},
-  [287] = {.lex_state = 0},
-  [288] = {.lex_state = 0},
-  [289] = {.lex_state = 0},
+  [279] = {.lex_state = 313},
+  [280] = {.lex_state = 313},
+  [281] = {.lex_state = 313},
+  [282] = {.lex_state = 0},
+  [283] = {.lex_state = 0},
+  [284] = {.lex_state = 313},
+  [285] = {.lex_state = 313},
+  [286] = {.lex_state = 313},
+  [287] = {.lex_state = 313},
+  [288] = {.lex_state = 313},
+  [289] = {.lex_state = 313},
   [290] = {.lex_state = 0},
-  [291] = {.lex_state = 0},
-  [292] = {.lex_state = 0},
+  [291] = {.lex_state = 313},
+  [292] = {.lex_state = 313},
   [293] = {.lex_state = 0},
-  [294] = {.lex_state = 310},
-  [295] = {.lex_state = 310},
-  [296] = {.lex_state = 310},
-  [297] = {.lex_state = 310},
+  [294] = {.lex_state = 313},
+  [295] = {.lex_state = 313},
+  [296] = {.lex_state = 313},
+  [297] = {.lex_state = 313},
+  [298] = {.lex_state = 0},
+  [299] = {.lex_state = 0},
+  [300] = {.lex_state = 0},
+  [301] = {.lex_state = 0},
+  [302] = {.lex_state = 0},
+  [303] = {.lex_state = 0},
+  [304] = {.lex_state = 0},
+  [305] = {.lex_state = 0},
+  [306] = {.lex_state = 0},
+  [307] = {.lex_state = 0},
+  [308] = {.lex_state = 313},
+  [309] = {.lex_state = 313},
+  [310] = {.lex_state = 313},
 };
 
 static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
@@ -10403,13 +10490,13 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__capitals] = ACTIONS(1),
   },
   [STATE(1)] = {
-    [sym_file] = STATE(292),
-    [sym__line] = STATE(257),
-    [sym_program_name_line] = STATE(257),
-    [sym_header_entry] = STATE(257),
-    [sym_section] = STATE(257),
-    [sym_section_name] = STATE(160),
-    [sym_block] = STATE(257),
+    [sym_file] = STATE(305),
+    [sym__line] = STATE(247),
+    [sym_program_name_line] = STATE(247),
+    [sym_header_entry] = STATE(247),
+    [sym_section] = STATE(247),
+    [sym_section_name] = STATE(165),
+    [sym_block] = STATE(247),
     [sym__head] = STATE(3),
     [sym_computed_block_number] = STATE(3),
     [sym__content] = STATE(5),
@@ -10418,7 +10505,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__statement] = STATE(5),
     [sym_assignment] = STATE(5),
     [sym_declaration] = STATE(5),
-    [sym__target] = STATE(87),
+    [sym__target] = STATE(89),
     [sym_call] = STATE(5),
     [sym_if_statement] = STATE(5),
     [sym_then_statement] = STATE(5),
@@ -10438,19 +10525,19 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_group_start] = STATE(5),
     [sym_group_end] = STATE(5),
     [sym_unknown_statement] = STATE(5),
-    [sym__place] = STATE(87),
-    [sym__name] = STATE(87),
-    [sym_selected_variable] = STATE(87),
-    [sym_indirect_variable] = STATE(87),
-    [sym_double_sharp] = STATE(87),
-    [sym__text] = STATE(100),
+    [sym__place] = STATE(89),
+    [sym__name] = STATE(89),
+    [sym_selected_variable] = STATE(89),
+    [sym_indirect_variable] = STATE(89),
+    [sym_double_sharp] = STATE(89),
+    [sym__text] = STATE(101),
     [sym__any_word] = STATE(5),
     [sym_extended_word] = STATE(5),
-    [sym__extended] = STATE(65),
-    [sym__extended_left] = STATE(230),
+    [sym__extended] = STATE(64),
+    [sym__extended_left] = STATE(234),
     [sym_word] = STATE(5),
     [sym_empty_word] = STATE(5),
-    [aux_sym_file_repeat1] = STATE(266),
+    [aux_sym_file_repeat1] = STATE(275),
     [aux_sym_block_repeat1] = STATE(3),
     [ts_builtin_sym_end] = ACTIONS(7),
     [sym__end_of_line] = ACTIONS(9),
@@ -10508,12 +10595,12 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__capitals] = ACTIONS(81),
   },
   [STATE(2)] = {
-    [sym__line] = STATE(287),
-    [sym_program_name_line] = STATE(287),
-    [sym_header_entry] = STATE(287),
-    [sym_section] = STATE(287),
-    [sym_section_name] = STATE(160),
-    [sym_block] = STATE(287),
+    [sym__line] = STATE(278),
+    [sym_program_name_line] = STATE(278),
+    [sym_header_entry] = STATE(278),
+    [sym_section] = STATE(278),
+    [sym_section_name] = STATE(165),
+    [sym_block] = STATE(278),
     [sym__head] = STATE(3),
     [sym_computed_block_number] = STATE(3),
     [sym__content] = STATE(5),
@@ -10522,7 +10609,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__statement] = STATE(5),
     [sym_assignment] = STATE(5),
     [sym_declaration] = STATE(5),
-    [sym__target] = STATE(87),
+    [sym__target] = STATE(89),
     [sym_call] = STATE(5),
     [sym_if_statement] = STATE(5),
     [sym_then_statement] = STATE(5),
@@ -10542,16 +10629,16 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_group_start] = STATE(5),
     [sym_group_end] = STATE(5),
     [sym_unknown_statement] = STATE(5),
-    [sym__place] = STATE(87),
-    [sym__name] = STATE(87),
-    [sym_selected_variable] = STATE(87),
-    [sym_indirect_variable] = STATE(87),
-    [sym_double_sharp] = STATE(87),
-    [sym__text] = STATE(100),
+    [sym__place] = STATE(89),
+    [sym__name] = STATE(89),
+    [sym_selected_variable] = STATE(89),
+    [sym_indirect_variable] = STATE(89),
+    [sym_double_sharp] = STATE(89),
+    [sym__text] = STATE(101),
     [sym__any_word] = STATE(5),
     [sym_extended_word] = STATE(5),
-    [sym__extended] = STATE(65),
-    [sym__extended_left] = STATE(230),
+    [sym__extended] = STATE(64),
+    [sym__extended_left] = STATE(234),
     [sym_word] = STATE(5),
     [sym_empty_word] = STATE(5),
     [aux_sym_block_repeat1] = STATE(3),
@@ -10611,15 +10698,15 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__capitals] = ACTIONS(81),
   },
   [STATE(3)] = {
-    [sym__head] = STATE(34),
-    [sym_computed_block_number] = STATE(34),
+    [sym__head] = STATE(35),
+    [sym_computed_block_number] = STATE(35),
     [sym__content] = STATE(7),
     [sym_bare_value] = STATE(7),
     [sym_stray_parenthesis] = STATE(7),
     [sym__statement] = STATE(7),
     [sym_assignment] = STATE(7),
     [sym_declaration] = STATE(7),
-    [sym__target] = STATE(87),
+    [sym__target] = STATE(89),
     [sym_call] = STATE(7),
     [sym_if_statement] = STATE(7),
     [sym_then_statement] = STATE(7),
@@ -10639,19 +10726,19 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_group_start] = STATE(7),
     [sym_group_end] = STATE(7),
     [sym_unknown_statement] = STATE(7),
-    [sym__place] = STATE(87),
-    [sym__name] = STATE(87),
-    [sym_selected_variable] = STATE(87),
-    [sym_indirect_variable] = STATE(87),
-    [sym_double_sharp] = STATE(87),
-    [sym__text] = STATE(100),
+    [sym__place] = STATE(89),
+    [sym__name] = STATE(89),
+    [sym_selected_variable] = STATE(89),
+    [sym_indirect_variable] = STATE(89),
+    [sym_double_sharp] = STATE(89),
+    [sym__text] = STATE(101),
     [sym__any_word] = STATE(7),
     [sym_extended_word] = STATE(7),
-    [sym__extended] = STATE(65),
-    [sym__extended_left] = STATE(230),
+    [sym__extended] = STATE(64),
+    [sym__extended_left] = STATE(234),
     [sym_word] = STATE(7),
     [sym_empty_word] = STATE(7),
-    [aux_sym_block_repeat1] = STATE(34),
+    [aux_sym_block_repeat1] = STATE(35),
     [ts_builtin_sym_end] = ACTIONS(85),
     [sym__end_of_line] = ACTIONS(85),
     [sym_description_mark] = ACTIONS(3),
@@ -10711,7 +10798,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__statement] = STATE(6),
     [sym_assignment] = STATE(6),
     [sym_declaration] = STATE(6),
-    [sym__target] = STATE(87),
+    [sym__target] = STATE(89),
     [sym_call] = STATE(6),
     [sym_if_statement] = STATE(6),
     [sym_then_statement] = STATE(6),
@@ -10731,16 +10818,16 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_group_start] = STATE(6),
     [sym_group_end] = STATE(6),
     [sym_unknown_statement] = STATE(6),
-    [sym__place] = STATE(87),
-    [sym__name] = STATE(87),
-    [sym_selected_variable] = STATE(87),
-    [sym_indirect_variable] = STATE(87),
-    [sym_double_sharp] = STATE(87),
-    [sym__text] = STATE(100),
+    [sym__place] = STATE(89),
+    [sym__name] = STATE(89),
+    [sym_selected_variable] = STATE(89),
+    [sym_indirect_variable] = STATE(89),
+    [sym_double_sharp] = STATE(89),
+    [sym__text] = STATE(101),
     [sym__any_word] = STATE(6),
     [sym_extended_word] = STATE(6),
-    [sym__extended] = STATE(65),
-    [sym__extended_left] = STATE(230),
+    [sym__extended] = STATE(64),
+    [sym__extended_left] = STATE(234),
     [sym_word] = STATE(6),
     [sym_empty_word] = STATE(6),
     [aux_sym_block_repeat2] = STATE(6),
@@ -10799,7 +10886,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__statement] = STATE(8),
     [sym_assignment] = STATE(8),
     [sym_declaration] = STATE(8),
-    [sym__target] = STATE(87),
+    [sym__target] = STATE(89),
     [sym_call] = STATE(8),
     [sym_if_statement] = STATE(8),
     [sym_then_statement] = STATE(8),
@@ -10819,16 +10906,16 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_group_start] = STATE(8),
     [sym_group_end] = STATE(8),
     [sym_unknown_statement] = STATE(8),
-    [sym__place] = STATE(87),
-    [sym__name] = STATE(87),
-    [sym_selected_variable] = STATE(87),
-    [sym_indirect_variable] = STATE(87),
-    [sym_double_sharp] = STATE(87),
-    [sym__text] = STATE(100),
+    [sym__place] = STATE(89),
+    [sym__name] = STATE(89),
+    [sym_selected_variable] = STATE(89),
+    [sym_indirect_variable] = STATE(89),
+    [sym_double_sharp] = STATE(89),
+    [sym__text] = STATE(101),
     [sym__any_word] = STATE(8),
     [sym_extended_word] = STATE(8),
-    [sym__extended] = STATE(65),
-    [sym__extended_left] = STATE(230),
+    [sym__extended] = STATE(64),
+    [sym__extended_left] = STATE(234),
     [sym_word] = STATE(8),
     [sym_empty_word] = STATE(8),
     [aux_sym_block_repeat2] = STATE(8),
@@ -10887,7 +10974,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__statement] = STATE(6),
     [sym_assignment] = STATE(6),
     [sym_declaration] = STATE(6),
-    [sym__target] = STATE(87),
+    [sym__target] = STATE(89),
     [sym_call] = STATE(6),
     [sym_if_statement] = STATE(6),
     [sym_then_statement] = STATE(6),
@@ -10907,16 +10994,16 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_group_start] = STATE(6),
     [sym_group_end] = STATE(6),
     [sym_unknown_statement] = STATE(6),
-    [sym__place] = STATE(87),
-    [sym__name] = STATE(87),
-    [sym_selected_variable] = STATE(87),
-    [sym_indirect_variable] = STATE(87),
-    [sym_double_sharp] = STATE(87),
-    [sym__text] = STATE(100),
+    [sym__place] = STATE(89),
+    [sym__name] = STATE(89),
+    [sym_selected_variable] = STATE(89),
+    [sym_indirect_variable] = STATE(89),
+    [sym_double_sharp] = STATE(89),
+    [sym__text] = STATE(101),
     [sym__any_word] = STATE(6),
     [sym_extended_word] = STATE(6),
-    [sym__extended] = STATE(65),
-    [sym__extended_left] = STATE(230),
+    [sym__extended] = STATE(64),
+    [sym__extended_left] = STATE(234),
     [sym_word] = STATE(6),
     [sym_empty_word] = STATE(6),
     [aux_sym_block_repeat2] = STATE(6),
@@ -10975,7 +11062,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__statement] = STATE(4),
     [sym_assignment] = STATE(4),
     [sym_declaration] = STATE(4),
-    [sym__target] = STATE(87),
+    [sym__target] = STATE(89),
     [sym_call] = STATE(4),
     [sym_if_statement] = STATE(4),
     [sym_then_statement] = STATE(4),
@@ -10995,16 +11082,16 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_group_start] = STATE(4),
     [sym_group_end] = STATE(4),
     [sym_unknown_statement] = STATE(4),
-    [sym__place] = STATE(87),
-    [sym__name] = STATE(87),
-    [sym_selected_variable] = STATE(87),
-    [sym_indirect_variable] = STATE(87),
-    [sym_double_sharp] = STATE(87),
-    [sym__text] = STATE(100),
+    [sym__place] = STATE(89),
+    [sym__name] = STATE(89),
+    [sym_selected_variable] = STATE(89),
+    [sym_indirect_variable] = STATE(89),
+    [sym_double_sharp] = STATE(89),
+    [sym__text] = STATE(101),
     [sym__any_word] = STATE(4),
     [sym_extended_word] = STATE(4),
-    [sym__extended] = STATE(65),
-    [sym__extended_left] = STATE(230),
+    [sym__extended] = STATE(64),
+    [sym__extended_left] = STATE(234),
     [sym_word] = STATE(4),
     [sym_empty_word] = STATE(4),
     [aux_sym_block_repeat2] = STATE(4),
@@ -11063,7 +11150,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__statement] = STATE(6),
     [sym_assignment] = STATE(6),
     [sym_declaration] = STATE(6),
-    [sym__target] = STATE(87),
+    [sym__target] = STATE(89),
     [sym_call] = STATE(6),
     [sym_if_statement] = STATE(6),
     [sym_then_statement] = STATE(6),
@@ -11083,16 +11170,16 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_group_start] = STATE(6),
     [sym_group_end] = STATE(6),
     [sym_unknown_statement] = STATE(6),
-    [sym__place] = STATE(87),
-    [sym__name] = STATE(87),
-    [sym_selected_variable] = STATE(87),
-    [sym_indirect_variable] = STATE(87),
-    [sym_double_sharp] = STATE(87),
-    [sym__text] = STATE(100),
+    [sym__place] = STATE(89),
+    [sym__name] = STATE(89),
+    [sym_selected_variable] = STATE(89),
+    [sym_indirect_variable] = STATE(89),
+    [sym_double_sharp] = STATE(89),
+    [sym__text] = STATE(101),
     [sym__any_word] = STATE(6),
     [sym_extended_word] = STATE(6),
-    [sym__extended] = STATE(65),
-    [sym__extended_left] = STATE(230),
+    [sym__extended] = STATE(64),
+    [sym__extended_left] = STATE(234),
     [sym_word] = STATE(6),
     [sym_empty_word] = STATE(6),
     [aux_sym_block_repeat2] = STATE(6),
@@ -11146,7 +11233,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
   },
   [STATE(9)] = {
     [sym__several] = STATE(104),
-    [sym__expression] = STATE(86),
+    [sym__expression] = STATE(88),
     [sym__value] = STATE(16),
     [sym_parenthesis] = STATE(16),
     [sym_function_call] = STATE(16),
@@ -11154,15 +11241,15 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_unary] = STATE(16),
     [sym_binary] = STATE(16),
     [sym_comparison] = STATE(57),
-    [sym_logical] = STATE(86),
-    [sym__sign] = STATE(158),
+    [sym_logical] = STATE(88),
+    [sym__sign] = STATE(153),
     [sym__place] = STATE(16),
     [sym__name] = STATE(16),
     [sym_selected_variable] = STATE(16),
     [sym_indirect_variable] = STATE(16),
     [sym_double_sharp] = STATE(16),
     [sym__text] = STATE(16),
-    [aux_sym_section_name_repeat1] = STATE(193),
+    [aux_sym_section_name_repeat1] = STATE(202),
     [ts_builtin_sym_end] = ACTIONS(205),
     [sym__end_of_line] = ACTIONS(205),
     [sym_description_mark] = ACTIONS(3),
@@ -11219,7 +11306,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
   },
   [STATE(10)] = {
     [sym__several] = STATE(104),
-    [sym__expression] = STATE(86),
+    [sym__expression] = STATE(88),
     [sym__value] = STATE(16),
     [sym_parenthesis] = STATE(16),
     [sym_function_call] = STATE(16),
@@ -11227,8 +11314,8 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_unary] = STATE(16),
     [sym_binary] = STATE(16),
     [sym_comparison] = STATE(57),
-    [sym_logical] = STATE(86),
-    [sym__sign] = STATE(158),
+    [sym_logical] = STATE(88),
+    [sym__sign] = STATE(153),
     [sym__place] = STATE(16),
     [sym__name] = STATE(16),
     [sym_selected_variable] = STATE(16),
@@ -11289,7 +11376,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym__capitals] = ACTIONS(233),
   },
   [STATE(11)] = {
-    [sym__expression] = STATE(84),
+    [sym__expression] = STATE(86),
     [sym__value] = STATE(16),
     [sym_parenthesis] = STATE(16),
     [sym_function_call] = STATE(16),
@@ -11297,8 +11384,8 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_unary] = STATE(16),
     [sym_binary] = STATE(16),
     [sym_comparison] = STATE(57),
-    [sym_logical] = STATE(84),
-    [sym__sign] = STATE(158),
+    [sym_logical] = STATE(86),
+    [sym__sign] = STATE(153),
     [sym__place] = STATE(16),
     [sym__name] = STATE(16),
     [sym_selected_variable] = STATE(16),
@@ -11365,7 +11452,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_vacancy_test] = STATE(52),
     [sym_unary] = STATE(52),
     [sym_binary] = STATE(52),
-    [sym__sign] = STATE(140),
+    [sym__sign] = STATE(143),
     [sym__place] = STATE(52),
     [sym__name] = STATE(52),
     [sym_selected_variable] = STATE(52),
@@ -11434,7 +11521,7 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
     [sym_vacancy_test] = STATE(46),
     [sym_unary] = STATE(46),
     [sym_binary] = STATE(46),
-    [sym__sign] = STATE(140),
+    [sym__sign] = STATE(143),
     [sym__place] = STATE(46),
     [sym__name] = STATE(46),
     [sym_selected_variable] = STATE(46),
@@ -11499,9 +11586,9 @@ static const uint16_t ts_parse_table[LARGE_STATE_COUNT][SYMBOL_COUNT] = {
 
 static const uint16_t ts_small_parse_table[] = {
   [0] = 6,
-    STATE(149), 1,
-      sym__sign,
     STATE(150), 1,
+      sym__sign,
+    STATE(151), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -11639,9 +11726,9 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_STAR,
     ACTIONS(301), 1,
       anon_sym_SLASH,
-    STATE(149), 1,
-      sym__sign,
     STATE(150), 1,
+      sym__sign,
+    STATE(151), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -11707,9 +11794,9 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_STAR,
     ACTIONS(301), 1,
       anon_sym_SLASH,
-    STATE(149), 1,
-      sym__sign,
     STATE(150), 1,
+      sym__sign,
+    STATE(151), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -11772,9 +11859,9 @@ static const uint16_t ts_small_parse_table[] = {
       sym__address,
       sym__capitals,
   [306] = 6,
-    STATE(149), 1,
-      sym__sign,
     STATE(150), 1,
+      sym__sign,
+    STATE(151), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -11842,9 +11929,9 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_STAR,
     ACTIONS(301), 1,
       anon_sym_SLASH,
-    STATE(149), 1,
-      sym__sign,
     STATE(150), 1,
+      sym__sign,
+    STATE(151), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -11911,9 +11998,9 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_STAR,
     ACTIONS(301), 1,
       anon_sym_SLASH,
-    STATE(149), 1,
-      sym__sign,
     STATE(150), 1,
+      sym__sign,
+    STATE(151), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -11977,7 +12064,7 @@ static const uint16_t ts_small_parse_table[] = {
   [532] = 6,
     ACTIONS(287), 1,
       anon_sym_LPAREN,
-    STATE(27), 1,
+    STATE(29), 1,
       sym_selector_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -12786,10 +12873,72 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [1398] = 8,
-    ACTIONS(374), 1,
+  [1398] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(369), 19,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      anon_sym_EQ_EQ,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(371), 34,
+      anon_sym_EQ,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      anon_sym_SLASH,
+      sym__and,
+      sym__or,
+      sym__comparison,
+      sym_foreign_operator,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [1464] = 8,
+    ACTIONS(378), 1,
       sym_skip,
-    ACTIONS(377), 1,
+    ACTIONS(381), 1,
       anon_sym_N,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -12797,15 +12946,15 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(371), 3,
+    ACTIONS(375), 3,
       sym__parenthesis_comment,
       sym_slide,
       sym_block_number,
-    STATE(34), 3,
+    STATE(35), 3,
       sym__head,
       sym_computed_block_number,
       aux_sym_block_repeat1,
-    ACTIONS(369), 14,
+    ACTIONS(373), 14,
       ts_builtin_sym_end,
       sym__end_of_line,
       anon_sym_RPAREN,
@@ -12820,7 +12969,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(380), 28,
+    ACTIONS(384), 28,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -12849,219 +12998,18 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [1469] = 12,
-    ACTIONS(389), 1,
+  [1535] = 12,
+    ACTIONS(393), 1,
       sym_literal_word,
-    ACTIONS(392), 1,
+    ACTIONS(396), 1,
       sym_lower_case_word,
-    ACTIONS(395), 1,
+    ACTIONS(399), 1,
       sym__address,
-    STATE(35), 1,
-      aux_sym_unit_start_repeat1,
-    STATE(65), 1,
-      sym__extended,
-    STATE(230), 1,
-      sym__extended_left,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(386), 2,
-      sym_letter_o_word,
-      sym_malformed_word,
-    STATE(92), 4,
-      sym__any_word,
-      sym_extended_word,
-      sym_word,
-      sym_empty_word,
-    ACTIONS(382), 14,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    ACTIONS(384), 24,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym__capitals,
-  [1548] = 12,
-    ACTIONS(75), 1,
-      sym_literal_word,
-    ACTIONS(77), 1,
-      sym__address,
-    ACTIONS(404), 1,
-      sym_lower_case_word,
-    STATE(37), 1,
-      aux_sym_call_repeat1,
-    STATE(65), 1,
-      sym__extended,
-    STATE(230), 1,
-      sym__extended_left,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(402), 2,
-      sym_letter_o_word,
-      sym_malformed_word,
-    STATE(109), 4,
-      sym__any_word,
-      sym_extended_word,
-      sym_word,
-      sym_empty_word,
-    ACTIONS(398), 14,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    ACTIONS(400), 24,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym__capitals,
-  [1627] = 12,
-    ACTIONS(413), 1,
-      sym_literal_word,
-    ACTIONS(416), 1,
-      sym_lower_case_word,
-    ACTIONS(419), 1,
-      sym__address,
-    STATE(37), 1,
-      aux_sym_call_repeat1,
-    STATE(65), 1,
-      sym__extended,
-    STATE(230), 1,
-      sym__extended_left,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(410), 2,
-      sym_letter_o_word,
-      sym_malformed_word,
-    STATE(109), 4,
-      sym__any_word,
-      sym_extended_word,
-      sym_word,
-      sym_empty_word,
-    ACTIONS(406), 14,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    ACTIONS(408), 24,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym__capitals,
-  [1706] = 12,
-    ACTIONS(75), 1,
-      sym_literal_word,
-    ACTIONS(77), 1,
-      sym__address,
-    ACTIONS(404), 1,
-      sym_lower_case_word,
     STATE(36), 1,
-      aux_sym_call_repeat1,
-    STATE(65), 1,
+      aux_sym_unit_start_repeat1,
+    STATE(64), 1,
       sym__extended,
-    STATE(230), 1,
+    STATE(234), 1,
       sym__extended_left,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -13069,7 +13017,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(402), 2,
+    ACTIONS(390), 2,
       sym_letter_o_word,
       sym_malformed_word,
     STATE(109), 4,
@@ -13077,7 +13025,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_extended_word,
       sym_word,
       sym_empty_word,
-    ACTIONS(422), 14,
+    ACTIONS(386), 14,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -13092,7 +13040,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    ACTIONS(424), 24,
+    ACTIONS(388), 24,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -13117,18 +13065,18 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_POUND,
       sym_unclosed_string,
       sym__capitals,
-  [1785] = 12,
+  [1614] = 12,
     ACTIONS(75), 1,
       sym_literal_word,
     ACTIONS(77), 1,
       sym__address,
-    ACTIONS(432), 1,
+    ACTIONS(408), 1,
       sym_lower_case_word,
-    STATE(41), 1,
-      aux_sym_unit_start_repeat1,
-    STATE(65), 1,
+    STATE(38), 1,
+      aux_sym_call_repeat1,
+    STATE(64), 1,
       sym__extended,
-    STATE(230), 1,
+    STATE(234), 1,
       sym__extended_left,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -13136,10 +13084,144 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(430), 2,
+    ACTIONS(406), 2,
       sym_letter_o_word,
       sym_malformed_word,
-    STATE(92), 4,
+    STATE(107), 4,
+      sym__any_word,
+      sym_extended_word,
+      sym_word,
+      sym_empty_word,
+    ACTIONS(402), 14,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    ACTIONS(404), 24,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym__capitals,
+  [1693] = 12,
+    ACTIONS(417), 1,
+      sym_literal_word,
+    ACTIONS(420), 1,
+      sym_lower_case_word,
+    ACTIONS(423), 1,
+      sym__address,
+    STATE(38), 1,
+      aux_sym_call_repeat1,
+    STATE(64), 1,
+      sym__extended,
+    STATE(234), 1,
+      sym__extended_left,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(414), 2,
+      sym_letter_o_word,
+      sym_malformed_word,
+    STATE(107), 4,
+      sym__any_word,
+      sym_extended_word,
+      sym_word,
+      sym_empty_word,
+    ACTIONS(410), 14,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    ACTIONS(412), 24,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym__capitals,
+  [1772] = 12,
+    ACTIONS(75), 1,
+      sym_literal_word,
+    ACTIONS(77), 1,
+      sym__address,
+    ACTIONS(408), 1,
+      sym_lower_case_word,
+    STATE(37), 1,
+      aux_sym_call_repeat1,
+    STATE(64), 1,
+      sym__extended,
+    STATE(234), 1,
+      sym__extended_left,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(406), 2,
+      sym_letter_o_word,
+      sym_malformed_word,
+    STATE(107), 4,
       sym__any_word,
       sym_extended_word,
       sym_word,
@@ -13184,77 +13266,18 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_POUND,
       sym_unclosed_string,
       sym__capitals,
-  [1864] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(321), 20,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      anon_sym_EQ_EQ,
-      anon_sym_LPAREN,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(323), 30,
-      anon_sym_EQ,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      anon_sym_SLASH,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [1927] = 12,
+  [1851] = 12,
     ACTIONS(75), 1,
       sym_literal_word,
     ACTIONS(77), 1,
       sym__address,
-    ACTIONS(432), 1,
+    ACTIONS(436), 1,
       sym_lower_case_word,
-    STATE(35), 1,
+    STATE(42), 1,
       aux_sym_unit_start_repeat1,
-    STATE(65), 1,
+    STATE(64), 1,
       sym__extended,
-    STATE(230), 1,
+    STATE(234), 1,
       sym__extended_left,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -13262,15 +13285,15 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(430), 2,
+    ACTIONS(434), 2,
       sym_letter_o_word,
       sym_malformed_word,
-    STATE(92), 4,
+    STATE(109), 4,
       sym__any_word,
       sym_extended_word,
       sym_word,
       sym_empty_word,
-    ACTIONS(434), 14,
+    ACTIONS(430), 14,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -13285,7 +13308,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    ACTIONS(436), 24,
+    ACTIONS(432), 24,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -13310,7 +13333,7 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_POUND,
       sym_unclosed_string,
       sym__capitals,
-  [2006] = 4,
+  [1930] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -13369,14 +13392,140 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2069] = 4,
+  [1993] = 12,
+    ACTIONS(75), 1,
+      sym_literal_word,
+    ACTIONS(77), 1,
+      sym__address,
+    ACTIONS(436), 1,
+      sym_lower_case_word,
+    STATE(36), 1,
+      aux_sym_unit_start_repeat1,
+    STATE(64), 1,
+      sym__extended,
+    STATE(234), 1,
+      sym__extended_left,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(341), 18,
+    ACTIONS(434), 2,
+      sym_letter_o_word,
+      sym_malformed_word,
+    STATE(109), 4,
+      sym__any_word,
+      sym_extended_word,
+      sym_word,
+      sym_empty_word,
+    ACTIONS(438), 14,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    ACTIONS(440), 24,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym__capitals,
+  [2072] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(321), 20,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      anon_sym_EQ_EQ,
+      anon_sym_LPAREN,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(323), 30,
+      anon_sym_EQ,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      anon_sym_SLASH,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [2135] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(349), 18,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym__parenthesis_comment,
@@ -13395,7 +13544,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(343), 31,
+    ACTIONS(351), 31,
       sym_skip,
       anon_sym_N,
       anon_sym_EQ,
@@ -13427,65 +13576,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2131] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(345), 18,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym__parenthesis_comment,
-      sym_slide,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      anon_sym_EQ_EQ,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(347), 31,
-      sym_skip,
-      anon_sym_N,
-      anon_sym_EQ,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [2193] = 4,
+  [2197] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -13543,14 +13634,14 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2255] = 9,
-    ACTIONS(444), 1,
+  [2259] = 9,
+    ACTIONS(448), 1,
       anon_sym_STAR,
-    ACTIONS(446), 1,
+    ACTIONS(450), 1,
       anon_sym_SLASH,
-    STATE(153), 1,
+    STATE(152), 1,
       sym__sign,
-    STATE(154), 1,
+    STATE(155), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -13558,10 +13649,10 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(442), 2,
+    ACTIONS(446), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    ACTIONS(438), 15,
+    ACTIONS(442), 15,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -13577,7 +13668,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(440), 28,
+    ACTIONS(444), 28,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -13606,10 +13697,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2327] = 6,
-    ACTIONS(448), 1,
+  [2331] = 6,
+    ACTIONS(452), 1,
       anon_sym_LPAREN,
-    STATE(43), 1,
+    STATE(44), 1,
       sym_selector_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -13666,8 +13757,70 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2393] = 6,
+  [2397] = 8,
     ACTIONS(448), 1,
+      anon_sym_STAR,
+    ACTIONS(450), 1,
+      anon_sym_SLASH,
+    STATE(152), 1,
+      sym__sign,
+    STATE(155), 1,
+      sym__multiply,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(454), 17,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(456), 28,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [2467] = 6,
+    ACTIONS(452), 1,
       anon_sym_LPAREN,
     STATE(45), 1,
       sym_selector_list,
@@ -13726,14 +13879,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2459] = 8,
-    ACTIONS(444), 1,
-      anon_sym_STAR,
-    ACTIONS(446), 1,
-      anon_sym_SLASH,
-    STATE(153), 1,
+  [2533] = 6,
+    STATE(152), 1,
       sym__sign,
-    STATE(154), 1,
+    STATE(155), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -13741,65 +13890,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(450), 17,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(452), 28,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [2529] = 6,
-    STATE(153), 1,
-      sym__sign,
-    STATE(154), 1,
-      sym__multiply,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(450), 18,
+    ACTIONS(454), 18,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -13818,7 +13909,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(452), 29,
+    ACTIONS(456), 29,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -13848,10 +13939,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2595] = 6,
-    STATE(153), 1,
+  [2599] = 6,
+    STATE(152), 1,
       sym__sign,
-    STATE(154), 1,
+    STATE(155), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -13908,14 +13999,14 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2661] = 9,
-    ACTIONS(444), 1,
+  [2665] = 9,
+    ACTIONS(448), 1,
       anon_sym_STAR,
-    ACTIONS(446), 1,
+    ACTIONS(450), 1,
       anon_sym_SLASH,
-    STATE(153), 1,
+    STATE(152), 1,
       sym__sign,
-    STATE(154), 1,
+    STATE(155), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -13923,10 +14014,10 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(442), 2,
+    ACTIONS(446), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    ACTIONS(454), 15,
+    ACTIONS(458), 15,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -13942,7 +14033,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(456), 28,
+    ACTIONS(460), 28,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -13971,14 +14062,93 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2733] = 8,
-    ACTIONS(444), 1,
-      anon_sym_STAR,
-    ACTIONS(446), 1,
-      anon_sym_SLASH,
-    STATE(153), 1,
+  [2737] = 25,
+    ACTIONS(466), 1,
+      anon_sym_LPAREN,
+    ACTIONS(468), 1,
+      sym_function,
+    ACTIONS(470), 1,
+      sym__vacancy,
+    ACTIONS(476), 1,
+      sym_variable,
+    ACTIONS(478), 1,
+      sym_variable_kind,
+    ACTIONS(480), 1,
+      anon_sym_POUND,
+    ACTIONS(482), 1,
+      sym_unclosed_string,
+    ACTIONS(486), 1,
+      sym_literal_word,
+    ACTIONS(488), 1,
+      sym_incremental,
+    ACTIONS(490), 1,
+      sym_unknown_coordinate,
+    ACTIONS(492), 1,
+      sym__address,
+    ACTIONS(494), 1,
+      sym__capitals,
+    STATE(145), 1,
       sym__sign,
-    STATE(154), 1,
+    STATE(162), 1,
+      aux_sym_section_repeat1,
+    STATE(178), 1,
+      sym__extended,
+    STATE(235), 1,
+      sym__extended_left,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(462), 2,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+    ACTIONS(464), 2,
+      sym_slide,
+      sym_lower_case_word,
+    ACTIONS(472), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(484), 2,
+      sym_letter_o_word,
+      sym_malformed_word,
+    STATE(223), 5,
+      sym__section_parameter,
+      sym__any_word,
+      sym_extended_word,
+      sym_word,
+      sym_empty_word,
+    ACTIONS(474), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(166), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [2841] = 8,
+    ACTIONS(448), 1,
+      anon_sym_STAR,
+    ACTIONS(450), 1,
+      anon_sym_SLASH,
+    STATE(152), 1,
+      sym__sign,
+    STATE(155), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -14033,10 +14203,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2803] = 6,
-    STATE(153), 1,
+  [2911] = 6,
+    STATE(152), 1,
       sym__sign,
-    STATE(154), 1,
+    STATE(155), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -14093,105 +14263,22 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [2869] = 25,
-    ACTIONS(462), 1,
-      anon_sym_LPAREN,
-    ACTIONS(464), 1,
-      sym_function,
-    ACTIONS(466), 1,
-      sym__vacancy,
-    ACTIONS(472), 1,
-      sym_variable,
-    ACTIONS(474), 1,
-      sym_variable_kind,
-    ACTIONS(476), 1,
-      anon_sym_POUND,
-    ACTIONS(478), 1,
-      sym_unclosed_string,
-    ACTIONS(482), 1,
-      sym_literal_word,
-    ACTIONS(484), 1,
-      sym_incremental,
-    ACTIONS(486), 1,
-      sym_unknown_coordinate,
-    ACTIONS(488), 1,
-      sym__address,
-    ACTIONS(490), 1,
-      sym__capitals,
-    STATE(143), 1,
-      sym__sign,
-    STATE(161), 1,
-      aux_sym_section_repeat1,
-    STATE(176), 1,
-      sym__extended,
-    STATE(231), 1,
-      sym__extended_left,
+  [2977] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(458), 2,
+    ACTIONS(369), 18,
       ts_builtin_sym_end,
       sym__end_of_line,
-    ACTIONS(460), 2,
+      sym__parenthesis_comment,
       sym_slide,
-      sym_lower_case_word,
-    ACTIONS(468), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(480), 2,
-      sym_letter_o_word,
-      sym_malformed_word,
-    STATE(217), 5,
-      sym__section_parameter,
-      sym__any_word,
-      sym_extended_word,
-      sym_word,
-      sym_empty_word,
-    ACTIONS(470), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(164), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [2973] = 6,
-    ACTIONS(492), 1,
-      anon_sym_LPAREN,
-    STATE(62), 1,
-      sym_selector_list,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(283), 18,
-      ts_builtin_sym_end,
-      sym__end_of_line,
       sym_block_number,
       anon_sym_RPAREN,
       sym_stray_bracket,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
+      anon_sym_EQ_EQ,
       sym_number,
       sym_variable,
       sym_named_variable,
@@ -14202,7 +14289,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(285), 29,
+    ACTIONS(371), 31,
+      sym_skip,
+      anon_sym_N,
+      anon_sym_EQ,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -14223,7 +14313,6 @@ static const uint16_t ts_small_parse_table[] = {
       aux_sym_unit_end_token1,
       aux_sym_group_start_token1,
       aux_sym_group_end_token1,
-      anon_sym_SLASH,
       sym_variable_kind,
       anon_sym_POUND,
       sym_unclosed_string,
@@ -14294,9 +14383,9 @@ static const uint16_t ts_small_parse_table[] = {
       sym__address,
       sym__capitals,
   [3107] = 6,
-    ACTIONS(492), 1,
+    ACTIONS(496), 1,
       anon_sym_LPAREN,
-    STATE(70), 1,
+    STATE(72), 1,
       sym_selector_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -14353,7 +14442,127 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [3173] = 4,
+  [3173] = 6,
+    ACTIONS(496), 1,
+      anon_sym_LPAREN,
+    STATE(74), 1,
+      sym_selector_list,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(283), 18,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(285), 29,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      anon_sym_SLASH,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [3239] = 7,
+    ACTIONS(500), 1,
+      sym__parenthesis_comment,
+    ACTIONS(506), 1,
+      anon_sym_SLASH,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(504), 3,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+    ACTIONS(498), 15,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(502), 28,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [3306] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -14410,7 +14619,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [3234] = 4,
+  [3367] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -14467,74 +14676,14 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [3295] = 7,
-    ACTIONS(496), 1,
-      sym__parenthesis_comment,
-    ACTIONS(502), 1,
-      anon_sym_SLASH,
+  [3428] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(500), 3,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-    ACTIONS(494), 15,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(498), 28,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [3362] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(357), 18,
+    ACTIONS(369), 18,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -14553,7 +14702,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(359), 29,
+    ACTIONS(371), 29,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -14583,122 +14732,8 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [3422] = 6,
-    ACTIONS(492), 1,
-      anon_sym_LPAREN,
-    STATE(43), 1,
-      sym_selector_list,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(317), 16,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      anon_sym_EQ_EQ,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(319), 29,
-      anon_sym_EQ,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [3486] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(365), 18,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(367), 29,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      anon_sym_SLASH,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [3546] = 6,
-    ACTIONS(510), 1,
+  [3488] = 6,
+    ACTIONS(514), 1,
       anon_sym_SLASH,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -14706,11 +14741,11 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(508), 3,
+    ACTIONS(512), 3,
       anon_sym_DASH,
       anon_sym_PLUS,
       anon_sym_STAR,
-    ACTIONS(504), 15,
+    ACTIONS(508), 15,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -14726,7 +14761,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(506), 28,
+    ACTIONS(510), 28,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -14755,119 +14790,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [3610] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(353), 18,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(355), 29,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      anon_sym_SLASH,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [3670] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(361), 17,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym__parenthesis_comment,
-      sym_slide,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(363), 30,
-      sym_skip,
-      anon_sym_N,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [3730] = 4,
+  [3552] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -14923,63 +14846,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [3790] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(361), 18,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(363), 29,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      anon_sym_SLASH,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [3850] = 4,
+  [3612] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -15035,7 +14902,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [3910] = 4,
+  [3672] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -15091,8 +14958,288 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [3970] = 6,
-    ACTIONS(492), 1,
+  [3732] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(361), 17,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym__parenthesis_comment,
+      sym_slide,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(363), 30,
+      sym_skip,
+      anon_sym_N,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [3792] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(365), 18,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(367), 29,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      anon_sym_SLASH,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [3852] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(516), 17,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym__parenthesis_comment,
+      sym_slide,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(518), 30,
+      sym_skip,
+      anon_sym_N,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [3912] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(361), 18,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(363), 29,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      anon_sym_SLASH,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [3972] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(349), 18,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(351), 29,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      anon_sym_SLASH,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [4032] = 6,
+    ACTIONS(496), 1,
       anon_sym_LPAREN,
     STATE(45), 1,
       sym_selector_list,
@@ -15149,14 +15296,14 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4034] = 4,
+  [4096] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(349), 18,
+    ACTIONS(357), 18,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -15175,7 +15322,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(351), 29,
+    ACTIONS(359), 29,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -15205,7 +15352,65 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4094] = 4,
+  [4156] = 6,
+    ACTIONS(496), 1,
+      anon_sym_LPAREN,
+    STATE(44), 1,
+      sym_selector_list,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(317), 16,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      anon_sym_EQ_EQ,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(319), 29,
+      anon_sym_EQ,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [4220] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -15261,7 +15466,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4154] = 4,
+  [4280] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -15317,21 +15522,22 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4214] = 4,
+  [4340] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(512), 17,
+    ACTIONS(353), 18,
       ts_builtin_sym_end,
       sym__end_of_line,
-      sym__parenthesis_comment,
-      sym_slide,
       sym_block_number,
       anon_sym_RPAREN,
       sym_stray_bracket,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
       sym_number,
       sym_variable,
       sym_named_variable,
@@ -15342,9 +15548,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(514), 30,
-      sym_skip,
-      anon_sym_N,
+    ACTIONS(355), 29,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -15365,6 +15569,7 @@ static const uint16_t ts_small_parse_table[] = {
       aux_sym_unit_end_token1,
       aux_sym_group_start_token1,
       aux_sym_group_end_token1,
+      anon_sym_SLASH,
       sym_variable_kind,
       anon_sym_POUND,
       sym_unclosed_string,
@@ -15373,65 +15578,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4274] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(516), 15,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(518), 30,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym__and,
-      sym__or,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [4332] = 6,
-    ACTIONS(524), 1,
-      sym__and,
-    ACTIONS(526), 1,
-      sym__or,
+  [4400] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -15454,7 +15601,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(522), 28,
+    ACTIONS(522), 30,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -15475,6 +15622,8 @@ static const uint16_t ts_small_parse_table[] = {
       aux_sym_unit_end_token1,
       aux_sym_group_start_token1,
       aux_sym_group_end_token1,
+      sym__and,
+      sym__or,
       sym_variable_kind,
       anon_sym_POUND,
       sym_unclosed_string,
@@ -15483,10 +15632,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4394] = 6,
-    ACTIONS(524), 1,
+  [4458] = 6,
+    ACTIONS(528), 1,
       sym__and,
-    ACTIONS(526), 1,
+    ACTIONS(530), 1,
       sym__or,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -15494,7 +15643,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(528), 15,
+    ACTIONS(524), 15,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -15510,7 +15659,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(530), 28,
+    ACTIONS(526), 28,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -15539,10 +15688,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4456] = 6,
-    ACTIONS(524), 1,
+  [4520] = 6,
+    ACTIONS(528), 1,
       sym__and,
-    ACTIONS(526), 1,
+    ACTIONS(530), 1,
       sym__or,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -15595,10 +15744,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4518] = 6,
-    ACTIONS(524), 1,
+  [4582] = 6,
+    ACTIONS(528), 1,
       sym__and,
-    ACTIONS(526), 1,
+    ACTIONS(530), 1,
       sym__or,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -15651,10 +15800,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4580] = 6,
-    ACTIONS(524), 1,
+  [4644] = 6,
+    ACTIONS(528), 1,
       sym__and,
-    ACTIONS(526), 1,
+    ACTIONS(530), 1,
       sym__or,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -15707,10 +15856,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4642] = 6,
-    ACTIONS(524), 1,
+  [4706] = 6,
+    ACTIONS(528), 1,
       sym__and,
-    ACTIONS(526), 1,
+    ACTIONS(530), 1,
       sym__or,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -15763,10 +15912,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4704] = 6,
-    ACTIONS(524), 1,
+  [4768] = 6,
+    ACTIONS(528), 1,
       sym__and,
-    ACTIONS(526), 1,
+    ACTIONS(530), 1,
       sym__or,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -15819,65 +15968,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4766] = 5,
-    ACTIONS(524), 1,
+  [4830] = 6,
+    ACTIONS(528), 1,
       sym__and,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(516), 15,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(518), 29,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym__or,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [4826] = 6,
-    ACTIONS(524), 1,
-      sym__and,
-    ACTIONS(526), 1,
+    ACTIONS(530), 1,
       sym__or,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -15930,11 +16024,66 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4888] = 6,
-    ACTIONS(558), 1,
-      anon_sym_EQ,
-    ACTIONS(560), 1,
-      anon_sym_EQ_EQ,
+  [4892] = 5,
+    ACTIONS(528), 1,
+      sym__and,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(520), 15,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(522), 29,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym__or,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [4952] = 6,
+    ACTIONS(528), 1,
+      sym__and,
+    ACTIONS(530), 1,
+      sym__or,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -15957,7 +16106,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(562), 28,
+    ACTIONS(558), 28,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -15986,8 +16135,64 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [4950] = 7,
-    ACTIONS(570), 1,
+  [5014] = 6,
+    ACTIONS(562), 1,
+      anon_sym_EQ,
+    ACTIONS(564), 1,
+      anon_sym_EQ_EQ,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(560), 15,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(566), 28,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [5076] = 7,
+    ACTIONS(574), 1,
       sym_unclosed_string,
     STATE(94), 1,
       sym__text,
@@ -15997,10 +16202,10 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(568), 2,
+    ACTIONS(572), 2,
       sym_string,
       sym_typographic_string,
-    ACTIONS(564), 13,
+    ACTIONS(568), 13,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -16014,7 +16219,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_constant,
       sym_internal_constant,
       sym_lower_case_word,
-    ACTIONS(566), 27,
+    ACTIONS(570), 27,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -16042,59 +16247,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5013] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(572), 15,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(574), 28,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [5069] = 4,
+  [5139] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16146,7 +16299,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5125] = 4,
+  [5195] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16198,7 +16351,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5181] = 4,
+  [5251] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16250,7 +16403,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5237] = 4,
+  [5307] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16302,7 +16455,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5293] = 4,
+  [5363] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16354,21 +16507,20 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5349] = 5,
-    ACTIONS(600), 1,
-      sym_number,
+  [5419] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(596), 14,
+    ACTIONS(596), 15,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
       anon_sym_RPAREN,
       sym_stray_bracket,
+      sym_number,
       sym_variable,
       sym_named_variable,
       sym_transfer_variable,
@@ -16407,20 +16559,21 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5407] = 4,
+  [5475] = 5,
+    ACTIONS(604), 1,
+      sym_number,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(602), 15,
+    ACTIONS(600), 14,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
       anon_sym_RPAREN,
       sym_stray_bracket,
-      sym_number,
       sym_variable,
       sym_named_variable,
       sym_transfer_variable,
@@ -16430,7 +16583,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(604), 28,
+    ACTIONS(602), 28,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -16459,7 +16612,59 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5463] = 4,
+  [5533] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(458), 15,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(460), 28,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [5589] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16511,7 +16716,59 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5519] = 4,
+  [5645] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(442), 15,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
+      sym_variable,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(444), 28,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
+      sym_variable_kind,
+      anon_sym_POUND,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+      sym__capitals,
+  [5701] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16563,7 +16820,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5575] = 4,
+  [5757] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16615,7 +16872,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5631] = 4,
+  [5813] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16667,14 +16924,14 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5687] = 4,
+  [5869] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(454), 15,
+    ACTIONS(556), 15,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_block_number,
@@ -16690,7 +16947,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    ACTIONS(456), 28,
+    ACTIONS(558), 28,
       anon_sym_L,
       aux_sym_if_statement_token1,
       aux_sym_then_statement_token1,
@@ -16719,7 +16976,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5743] = 4,
+  [5925] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16771,111 +17028,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5799] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(438), 15,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(440), 28,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [5855] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(552), 15,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_block_number,
-      anon_sym_RPAREN,
-      sym_stray_bracket,
-      sym_number,
-      sym_variable,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-    ACTIONS(554), 28,
-      anon_sym_L,
-      aux_sym_if_statement_token1,
-      aux_sym_then_statement_token1,
-      aux_sym_else_statement_token1,
-      aux_sym_endif_statement_token1,
-      aux_sym_while_statement_token1,
-      aux_sym_endwhile_statement_token1,
-      aux_sym_switch_statement_token1,
-      aux_sym_case_statement_token1,
-      aux_sym_default_statement_token1,
-      aux_sym_break_statement_token1,
-      aux_sym_endswitch_statement_token1,
-      aux_sym_return_statement_token1,
-      aux_sym_output_statement_token1,
-      aux_sym_output_statement_token2,
-      aux_sym_output_statement_token3,
-      aux_sym_unit_start_token1,
-      aux_sym_unit_end_token1,
-      aux_sym_group_start_token1,
-      aux_sym_group_end_token1,
-      sym_variable_kind,
-      anon_sym_POUND,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-      sym__capitals,
-  [5911] = 4,
+  [5981] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16927,7 +17080,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [5967] = 4,
+  [6037] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -16979,7 +17132,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [6023] = 4,
+  [6093] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -17031,7 +17184,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [6079] = 4,
+  [6149] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -17083,7 +17236,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [6135] = 4,
+  [6205] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -17135,7 +17288,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [6191] = 4,
+  [6261] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -17187,28 +17340,80 @@ static const uint16_t ts_small_parse_table[] = {
       sym_malformed_word,
       sym__address,
       sym__capitals,
-  [6247] = 18,
-    ACTIONS(462), 1,
-      anon_sym_LPAREN,
-    ACTIONS(464), 1,
-      sym_function,
-    ACTIONS(466), 1,
-      sym__vacancy,
-    ACTIONS(472), 1,
+  [6317] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(650), 15,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_block_number,
+      anon_sym_RPAREN,
+      sym_stray_bracket,
+      sym_number,
       sym_variable,
-    ACTIONS(474), 1,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    ACTIONS(652), 28,
+      anon_sym_L,
+      aux_sym_if_statement_token1,
+      aux_sym_then_statement_token1,
+      aux_sym_else_statement_token1,
+      aux_sym_endif_statement_token1,
+      aux_sym_while_statement_token1,
+      aux_sym_endwhile_statement_token1,
+      aux_sym_switch_statement_token1,
+      aux_sym_case_statement_token1,
+      aux_sym_default_statement_token1,
+      aux_sym_break_statement_token1,
+      aux_sym_endswitch_statement_token1,
+      aux_sym_return_statement_token1,
+      aux_sym_output_statement_token1,
+      aux_sym_output_statement_token2,
+      aux_sym_output_statement_token3,
+      aux_sym_unit_start_token1,
+      aux_sym_unit_end_token1,
+      aux_sym_group_start_token1,
+      aux_sym_group_end_token1,
       sym_variable_kind,
-    ACTIONS(476), 1,
       anon_sym_POUND,
-    ACTIONS(478), 1,
       sym_unclosed_string,
-    ACTIONS(484), 1,
-      sym_incremental,
-    ACTIONS(486), 1,
-      sym_unknown_coordinate,
-    ACTIONS(490), 1,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
       sym__capitals,
-    STATE(143), 1,
+  [6373] = 18,
+    ACTIONS(466), 1,
+      anon_sym_LPAREN,
+    ACTIONS(468), 1,
+      sym_function,
+    ACTIONS(470), 1,
+      sym__vacancy,
+    ACTIONS(476), 1,
+      sym_variable,
+    ACTIONS(478), 1,
+      sym_variable_kind,
+    ACTIONS(480), 1,
+      anon_sym_POUND,
+    ACTIONS(482), 1,
+      sym_unclosed_string,
+    ACTIONS(488), 1,
+      sym_incremental,
+    ACTIONS(490), 1,
+      sym_unknown_coordinate,
+    ACTIONS(494), 1,
+      sym__capitals,
+    STATE(145), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -17216,7 +17421,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(468), 2,
+    ACTIONS(472), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
     ACTIONS(241), 4,
@@ -17229,69 +17434,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_literal_word,
       sym_malformed_word,
       sym__address,
-    ACTIONS(470), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(164), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [6329] = 17,
-    ACTIONS(462), 1,
-      anon_sym_LPAREN,
-    ACTIONS(464), 1,
-      sym_function,
-    ACTIONS(466), 1,
-      sym__vacancy,
-    ACTIONS(472), 1,
-      sym_variable,
-    ACTIONS(474), 1,
-      sym_variable_kind,
-    ACTIONS(476), 1,
-      anon_sym_POUND,
-    ACTIONS(490), 1,
-      sym__capitals,
-    ACTIONS(652), 1,
-      sym_unclosed_string,
-    ACTIONS(654), 1,
-      sym_unknown_coordinate,
-    STATE(143), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(468), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(269), 4,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      sym_lower_case_word,
-    ACTIONS(271), 4,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(650), 8,
+    ACTIONS(474), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -17313,148 +17456,92 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [6408] = 18,
-    ACTIONS(656), 1,
+  [6455] = 17,
+    ACTIONS(466), 1,
       anon_sym_LPAREN,
-    ACTIONS(658), 1,
+    ACTIONS(468), 1,
       sym_function,
-    ACTIONS(660), 1,
+    ACTIONS(470), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
+    ACTIONS(476), 1,
       sym_variable,
-    ACTIONS(668), 1,
+    ACTIONS(478), 1,
       sym_variable_kind,
-    ACTIONS(670), 1,
+    ACTIONS(480), 1,
       anon_sym_POUND,
-    ACTIONS(672), 1,
-      sym_unclosed_string,
-    ACTIONS(674), 1,
+    ACTIONS(494), 1,
       sym__capitals,
+    ACTIONS(656), 1,
+      sym_unclosed_string,
+    ACTIONS(658), 1,
+      sym_unknown_coordinate,
+    STATE(145), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(472), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(269), 4,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      sym_lower_case_word,
+    ACTIONS(271), 4,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(654), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(168), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [6534] = 18,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
     ACTIONS(676), 1,
-      sym_selector,
-    STATE(157), 1,
-      sym__sign,
-    STATE(227), 1,
-      sym_comparison,
-    STATE(278), 1,
-      sym__selector,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(241), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(664), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(197), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [6485] = 18,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
-    ACTIONS(660), 1,
-      sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
-    ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(672), 1,
       sym_unclosed_string,
-    ACTIONS(674), 1,
-      sym__capitals,
     ACTIONS(678), 1,
-      sym_selector,
-    STATE(157), 1,
-      sym__sign,
-    STATE(227), 1,
-      sym_comparison,
-    STATE(264), 1,
-      sym__selector,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(241), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(664), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(197), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [6562] = 18,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
-    ACTIONS(660), 1,
-      sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
-    ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(672), 1,
-      sym_unclosed_string,
-    ACTIONS(674), 1,
       sym__capitals,
     ACTIONS(680), 1,
       sym_selector,
-    STATE(157), 1,
+    STATE(156), 1,
       sym__sign,
-    STATE(227), 1,
+    STATE(231), 1,
       sym_comparison,
-    STATE(247), 1,
+    STATE(259), 1,
       sym__selector,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -17462,13 +17549,13 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
     STATE(241), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(668), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -17477,7 +17564,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(204), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -17490,30 +17577,30 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [6639] = 18,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
+  [6611] = 18,
     ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
     ACTIONS(670), 1,
-      anon_sym_POUND,
+      sym_variable,
     ACTIONS(672), 1,
-      sym_unclosed_string,
+      sym_variable_kind,
     ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(678), 1,
       sym__capitals,
     ACTIONS(682), 1,
       sym_selector,
-    STATE(157), 1,
+    STATE(156), 1,
       sym__sign,
-    STATE(227), 1,
+    STATE(231), 1,
       sym_comparison,
-    STATE(252), 1,
+    STATE(293), 1,
       sym__selector,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -17521,13 +17608,13 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
     STATE(241), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(668), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -17536,7 +17623,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(204), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -17549,30 +17636,30 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [6716] = 18,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
+  [6688] = 18,
     ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
     ACTIONS(670), 1,
-      anon_sym_POUND,
+      sym_variable,
     ACTIONS(672), 1,
-      sym_unclosed_string,
+      sym_variable_kind,
     ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(678), 1,
       sym__capitals,
     ACTIONS(684), 1,
       sym_selector,
-    STATE(157), 1,
+    STATE(156), 1,
       sym__sign,
-    STATE(227), 1,
+    STATE(231), 1,
       sym_comparison,
-    STATE(258), 1,
+    STATE(255), 1,
       sym__selector,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -17580,13 +17667,13 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
     STATE(241), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(668), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -17595,7 +17682,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(204), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -17608,30 +17695,30 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [6793] = 18,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
+  [6765] = 18,
     ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
     ACTIONS(670), 1,
-      anon_sym_POUND,
+      sym_variable,
     ACTIONS(672), 1,
-      sym_unclosed_string,
+      sym_variable_kind,
     ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(678), 1,
       sym__capitals,
     ACTIONS(686), 1,
       sym_selector,
-    STATE(157), 1,
+    STATE(156), 1,
       sym__sign,
-    STATE(227), 1,
+    STATE(231), 1,
       sym_comparison,
-    STATE(262), 1,
+    STATE(261), 1,
       sym__selector,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -17639,13 +17726,13 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
     STATE(241), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(668), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -17654,7 +17741,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(204), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -17667,42 +17754,44 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [6870] = 17,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
+  [6842] = 18,
     ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
     ACTIONS(670), 1,
-      anon_sym_POUND,
+      sym_variable,
     ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
       sym_unclosed_string,
-    ACTIONS(688), 1,
-      anon_sym_RPAREN,
-    ACTIONS(690), 1,
+    ACTIONS(678), 1,
       sym__capitals,
-    STATE(157), 1,
+    ACTIONS(688), 1,
+      sym_selector,
+    STATE(156), 1,
       sym__sign,
-    STATE(227), 1,
+    STATE(231), 1,
       sym_comparison,
+    STATE(267), 1,
+      sym__selector,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    STATE(234), 2,
+    STATE(241), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(668), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -17711,7 +17800,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(204), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -17724,142 +17813,87 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [6944] = 17,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
+  [6919] = 18,
     ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
     ACTIONS(670), 1,
-      anon_sym_POUND,
+      sym_variable,
     ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
       sym_unclosed_string,
-    ACTIONS(690), 1,
+    ACTIONS(678), 1,
       sym__capitals,
+    ACTIONS(690), 1,
+      sym_selector,
+    STATE(156), 1,
+      sym__sign,
+    STATE(231), 1,
+      sym_comparison,
+    STATE(272), 1,
+      sym__selector,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(241), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(668), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(204), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [6996] = 17,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
     ACTIONS(692), 1,
       anon_sym_RPAREN,
-    STATE(157), 1,
-      sym__sign,
-    STATE(227), 1,
-      sym_comparison,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(236), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(664), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(197), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [7018] = 17,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
-    ACTIONS(660), 1,
-      sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
-    ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(672), 1,
-      sym_unclosed_string,
-    ACTIONS(690), 1,
-      sym__capitals,
     ACTIONS(694), 1,
-      anon_sym_RPAREN,
-    STATE(157), 1,
-      sym__sign,
-    STATE(227), 1,
-      sym_comparison,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(233), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(664), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(197), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [7092] = 17,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
-    ACTIONS(660), 1,
-      sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
-    ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(672), 1,
-      sym_unclosed_string,
-    ACTIONS(690), 1,
       sym__capitals,
-    ACTIONS(696), 1,
-      anon_sym_RPAREN,
-    STATE(157), 1,
+    STATE(156), 1,
       sym__sign,
-    STATE(227), 1,
+    STATE(231), 1,
       sym_comparison,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -17867,455 +17901,13 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(232), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(664), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(197), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [7166] = 17,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
-    ACTIONS(660), 1,
-      sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
-    ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(672), 1,
-      sym_unclosed_string,
-    ACTIONS(690), 1,
-      sym__capitals,
-    ACTIONS(698), 1,
-      anon_sym_RPAREN,
-    STATE(157), 1,
-      sym__sign,
-    STATE(227), 1,
-      sym_comparison,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(235), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(664), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(197), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [7240] = 16,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
-    ACTIONS(660), 1,
-      sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
-    ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(672), 1,
-      sym_unclosed_string,
-    ACTIONS(690), 1,
-      sym__capitals,
-    STATE(157), 1,
-      sym__sign,
-    STATE(227), 1,
-      sym_comparison,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(240), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(664), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(197), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [7311] = 16,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
-    ACTIONS(660), 1,
-      sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
-    ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(672), 1,
-      sym_unclosed_string,
-    ACTIONS(690), 1,
-      sym__capitals,
-    STATE(157), 1,
-      sym__sign,
-    STATE(227), 1,
-      sym_comparison,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(261), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(664), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(197), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [7382] = 16,
-    ACTIONS(213), 1,
-      sym_function,
-    ACTIONS(215), 1,
-      sym__vacancy,
-    ACTIONS(219), 1,
-      sym_variable,
-    ACTIONS(221), 1,
-      sym_variable_kind,
-    ACTIONS(225), 1,
-      anon_sym_POUND,
-    ACTIONS(231), 1,
-      sym_unclosed_string,
-    ACTIONS(233), 1,
-      sym__capitals,
-    ACTIONS(239), 1,
-      anon_sym_LPAREN,
-    STATE(57), 1,
-      sym_comparison,
-    STATE(158), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(217), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(78), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(223), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(16), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [7453] = 16,
-    ACTIONS(213), 1,
-      sym_function,
-    ACTIONS(215), 1,
-      sym__vacancy,
-    ACTIONS(219), 1,
-      sym_variable,
-    ACTIONS(221), 1,
-      sym_variable_kind,
-    ACTIONS(225), 1,
-      anon_sym_POUND,
-    ACTIONS(231), 1,
-      sym_unclosed_string,
-    ACTIONS(233), 1,
-      sym__capitals,
-    ACTIONS(239), 1,
-      anon_sym_LPAREN,
-    STATE(57), 1,
-      sym_comparison,
-    STATE(158), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(217), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(81), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(223), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(16), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [7524] = 16,
-    ACTIONS(213), 1,
-      sym_function,
-    ACTIONS(215), 1,
-      sym__vacancy,
-    ACTIONS(219), 1,
-      sym_variable,
-    ACTIONS(221), 1,
-      sym_variable_kind,
-    ACTIONS(225), 1,
-      anon_sym_POUND,
-    ACTIONS(231), 1,
-      sym_unclosed_string,
-    ACTIONS(233), 1,
-      sym__capitals,
-    ACTIONS(239), 1,
-      anon_sym_LPAREN,
-    STATE(57), 1,
-      sym_comparison,
-    STATE(158), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(217), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(79), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(223), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(16), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [7595] = 16,
-    ACTIONS(213), 1,
-      sym_function,
-    ACTIONS(215), 1,
-      sym__vacancy,
-    ACTIONS(219), 1,
-      sym_variable,
-    ACTIONS(221), 1,
-      sym_variable_kind,
-    ACTIONS(225), 1,
-      anon_sym_POUND,
-    ACTIONS(231), 1,
-      sym_unclosed_string,
-    ACTIONS(233), 1,
-      sym__capitals,
-    ACTIONS(239), 1,
-      anon_sym_LPAREN,
-    STATE(57), 1,
-      sym_comparison,
-    STATE(158), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(217), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    STATE(80), 2,
-      sym__expression,
-      sym_logical,
-    ACTIONS(223), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(16), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [7666] = 16,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
-    ACTIONS(660), 1,
-      sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
-    ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(672), 1,
-      sym_unclosed_string,
-    ACTIONS(690), 1,
-      sym__capitals,
-    STATE(157), 1,
-      sym__sign,
-    STATE(227), 1,
-      sym_comparison,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
     STATE(237), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(668), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -18324,7 +17916,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(204), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -18337,40 +17929,42 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [7737] = 16,
-    ACTIONS(213), 1,
-      sym_function,
-    ACTIONS(215), 1,
-      sym__vacancy,
-    ACTIONS(219), 1,
-      sym_variable,
-    ACTIONS(221), 1,
-      sym_variable_kind,
-    ACTIONS(225), 1,
-      anon_sym_POUND,
-    ACTIONS(231), 1,
-      sym_unclosed_string,
-    ACTIONS(233), 1,
-      sym__capitals,
-    ACTIONS(239), 1,
+  [7070] = 17,
+    ACTIONS(660), 1,
       anon_sym_LPAREN,
-    STATE(57), 1,
-      sym_comparison,
-    STATE(158), 1,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(694), 1,
+      sym__capitals,
+    ACTIONS(696), 1,
+      anon_sym_RPAREN,
+    STATE(156), 1,
       sym__sign,
+    STATE(231), 1,
+      sym_comparison,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(217), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    STATE(82), 2,
+    STATE(239), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(223), 8,
+    ACTIONS(668), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -18379,7 +17973,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(16), 12,
+    STATE(204), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -18392,7 +17986,288 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [7808] = 16,
+  [7144] = 17,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(694), 1,
+      sym__capitals,
+    ACTIONS(698), 1,
+      anon_sym_RPAREN,
+    STATE(156), 1,
+      sym__sign,
+    STATE(231), 1,
+      sym_comparison,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(236), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(668), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(204), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [7218] = 17,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(694), 1,
+      sym__capitals,
+    ACTIONS(700), 1,
+      anon_sym_RPAREN,
+    STATE(156), 1,
+      sym__sign,
+    STATE(231), 1,
+      sym_comparison,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(240), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(668), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(204), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [7292] = 17,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(694), 1,
+      sym__capitals,
+    ACTIONS(702), 1,
+      anon_sym_RPAREN,
+    STATE(156), 1,
+      sym__sign,
+    STATE(231), 1,
+      sym_comparison,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(238), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(668), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(204), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [7366] = 16,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(694), 1,
+      sym__capitals,
+    STATE(156), 1,
+      sym__sign,
+    STATE(231), 1,
+      sym_comparison,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(242), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(668), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(204), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [7437] = 16,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(694), 1,
+      sym__capitals,
+    STATE(156), 1,
+      sym__sign,
+    STATE(231), 1,
+      sym_comparison,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(245), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(668), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(204), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [7508] = 16,
     ACTIONS(213), 1,
       sym_function,
     ACTIONS(215), 1,
@@ -18411,7 +18286,7 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_LPAREN,
     STATE(57), 1,
       sym_comparison,
-    STATE(158), 1,
+    STATE(153), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -18447,7 +18322,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [7879] = 16,
+  [7579] = 16,
     ACTIONS(213), 1,
       sym_function,
     ACTIONS(215), 1,
@@ -18466,7 +18341,7 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_LPAREN,
     STATE(57), 1,
       sym_comparison,
-    STATE(158), 1,
+    STATE(153), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -18477,7 +18352,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(217), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    STATE(77), 2,
+    STATE(81), 2,
       sym__expression,
       sym_logical,
     ACTIONS(223), 8,
@@ -18502,7 +18377,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [7950] = 16,
+  [7650] = 16,
     ACTIONS(213), 1,
       sym_function,
     ACTIONS(215), 1,
@@ -18521,7 +18396,117 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_LPAREN,
     STATE(57), 1,
       sym_comparison,
-    STATE(158), 1,
+    STATE(153), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(217), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(82), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(223), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(16), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [7721] = 16,
+    ACTIONS(213), 1,
+      sym_function,
+    ACTIONS(215), 1,
+      sym__vacancy,
+    ACTIONS(219), 1,
+      sym_variable,
+    ACTIONS(221), 1,
+      sym_variable_kind,
+    ACTIONS(225), 1,
+      anon_sym_POUND,
+    ACTIONS(231), 1,
+      sym_unclosed_string,
+    ACTIONS(233), 1,
+      sym__capitals,
+    ACTIONS(239), 1,
+      anon_sym_LPAREN,
+    STATE(57), 1,
+      sym_comparison,
+    STATE(153), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(217), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(84), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(223), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(16), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [7792] = 16,
+    ACTIONS(213), 1,
+      sym_function,
+    ACTIONS(215), 1,
+      sym__vacancy,
+    ACTIONS(219), 1,
+      sym_variable,
+    ACTIONS(221), 1,
+      sym_variable_kind,
+    ACTIONS(225), 1,
+      anon_sym_POUND,
+    ACTIONS(231), 1,
+      sym_unclosed_string,
+    ACTIONS(233), 1,
+      sym__capitals,
+    ACTIONS(239), 1,
+      anon_sym_LPAREN,
+    STATE(57), 1,
+      sym_comparison,
+    STATE(153), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -18557,40 +18542,40 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8021] = 16,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
+  [7863] = 16,
+    ACTIONS(213), 1,
       sym_function,
-    ACTIONS(660), 1,
+    ACTIONS(215), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
+    ACTIONS(219), 1,
       sym_variable,
-    ACTIONS(668), 1,
+    ACTIONS(221), 1,
       sym_variable_kind,
-    ACTIONS(670), 1,
+    ACTIONS(225), 1,
       anon_sym_POUND,
-    ACTIONS(672), 1,
+    ACTIONS(231), 1,
       sym_unclosed_string,
-    ACTIONS(690), 1,
+    ACTIONS(233), 1,
       sym__capitals,
-    STATE(157), 1,
-      sym__sign,
-    STATE(227), 1,
+    ACTIONS(239), 1,
+      anon_sym_LPAREN,
+    STATE(57), 1,
       sym_comparison,
+    STATE(153), 1,
+      sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(217), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    STATE(251), 2,
+    STATE(79), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(223), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -18599,7 +18584,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(16), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -18612,40 +18597,40 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8092] = 16,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
+  [7934] = 16,
+    ACTIONS(213), 1,
       sym_function,
-    ACTIONS(660), 1,
+    ACTIONS(215), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
+    ACTIONS(219), 1,
       sym_variable,
-    ACTIONS(668), 1,
+    ACTIONS(221), 1,
       sym_variable_kind,
-    ACTIONS(670), 1,
+    ACTIONS(225), 1,
       anon_sym_POUND,
-    ACTIONS(672), 1,
+    ACTIONS(231), 1,
       sym_unclosed_string,
-    ACTIONS(690), 1,
+    ACTIONS(233), 1,
       sym__capitals,
-    STATE(157), 1,
-      sym__sign,
-    STATE(227), 1,
+    ACTIONS(239), 1,
+      anon_sym_LPAREN,
+    STATE(57), 1,
       sym_comparison,
+    STATE(153), 1,
+      sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(217), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    STATE(245), 2,
+    STATE(87), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(223), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -18654,7 +18639,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(16), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -18667,26 +18652,26 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8163] = 16,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
+  [8005] = 16,
     ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
     ACTIONS(670), 1,
-      anon_sym_POUND,
+      sym_variable,
     ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
       sym_unclosed_string,
-    ACTIONS(690), 1,
+    ACTIONS(694), 1,
       sym__capitals,
-    STATE(157), 1,
+    STATE(156), 1,
       sym__sign,
-    STATE(227), 1,
+    STATE(231), 1,
       sym_comparison,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -18694,13 +18679,13 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    STATE(250), 2,
+    STATE(274), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(668), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -18709,7 +18694,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(204), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -18722,26 +18707,26 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8234] = 16,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
+  [8076] = 16,
     ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
     ACTIONS(670), 1,
-      anon_sym_POUND,
+      sym_variable,
     ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
       sym_unclosed_string,
-    ACTIONS(690), 1,
+    ACTIONS(694), 1,
       sym__capitals,
-    STATE(157), 1,
+    STATE(156), 1,
       sym__sign,
-    STATE(227), 1,
+    STATE(231), 1,
       sym_comparison,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -18749,13 +18734,13 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    STATE(256), 2,
+    STATE(244), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(668), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -18764,7 +18749,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(204), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -18777,26 +18762,26 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8305] = 16,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
+  [8147] = 16,
     ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
     ACTIONS(670), 1,
-      anon_sym_POUND,
+      sym_variable,
     ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
       sym_unclosed_string,
-    ACTIONS(690), 1,
+    ACTIONS(694), 1,
       sym__capitals,
-    STATE(157), 1,
+    STATE(156), 1,
       sym__sign,
-    STATE(227), 1,
+    STATE(231), 1,
       sym_comparison,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -18804,13 +18789,13 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    STATE(238), 2,
+    STATE(253), 2,
       sym__expression,
       sym_logical,
-    ACTIONS(664), 8,
+    ACTIONS(668), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -18819,7 +18804,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(197), 12,
+    STATE(204), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -18832,7 +18817,277 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8376] = 14,
+  [8218] = 16,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(694), 1,
+      sym__capitals,
+    STATE(156), 1,
+      sym__sign,
+    STATE(231), 1,
+      sym_comparison,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(260), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(668), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(204), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [8289] = 16,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(694), 1,
+      sym__capitals,
+    STATE(156), 1,
+      sym__sign,
+    STATE(231), 1,
+      sym_comparison,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(266), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(668), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(204), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [8360] = 16,
+    ACTIONS(213), 1,
+      sym_function,
+    ACTIONS(215), 1,
+      sym__vacancy,
+    ACTIONS(219), 1,
+      sym_variable,
+    ACTIONS(221), 1,
+      sym_variable_kind,
+    ACTIONS(225), 1,
+      anon_sym_POUND,
+    ACTIONS(231), 1,
+      sym_unclosed_string,
+    ACTIONS(233), 1,
+      sym__capitals,
+    ACTIONS(239), 1,
+      anon_sym_LPAREN,
+    STATE(57), 1,
+      sym_comparison,
+    STATE(153), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(217), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(80), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(223), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(16), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [8431] = 16,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(676), 1,
+      sym_unclosed_string,
+    ACTIONS(694), 1,
+      sym__capitals,
+    STATE(156), 1,
+      sym__sign,
+    STATE(231), 1,
+      sym_comparison,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    STATE(271), 2,
+      sym__expression,
+      sym_logical,
+    ACTIONS(668), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(204), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [8502] = 14,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(694), 1,
+      sym__capitals,
+    ACTIONS(706), 1,
+      sym_unclosed_string,
+    STATE(156), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(704), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(195), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [8566] = 14,
     ACTIONS(245), 1,
       anon_sym_LPAREN,
     ACTIONS(247), 1,
@@ -18847,9 +19102,9 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_POUND,
     ACTIONS(267), 1,
       sym__capitals,
-    ACTIONS(702), 1,
+    ACTIONS(710), 1,
       sym_unclosed_string,
-    STATE(140), 1,
+    STATE(143), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -18860,7 +19115,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(251), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    ACTIONS(700), 8,
+    ACTIONS(708), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -18882,124 +19137,24 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8440] = 14,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
+  [8630] = 14,
     ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
     ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(690), 1,
-      sym__capitals,
-    ACTIONS(706), 1,
-      sym_unclosed_string,
-    STATE(157), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(704), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(198), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [8504] = 14,
-    ACTIONS(245), 1,
-      anon_sym_LPAREN,
-    ACTIONS(247), 1,
-      sym_function,
-    ACTIONS(249), 1,
-      sym__vacancy,
-    ACTIONS(255), 1,
       sym_variable,
-    ACTIONS(257), 1,
+    ACTIONS(672), 1,
       sym_variable_kind,
-    ACTIONS(259), 1,
+    ACTIONS(674), 1,
       anon_sym_POUND,
-    ACTIONS(267), 1,
-      sym__capitals,
-    ACTIONS(710), 1,
-      sym_unclosed_string,
-    STATE(140), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(251), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(708), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(50), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [8568] = 14,
-    ACTIONS(462), 1,
-      anon_sym_LPAREN,
-    ACTIONS(464), 1,
-      sym_function,
-    ACTIONS(466), 1,
-      sym__vacancy,
-    ACTIONS(472), 1,
-      sym_variable,
-    ACTIONS(474), 1,
-      sym_variable_kind,
-    ACTIONS(476), 1,
-      anon_sym_POUND,
-    ACTIONS(490), 1,
+    ACTIONS(694), 1,
       sym__capitals,
     ACTIONS(714), 1,
       sym_unclosed_string,
-    STATE(143), 1,
+    STATE(156), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19007,7 +19162,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(468), 2,
+    ACTIONS(666), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
     ACTIONS(712), 8,
@@ -19019,7 +19174,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(168), 12,
+    STATE(201), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -19032,24 +19187,24 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8632] = 14,
-    ACTIONS(462), 1,
-      anon_sym_LPAREN,
-    ACTIONS(464), 1,
-      sym_function,
+  [8694] = 14,
     ACTIONS(466), 1,
+      anon_sym_LPAREN,
+    ACTIONS(468), 1,
+      sym_function,
+    ACTIONS(470), 1,
       sym__vacancy,
-    ACTIONS(472), 1,
-      sym_variable,
-    ACTIONS(474), 1,
-      sym_variable_kind,
     ACTIONS(476), 1,
+      sym_variable,
+    ACTIONS(478), 1,
+      sym_variable_kind,
+    ACTIONS(480), 1,
       anon_sym_POUND,
-    ACTIONS(490), 1,
+    ACTIONS(494), 1,
       sym__capitals,
     ACTIONS(718), 1,
       sym_unclosed_string,
-    STATE(143), 1,
+    STATE(145), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19057,7 +19212,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(468), 2,
+    ACTIONS(472), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
     ACTIONS(716), 8,
@@ -19082,24 +19237,24 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8696] = 14,
-    ACTIONS(462), 1,
-      anon_sym_LPAREN,
-    ACTIONS(464), 1,
-      sym_function,
+  [8758] = 14,
     ACTIONS(466), 1,
+      anon_sym_LPAREN,
+    ACTIONS(468), 1,
+      sym_function,
+    ACTIONS(470), 1,
       sym__vacancy,
-    ACTIONS(472), 1,
-      sym_variable,
-    ACTIONS(474), 1,
-      sym_variable_kind,
     ACTIONS(476), 1,
+      sym_variable,
+    ACTIONS(478), 1,
+      sym_variable_kind,
+    ACTIONS(480), 1,
       anon_sym_POUND,
-    ACTIONS(490), 1,
+    ACTIONS(494), 1,
       sym__capitals,
     ACTIONS(722), 1,
       sym_unclosed_string,
-    STATE(143), 1,
+    STATE(145), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19107,7 +19262,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(468), 2,
+    ACTIONS(472), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
     ACTIONS(720), 8,
@@ -19119,7 +19274,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(169), 12,
+    STATE(171), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -19132,7 +19287,57 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8760] = 14,
+  [8822] = 14,
+    ACTIONS(466), 1,
+      anon_sym_LPAREN,
+    ACTIONS(468), 1,
+      sym_function,
+    ACTIONS(470), 1,
+      sym__vacancy,
+    ACTIONS(476), 1,
+      sym_variable,
+    ACTIONS(478), 1,
+      sym_variable_kind,
+    ACTIONS(480), 1,
+      anon_sym_POUND,
+    ACTIONS(494), 1,
+      sym__capitals,
+    ACTIONS(726), 1,
+      sym_unclosed_string,
+    STATE(145), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(472), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(724), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(172), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [8886] = 14,
     ACTIONS(213), 1,
       sym_function,
     ACTIONS(215), 1,
@@ -19147,9 +19352,9 @@ static const uint16_t ts_small_parse_table[] = {
       sym__capitals,
     ACTIONS(239), 1,
       anon_sym_LPAREN,
-    ACTIONS(726), 1,
+    ACTIONS(730), 1,
       sym_unclosed_string,
-    STATE(158), 1,
+    STATE(153), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19160,7 +19365,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(217), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    ACTIONS(724), 8,
+    ACTIONS(728), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -19182,57 +19387,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8824] = 14,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
-    ACTIONS(660), 1,
-      sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
-    ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(690), 1,
-      sym__capitals,
-    ACTIONS(730), 1,
-      sym_unclosed_string,
-    STATE(157), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(728), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(189), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [8888] = 14,
+  [8950] = 14,
     ACTIONS(213), 1,
       sym_function,
     ACTIONS(215), 1,
@@ -19249,7 +19404,7 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_LPAREN,
     ACTIONS(734), 1,
       sym_unclosed_string,
-    STATE(158), 1,
+    STATE(153), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19282,7 +19437,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [8952] = 14,
+  [9014] = 14,
     ACTIONS(213), 1,
       sym_function,
     ACTIONS(215), 1,
@@ -19299,7 +19454,7 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_LPAREN,
     ACTIONS(738), 1,
       sym_unclosed_string,
-    STATE(158), 1,
+    STATE(153), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19332,7 +19487,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [9016] = 14,
+  [9078] = 14,
     ACTIONS(213), 1,
       sym_function,
     ACTIONS(215), 1,
@@ -19349,7 +19504,7 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_LPAREN,
     ACTIONS(742), 1,
       sym_unclosed_string,
-    STATE(158), 1,
+    STATE(153), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19382,72 +19537,22 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [9080] = 14,
-    ACTIONS(656), 1,
+  [9142] = 14,
+    ACTIONS(245), 1,
       anon_sym_LPAREN,
-    ACTIONS(658), 1,
+    ACTIONS(247), 1,
       sym_function,
-    ACTIONS(660), 1,
+    ACTIONS(249), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
+    ACTIONS(255), 1,
       sym_variable,
-    ACTIONS(668), 1,
+    ACTIONS(257), 1,
       sym_variable_kind,
-    ACTIONS(670), 1,
+    ACTIONS(259), 1,
       anon_sym_POUND,
-    ACTIONS(690), 1,
+    ACTIONS(267), 1,
       sym__capitals,
     ACTIONS(746), 1,
-      sym_unclosed_string,
-    STATE(157), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(744), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(190), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [9144] = 14,
-    ACTIONS(462), 1,
-      anon_sym_LPAREN,
-    ACTIONS(464), 1,
-      sym_function,
-    ACTIONS(466), 1,
-      sym__vacancy,
-    ACTIONS(472), 1,
-      sym_variable,
-    ACTIONS(474), 1,
-      sym_variable_kind,
-    ACTIONS(476), 1,
-      anon_sym_POUND,
-    ACTIONS(490), 1,
-      sym__capitals,
-    ACTIONS(750), 1,
       sym_unclosed_string,
     STATE(143), 1,
       sym__sign,
@@ -19457,110 +19562,10 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(468), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(748), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(165), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [9208] = 14,
-    ACTIONS(245), 1,
-      anon_sym_LPAREN,
-    ACTIONS(247), 1,
-      sym_function,
-    ACTIONS(249), 1,
-      sym__vacancy,
-    ACTIONS(255), 1,
-      sym_variable,
-    ACTIONS(257), 1,
-      sym_variable_kind,
-    ACTIONS(259), 1,
-      anon_sym_POUND,
-    ACTIONS(267), 1,
-      sym__capitals,
-    ACTIONS(754), 1,
-      sym_unclosed_string,
-    STATE(140), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
     ACTIONS(251), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    ACTIONS(752), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(53), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [9272] = 14,
-    ACTIONS(245), 1,
-      anon_sym_LPAREN,
-    ACTIONS(247), 1,
-      sym_function,
-    ACTIONS(249), 1,
-      sym__vacancy,
-    ACTIONS(255), 1,
-      sym_variable,
-    ACTIONS(257), 1,
-      sym_variable_kind,
-    ACTIONS(259), 1,
-      anon_sym_POUND,
-    ACTIONS(267), 1,
-      sym__capitals,
-    ACTIONS(758), 1,
-      sym_unclosed_string,
-    STATE(140), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(251), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(756), 8,
+    ACTIONS(744), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -19582,157 +19587,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [9336] = 14,
-    ACTIONS(245), 1,
-      anon_sym_LPAREN,
-    ACTIONS(247), 1,
-      sym_function,
-    ACTIONS(249), 1,
-      sym__vacancy,
-    ACTIONS(255), 1,
-      sym_variable,
-    ACTIONS(257), 1,
-      sym_variable_kind,
-    ACTIONS(259), 1,
-      anon_sym_POUND,
-    ACTIONS(267), 1,
-      sym__capitals,
-    ACTIONS(762), 1,
-      sym_unclosed_string,
-    STATE(140), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(251), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(760), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(49), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [9400] = 14,
-    ACTIONS(462), 1,
-      anon_sym_LPAREN,
-    ACTIONS(464), 1,
-      sym_function,
-    ACTIONS(466), 1,
-      sym__vacancy,
-    ACTIONS(472), 1,
-      sym_variable,
-    ACTIONS(474), 1,
-      sym_variable_kind,
-    ACTIONS(476), 1,
-      anon_sym_POUND,
-    ACTIONS(490), 1,
-      sym__capitals,
-    ACTIONS(766), 1,
-      sym_unclosed_string,
-    STATE(143), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(468), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(764), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(167), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [9464] = 14,
-    ACTIONS(656), 1,
-      anon_sym_LPAREN,
-    ACTIONS(658), 1,
-      sym_function,
-    ACTIONS(660), 1,
-      sym__vacancy,
-    ACTIONS(666), 1,
-      sym_variable,
-    ACTIONS(668), 1,
-      sym_variable_kind,
-    ACTIONS(670), 1,
-      anon_sym_POUND,
-    ACTIONS(690), 1,
-      sym__capitals,
-    ACTIONS(770), 1,
-      sym_unclosed_string,
-    STATE(157), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(662), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(768), 8,
-      sym_number,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-      sym_string,
-      sym_typographic_string,
-    STATE(194), 12,
-      sym__value,
-      sym_parenthesis,
-      sym_function_call,
-      sym_vacancy_test,
-      sym_unary,
-      sym_binary,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-      sym__text,
-  [9528] = 14,
+  [9206] = 14,
     ACTIONS(213), 1,
       sym_function,
     ACTIONS(215), 1,
@@ -19747,9 +19602,9 @@ static const uint16_t ts_small_parse_table[] = {
       sym__capitals,
     ACTIONS(239), 1,
       anon_sym_LPAREN,
-    ACTIONS(774), 1,
+    ACTIONS(750), 1,
       sym_unclosed_string,
-    STATE(158), 1,
+    STATE(153), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19760,7 +19615,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(217), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    ACTIONS(772), 8,
+    ACTIONS(748), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -19782,24 +19637,24 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [9592] = 14,
-    ACTIONS(656), 1,
+  [9270] = 14,
+    ACTIONS(466), 1,
       anon_sym_LPAREN,
-    ACTIONS(658), 1,
+    ACTIONS(468), 1,
       sym_function,
-    ACTIONS(660), 1,
+    ACTIONS(470), 1,
       sym__vacancy,
-    ACTIONS(666), 1,
+    ACTIONS(476), 1,
       sym_variable,
-    ACTIONS(668), 1,
+    ACTIONS(478), 1,
       sym_variable_kind,
-    ACTIONS(670), 1,
+    ACTIONS(480), 1,
       anon_sym_POUND,
-    ACTIONS(690), 1,
+    ACTIONS(494), 1,
       sym__capitals,
-    ACTIONS(778), 1,
+    ACTIONS(754), 1,
       sym_unclosed_string,
-    STATE(157), 1,
+    STATE(145), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19807,10 +19662,10 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(662), 2,
+    ACTIONS(472), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-    ACTIONS(776), 8,
+    ACTIONS(752), 8,
       sym_number,
       sym_named_variable,
       sym_transfer_variable,
@@ -19819,7 +19674,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_internal_constant,
       sym_string,
       sym_typographic_string,
-    STATE(196), 12,
+    STATE(169), 12,
       sym__value,
       sym_parenthesis,
       sym_function_call,
@@ -19832,53 +19687,366 @@ static const uint16_t ts_small_parse_table[] = {
       sym_indirect_variable,
       sym_double_sharp,
       sym__text,
-  [9656] = 11,
-    ACTIONS(482), 1,
-      sym_literal_word,
-    ACTIONS(782), 1,
-      sym__address,
-    STATE(162), 1,
-      aux_sym_section_repeat1,
-    STATE(176), 1,
-      sym__extended,
-    STATE(231), 1,
-      sym__extended_left,
+  [9334] = 14,
+    ACTIONS(245), 1,
+      anon_sym_LPAREN,
+    ACTIONS(247), 1,
+      sym_function,
+    ACTIONS(249), 1,
+      sym__vacancy,
+    ACTIONS(255), 1,
+      sym_variable,
+    ACTIONS(257), 1,
+      sym_variable_kind,
+    ACTIONS(259), 1,
+      anon_sym_POUND,
+    ACTIONS(267), 1,
+      sym__capitals,
+    ACTIONS(758), 1,
+      sym_unclosed_string,
+    STATE(143), 1,
+      sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(780), 2,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-    ACTIONS(480), 3,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_malformed_word,
-    ACTIONS(460), 5,
-      sym_slide,
+    ACTIONS(251), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(756), 8,
       sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
       sym_string,
       sym_typographic_string,
-      sym_lower_case_word,
-    STATE(217), 6,
-      sym__section_parameter,
+    STATE(55), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
       sym__text,
-      sym__any_word,
-      sym_extended_word,
-      sym_word,
-      sym_empty_word,
-  [9704] = 11,
-    ACTIONS(482), 1,
+  [9398] = 14,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(694), 1,
+      sym__capitals,
+    ACTIONS(762), 1,
+      sym_unclosed_string,
+    STATE(156), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(760), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(199), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [9462] = 14,
+    ACTIONS(245), 1,
+      anon_sym_LPAREN,
+    ACTIONS(247), 1,
+      sym_function,
+    ACTIONS(249), 1,
+      sym__vacancy,
+    ACTIONS(255), 1,
+      sym_variable,
+    ACTIONS(257), 1,
+      sym_variable_kind,
+    ACTIONS(259), 1,
+      anon_sym_POUND,
+    ACTIONS(267), 1,
+      sym__capitals,
+    ACTIONS(766), 1,
+      sym_unclosed_string,
+    STATE(143), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(251), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(764), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(48), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [9526] = 14,
+    ACTIONS(466), 1,
+      anon_sym_LPAREN,
+    ACTIONS(468), 1,
+      sym_function,
+    ACTIONS(470), 1,
+      sym__vacancy,
+    ACTIONS(476), 1,
+      sym_variable,
+    ACTIONS(478), 1,
+      sym_variable_kind,
+    ACTIONS(480), 1,
+      anon_sym_POUND,
+    ACTIONS(494), 1,
+      sym__capitals,
+    ACTIONS(770), 1,
+      sym_unclosed_string,
+    STATE(145), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(472), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(768), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(167), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [9590] = 14,
+    ACTIONS(245), 1,
+      anon_sym_LPAREN,
+    ACTIONS(247), 1,
+      sym_function,
+    ACTIONS(249), 1,
+      sym__vacancy,
+    ACTIONS(255), 1,
+      sym_variable,
+    ACTIONS(257), 1,
+      sym_variable_kind,
+    ACTIONS(259), 1,
+      anon_sym_POUND,
+    ACTIONS(267), 1,
+      sym__capitals,
+    ACTIONS(774), 1,
+      sym_unclosed_string,
+    STATE(143), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(251), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(772), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(50), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [9654] = 14,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(694), 1,
+      sym__capitals,
+    ACTIONS(778), 1,
+      sym_unclosed_string,
+    STATE(156), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(776), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(203), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [9718] = 14,
+    ACTIONS(660), 1,
+      anon_sym_LPAREN,
+    ACTIONS(662), 1,
+      sym_function,
+    ACTIONS(664), 1,
+      sym__vacancy,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(694), 1,
+      sym__capitals,
+    ACTIONS(782), 1,
+      sym_unclosed_string,
+    STATE(156), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(666), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(780), 8,
+      sym_number,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+      sym_string,
+      sym_typographic_string,
+    STATE(198), 12,
+      sym__value,
+      sym_parenthesis,
+      sym_function_call,
+      sym_vacancy_test,
+      sym_unary,
+      sym_binary,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+      sym__text,
+  [9782] = 11,
+    ACTIONS(486), 1,
       sym_literal_word,
-    ACTIONS(488), 1,
+    ACTIONS(492), 1,
       sym__address,
     STATE(163), 1,
       aux_sym_section_repeat1,
-    STATE(176), 1,
+    STATE(178), 1,
       sym__extended,
-    STATE(231), 1,
+    STATE(235), 1,
       sym__extended_left,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19889,33 +20057,33 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(784), 2,
       ts_builtin_sym_end,
       sym__end_of_line,
-    ACTIONS(480), 3,
+    ACTIONS(484), 3,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_malformed_word,
-    ACTIONS(460), 5,
+    ACTIONS(464), 5,
       sym_slide,
       sym_number,
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    STATE(217), 6,
+    STATE(223), 6,
       sym__section_parameter,
       sym__text,
       sym__any_word,
       sym_extended_word,
       sym_word,
       sym_empty_word,
-  [9752] = 11,
-    ACTIONS(482), 1,
+  [9830] = 11,
+    ACTIONS(794), 1,
       sym_literal_word,
-    ACTIONS(488), 1,
+    ACTIONS(797), 1,
       sym__address,
     STATE(163), 1,
       aux_sym_section_repeat1,
-    STATE(176), 1,
+    STATE(178), 1,
       sym__extended,
-    STATE(231), 1,
+    STATE(235), 1,
       sym__extended_left,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19926,33 +20094,33 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(786), 2,
       ts_builtin_sym_end,
       sym__end_of_line,
-    ACTIONS(480), 3,
+    ACTIONS(791), 3,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_malformed_word,
-    ACTIONS(460), 5,
+    ACTIONS(788), 5,
       sym_slide,
       sym_number,
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    STATE(217), 6,
+    STATE(223), 6,
       sym__section_parameter,
       sym__text,
       sym__any_word,
       sym_extended_word,
       sym_word,
       sym_empty_word,
-  [9800] = 11,
-    ACTIONS(796), 1,
+  [9878] = 11,
+    ACTIONS(486), 1,
       sym_literal_word,
-    ACTIONS(799), 1,
+    ACTIONS(492), 1,
       sym__address,
     STATE(163), 1,
       aux_sym_section_repeat1,
-    STATE(176), 1,
+    STATE(178), 1,
       sym__extended,
-    STATE(231), 1,
+    STATE(235), 1,
       sym__extended_left,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -19960,35 +20128,37 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(788), 2,
+    ACTIONS(800), 2,
       ts_builtin_sym_end,
       sym__end_of_line,
-    ACTIONS(793), 3,
+    ACTIONS(484), 3,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_malformed_word,
-    ACTIONS(790), 5,
+    ACTIONS(464), 5,
       sym_slide,
       sym_number,
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-    STATE(217), 6,
+    STATE(223), 6,
       sym__section_parameter,
       sym__text,
       sym__any_word,
       sym_extended_word,
       sym_word,
       sym_empty_word,
-  [9848] = 9,
+  [9926] = 11,
+    ACTIONS(486), 1,
+      sym_literal_word,
     ACTIONS(804), 1,
-      anon_sym_STAR,
-    ACTIONS(806), 1,
-      anon_sym_SLASH,
-    STATE(144), 1,
-      sym__sign,
-    STATE(145), 1,
-      sym__multiply,
+      sym__address,
+    STATE(164), 1,
+      aux_sym_section_repeat1,
+    STATE(178), 1,
+      sym__extended,
+    STATE(235), 1,
+      sym__extended_left,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -19996,105 +20166,140 @@ static const uint16_t ts_small_parse_table[] = {
       sym_comment,
       sym_unclosed_comment,
     ACTIONS(802), 2,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+    ACTIONS(484), 3,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_malformed_word,
+    ACTIONS(464), 5,
+      sym_slide,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+    STATE(223), 6,
+      sym__section_parameter,
+      sym__text,
+      sym__any_word,
+      sym_extended_word,
+      sym_word,
+      sym_empty_word,
+  [9974] = 9,
+    ACTIONS(808), 1,
+      anon_sym_STAR,
+    ACTIONS(810), 1,
+      anon_sym_SLASH,
+    STATE(146), 1,
+      sym__sign,
+    STATE(147), 1,
+      sym__multiply,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(806), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
+    ACTIONS(460), 5,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(458), 7,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [10015] = 6,
+    STATE(146), 1,
+      sym__sign,
+    STATE(147), 1,
+      sym__multiply,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(456), 6,
+      anon_sym_SLASH,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(454), 10,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [10050] = 9,
+    ACTIONS(808), 1,
+      anon_sym_STAR,
+    ACTIONS(810), 1,
+      anon_sym_SLASH,
+    STATE(146), 1,
+      sym__sign,
+    STATE(147), 1,
+      sym__multiply,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(806), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(444), 5,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(442), 7,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [10091] = 8,
+    ACTIONS(808), 1,
+      anon_sym_STAR,
+    ACTIONS(810), 1,
+      anon_sym_SLASH,
+    STATE(146), 1,
+      sym__sign,
+    STATE(147), 1,
+      sym__multiply,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
     ACTIONS(456), 5,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_literal_word,
       sym_malformed_word,
       sym__address,
-    ACTIONS(454), 7,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [9889] = 6,
-    STATE(144), 1,
-      sym__sign,
-    STATE(145), 1,
-      sym__multiply,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(452), 6,
-      anon_sym_SLASH,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(450), 10,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [9924] = 9,
-    ACTIONS(804), 1,
-      anon_sym_STAR,
-    ACTIONS(806), 1,
-      anon_sym_SLASH,
-    STATE(144), 1,
-      sym__sign,
-    STATE(145), 1,
-      sym__multiply,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(802), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(440), 5,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(438), 7,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [9965] = 8,
-    ACTIONS(804), 1,
-      anon_sym_STAR,
-    ACTIONS(806), 1,
-      anon_sym_SLASH,
-    STATE(144), 1,
-      sym__sign,
-    STATE(145), 1,
-      sym__multiply,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(452), 5,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(450), 9,
+    ACTIONS(454), 9,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_slide,
@@ -20104,10 +20309,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10004] = 6,
-    STATE(144), 1,
+  [10130] = 6,
+    STATE(146), 1,
       sym__sign,
-    STATE(145), 1,
+    STATE(147), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -20133,10 +20338,41 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10039] = 6,
-    STATE(144), 1,
+  [10165] = 8,
+    ACTIONS(808), 1,
+      anon_sym_STAR,
+    ACTIONS(810), 1,
+      anon_sym_SLASH,
+    STATE(146), 1,
       sym__sign,
-    STATE(145), 1,
+    STATE(147), 1,
+      sym__multiply,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(281), 5,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(279), 9,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [10204] = 6,
+    STATE(146), 1,
+      sym__sign,
+    STATE(147), 1,
       sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -20162,41 +20398,10 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10074] = 8,
-    ACTIONS(804), 1,
-      anon_sym_STAR,
-    ACTIONS(806), 1,
-      anon_sym_SLASH,
-    STATE(144), 1,
-      sym__sign,
-    STATE(145), 1,
-      sym__multiply,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(281), 5,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(279), 9,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [10113] = 6,
-    ACTIONS(808), 1,
+  [10239] = 6,
+    ACTIONS(812), 1,
       anon_sym_LPAREN,
-    STATE(178), 1,
+    STATE(182), 1,
       sym_selector_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -20222,8 +20427,8 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10148] = 6,
-    ACTIONS(808), 1,
+  [10274] = 6,
+    ACTIONS(812), 1,
       anon_sym_LPAREN,
     STATE(184), 1,
       sym_selector_list,
@@ -20251,33 +20456,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10183] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(327), 6,
-      anon_sym_SLASH,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(325), 11,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      anon_sym_LPAREN,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [10213] = 4,
+  [10309] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -20303,10 +20482,36 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10243] = 7,
-    ACTIONS(502), 1,
+  [10339] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(327), 6,
       anon_sym_SLASH,
-    ACTIONS(810), 1,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(325), 11,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      anon_sym_LPAREN,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [10369] = 7,
+    ACTIONS(506), 1,
+      anon_sym_SLASH,
+    ACTIONS(814), 1,
       sym__parenthesis_comment,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -20314,17 +20519,17 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(500), 3,
+    ACTIONS(504), 3,
       anon_sym_DASH,
       anon_sym_PLUS,
       anon_sym_STAR,
-    ACTIONS(498), 5,
+    ACTIONS(502), 5,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_literal_word,
       sym_malformed_word,
       sym__address,
-    ACTIONS(494), 7,
+    ACTIONS(498), 7,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_slide,
@@ -20332,8 +20537,8 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10279] = 6,
-    ACTIONS(510), 1,
+  [10405] = 6,
+    ACTIONS(514), 1,
       anon_sym_SLASH,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -20341,17 +20546,17 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(508), 3,
+    ACTIONS(512), 3,
       anon_sym_DASH,
       anon_sym_PLUS,
       anon_sym_STAR,
-    ACTIONS(506), 5,
+    ACTIONS(510), 5,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_literal_word,
       sym_malformed_word,
       sym__address,
-    ACTIONS(504), 7,
+    ACTIONS(508), 7,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_slide,
@@ -20359,21 +20564,21 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10312] = 4,
+  [10438] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(335), 6,
+    ACTIONS(371), 6,
       anon_sym_SLASH,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_literal_word,
       sym_malformed_word,
       sym__address,
-    ACTIONS(333), 10,
+    ACTIONS(369), 10,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_slide,
@@ -20384,57 +20589,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10341] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(343), 6,
-      anon_sym_SLASH,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(341), 10,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [10370] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(347), 6,
-      anon_sym_SLASH,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(345), 10,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [10399] = 4,
+  [10467] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -20459,21 +20614,21 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10428] = 4,
+  [10496] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(355), 6,
+    ACTIONS(335), 6,
       anon_sym_SLASH,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_literal_word,
       sym_malformed_word,
       sym__address,
-    ACTIONS(353), 10,
+    ACTIONS(333), 10,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_slide,
@@ -20484,32 +20639,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10457] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(367), 6,
-      anon_sym_SLASH,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(365), 10,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [10486] = 4,
+  [10525] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -20534,7 +20664,32 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10515] = 4,
+  [10554] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(347), 6,
+      anon_sym_SLASH,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(345), 10,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [10583] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -20559,7 +20714,82 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10544] = 4,
+  [10612] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(367), 6,
+      anon_sym_SLASH,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(365), 10,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [10641] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(355), 6,
+      anon_sym_SLASH,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(353), 10,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [10670] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(343), 6,
+      anon_sym_SLASH,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(341), 10,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [10699] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -20584,7 +20814,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10573] = 4,
+  [10728] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -20609,8 +20839,37 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10602] = 6,
-    ACTIONS(814), 1,
+  [10757] = 9,
+    ACTIONS(63), 1,
+      sym_variable,
+    ACTIONS(65), 1,
+      sym_variable_kind,
+    ACTIONS(69), 1,
+      anon_sym_POUND,
+    ACTIONS(816), 1,
+      sym__signless_variable,
+    STATE(306), 1,
+      sym__signless_selected,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(818), 5,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+    STATE(298), 5,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+  [10795] = 6,
+    ACTIONS(822), 1,
       anon_sym_LPAREN,
     STATE(25), 1,
       sym_argument_list,
@@ -20620,14 +20879,14 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(816), 6,
+    ACTIONS(824), 6,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_literal_word,
       sym_malformed_word,
       sym__address,
       sym__capitals,
-    ACTIONS(812), 7,
+    ACTIONS(820), 7,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_slide,
@@ -20635,144 +20894,46 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [10634] = 6,
-    ACTIONS(818), 1,
-      anon_sym_LPAREN,
-    STATE(213), 1,
-      sym_selector_list,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(285), 3,
-      anon_sym_EQ,
-      anon_sym_SLASH,
-      sym__comparison,
-    ACTIONS(283), 9,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [10665] = 9,
-    ACTIONS(822), 1,
-      anon_sym_STAR,
-    ACTIONS(824), 1,
-      anon_sym_SLASH,
-    STATE(141), 1,
-      sym__multiply,
-    STATE(159), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(307), 2,
-      anon_sym_EQ,
-      sym__comparison,
-    ACTIONS(820), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(305), 6,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [10702] = 9,
-    ACTIONS(822), 1,
-      anon_sym_STAR,
-    ACTIONS(824), 1,
-      anon_sym_SLASH,
-    STATE(141), 1,
-      sym__multiply,
-    STATE(159), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(315), 2,
-      anon_sym_EQ,
-      sym__comparison,
-    ACTIONS(820), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(313), 6,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [10739] = 6,
-    ACTIONS(818), 1,
-      anon_sym_LPAREN,
-    STATE(208), 1,
-      sym_selector_list,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(319), 3,
-      anon_sym_EQ,
-      anon_sym_SLASH,
-      sym__comparison,
-    ACTIONS(317), 9,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [10770] = 8,
+  [10827] = 9,
     ACTIONS(63), 1,
       sym_variable,
     ACTIONS(65), 1,
       sym_variable_kind,
     ACTIONS(69), 1,
       anon_sym_POUND,
-    ACTIONS(828), 1,
-      sym_unclosed_string,
+    ACTIONS(826), 1,
+      sym__signless_variable,
+    STATE(307), 1,
+      sym__signless_selected,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(826), 5,
+    ACTIONS(828), 5,
       sym_named_variable,
       sym_transfer_variable,
       sym_foreign_variable,
-      sym_string,
-      sym_typographic_string,
-    STATE(38), 5,
+      sym_constant,
+      sym_internal_constant,
+    STATE(302), 5,
       sym__place,
+      sym__name,
       sym_selected_variable,
       sym_indirect_variable,
       sym_double_sharp,
-      sym__text,
-  [10805] = 6,
-    ACTIONS(834), 1,
-      sym__capitals,
-    STATE(195), 1,
-      aux_sym_section_name_repeat1,
+  [10865] = 9,
+    ACTIONS(63), 1,
+      sym_variable,
+    ACTIONS(65), 1,
+      sym_variable_kind,
+    ACTIONS(69), 1,
+      anon_sym_POUND,
+    ACTIONS(830), 1,
+      sym__signless_variable,
+    STATE(301), 1,
+      sym__signless_selected,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -20780,130 +20941,50 @@ static const uint16_t ts_small_parse_table[] = {
       sym_comment,
       sym_unclosed_comment,
     ACTIONS(832), 5,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(830), 7,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [10836] = 6,
-    STATE(141), 1,
-      sym__multiply,
-    STATE(159), 1,
-      sym__sign,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+    STATE(303), 5,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+  [10903] = 9,
+    ACTIONS(63), 1,
+      sym_variable,
+    ACTIONS(65), 1,
+      sym_variable_kind,
+    ACTIONS(69), 1,
+      anon_sym_POUND,
+    ACTIONS(834), 1,
+      sym__signless_variable,
+    STATE(304), 1,
+      sym__signless_selected,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(311), 3,
-      anon_sym_EQ,
-      anon_sym_SLASH,
-      sym__comparison,
-    ACTIONS(309), 9,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [10867] = 6,
-    ACTIONS(840), 1,
-      sym__capitals,
-    STATE(195), 1,
-      aux_sym_section_name_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(838), 5,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(836), 7,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [10898] = 8,
-    ACTIONS(822), 1,
-      anon_sym_STAR,
-    ACTIONS(824), 1,
-      anon_sym_SLASH,
-    STATE(141), 1,
+    ACTIONS(836), 5,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+      sym_constant,
+      sym_internal_constant,
+    STATE(299), 5,
+      sym__place,
+      sym__name,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+  [10941] = 6,
+    STATE(142), 1,
       sym__multiply,
-    STATE(159), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(281), 2,
-      anon_sym_EQ,
-      sym__comparison,
-    ACTIONS(279), 8,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [10933] = 11,
-    ACTIONS(822), 1,
-      anon_sym_STAR,
-    ACTIONS(824), 1,
-      anon_sym_SLASH,
-    ACTIONS(843), 1,
-      anon_sym_EQ,
-    ACTIONS(847), 1,
-      sym__comparison,
-    STATE(141), 1,
-      sym__multiply,
-    STATE(159), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(820), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-    ACTIONS(845), 2,
-      anon_sym_EQ_EQ,
-      sym_foreign_operator,
-    ACTIONS(289), 4,
-      anon_sym_RPAREN,
-      anon_sym_COMMA,
-      sym__and,
-      sym__or,
-  [10974] = 6,
-    STATE(141), 1,
-      sym__multiply,
-    STATE(159), 1,
+    STATE(160), 1,
       sym__sign,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -20925,21 +21006,24 @@ static const uint16_t ts_small_parse_table[] = {
       sym__and,
       sym__or,
       sym_foreign_operator,
-  [11005] = 4,
+  [10972] = 6,
+    ACTIONS(838), 1,
+      anon_sym_LPAREN,
+    STATE(210), 1,
+      sym_selector_list,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(323), 3,
+    ACTIONS(319), 3,
       anon_sym_EQ,
       anon_sym_SLASH,
       sym__comparison,
-    ACTIONS(321), 10,
+    ACTIONS(317), 9,
       anon_sym_RPAREN,
       anon_sym_EQ_EQ,
-      anon_sym_LPAREN,
       anon_sym_COMMA,
       anon_sym_DASH,
       anon_sym_PLUS,
@@ -20947,32 +21031,247 @@ static const uint16_t ts_small_parse_table[] = {
       sym__and,
       sym__or,
       sym_foreign_operator,
-  [11031] = 7,
+  [11003] = 8,
     ACTIONS(63), 1,
       sym_variable,
     ACTIONS(65), 1,
       sym_variable_kind,
     ACTIONS(69), 1,
       anon_sym_POUND,
+    ACTIONS(842), 1,
+      sym_unclosed_string,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(849), 5,
+    ACTIONS(840), 5,
       sym_named_variable,
       sym_transfer_variable,
       sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-    STATE(290), 5,
+      sym_string,
+      sym_typographic_string,
+    STATE(39), 5,
       sym__place,
-      sym__name,
       sym_selected_variable,
       sym_indirect_variable,
       sym_double_sharp,
-  [11063] = 4,
+      sym__text,
+  [11038] = 9,
+    ACTIONS(846), 1,
+      anon_sym_STAR,
+    ACTIONS(848), 1,
+      anon_sym_SLASH,
+    STATE(142), 1,
+      sym__multiply,
+    STATE(160), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(307), 2,
+      anon_sym_EQ,
+      sym__comparison,
+    ACTIONS(844), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(305), 6,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11075] = 6,
+    STATE(142), 1,
+      sym__multiply,
+    STATE(160), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(311), 3,
+      anon_sym_EQ,
+      anon_sym_SLASH,
+      sym__comparison,
+    ACTIONS(309), 9,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11106] = 6,
+    ACTIONS(838), 1,
+      anon_sym_LPAREN,
+    STATE(216), 1,
+      sym_selector_list,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(285), 3,
+      anon_sym_EQ,
+      anon_sym_SLASH,
+      sym__comparison,
+    ACTIONS(283), 9,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11137] = 9,
+    ACTIONS(846), 1,
+      anon_sym_STAR,
+    ACTIONS(848), 1,
+      anon_sym_SLASH,
+    STATE(142), 1,
+      sym__multiply,
+    STATE(160), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(315), 2,
+      anon_sym_EQ,
+      sym__comparison,
+    ACTIONS(844), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(313), 6,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11174] = 6,
+    ACTIONS(854), 1,
+      sym__capitals,
+    STATE(205), 1,
+      aux_sym_section_name_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(852), 5,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(850), 7,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [11205] = 8,
+    ACTIONS(846), 1,
+      anon_sym_STAR,
+    ACTIONS(848), 1,
+      anon_sym_SLASH,
+    STATE(142), 1,
+      sym__multiply,
+    STATE(160), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(281), 2,
+      anon_sym_EQ,
+      sym__comparison,
+    ACTIONS(279), 8,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11240] = 11,
+    ACTIONS(846), 1,
+      anon_sym_STAR,
+    ACTIONS(848), 1,
+      anon_sym_SLASH,
+    ACTIONS(856), 1,
+      anon_sym_EQ,
+    ACTIONS(860), 1,
+      sym__comparison,
+    STATE(142), 1,
+      sym__multiply,
+    STATE(160), 1,
+      sym__sign,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(844), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+    ACTIONS(858), 2,
+      anon_sym_EQ_EQ,
+      sym_foreign_operator,
+    ACTIONS(289), 4,
+      anon_sym_RPAREN,
+      anon_sym_COMMA,
+      sym__and,
+      sym__or,
+  [11281] = 6,
+    ACTIONS(866), 1,
+      sym__capitals,
+    STATE(205), 1,
+      aux_sym_section_name_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(864), 5,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(862), 7,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [11312] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -20994,156 +21293,40 @@ static const uint16_t ts_small_parse_table[] = {
       sym__and,
       sym__or,
       sym_foreign_operator,
-  [11089] = 7,
-    ACTIONS(63), 1,
-      sym_variable,
-    ACTIONS(65), 1,
-      sym_variable_kind,
-    ACTIONS(69), 1,
-      anon_sym_POUND,
+  [11338] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(851), 5,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-    STATE(289), 5,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-  [11121] = 7,
-    ACTIONS(63), 1,
-      sym_variable,
-    ACTIONS(65), 1,
-      sym_variable_kind,
-    ACTIONS(69), 1,
-      anon_sym_POUND,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(853), 5,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-    STATE(293), 5,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-  [11153] = 7,
-    ACTIONS(63), 1,
-      sym_variable,
-    ACTIONS(65), 1,
-      sym_variable_kind,
-    ACTIONS(69), 1,
-      anon_sym_POUND,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(855), 5,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-      sym_constant,
-      sym_internal_constant,
-    STATE(291), 5,
-      sym__place,
-      sym__name,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-  [11185] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(456), 5,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(454), 7,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [11210] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(227), 5,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(205), 7,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [11235] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(440), 5,
-      sym_unclosed_string,
-      sym_letter_o_word,
-      sym_literal_word,
-      sym_malformed_word,
-      sym__address,
-    ACTIONS(438), 7,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-      sym_slide,
-      sym_number,
-      sym_string,
-      sym_typographic_string,
-      sym_lower_case_word,
-  [11260] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(343), 3,
+    ACTIONS(323), 3,
       anon_sym_EQ,
       anon_sym_SLASH,
       sym__comparison,
-    ACTIONS(341), 9,
+    ACTIONS(321), 10,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_LPAREN,
+      anon_sym_COMMA,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11364] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(371), 3,
+      anon_sym_EQ,
+      anon_sym_SLASH,
+      sym__comparison,
+    ACTIONS(369), 9,
       anon_sym_RPAREN,
       anon_sym_EQ_EQ,
       anon_sym_COMMA,
@@ -21153,49 +21336,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym__and,
       sym__or,
       sym_foreign_operator,
-  [11285] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(347), 3,
-      anon_sym_EQ,
-      anon_sym_SLASH,
-      sym__comparison,
-    ACTIONS(345), 9,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [11310] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(363), 3,
-      anon_sym_EQ,
-      anon_sym_SLASH,
-      sym__comparison,
-    ACTIONS(361), 9,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [11335] = 4,
+  [11389] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -21216,70 +21357,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym__and,
       sym__or,
       sym_foreign_operator,
-  [11360] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(335), 3,
-      anon_sym_EQ,
-      anon_sym_SLASH,
-      sym__comparison,
-    ACTIONS(333), 9,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [11385] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(359), 3,
-      anon_sym_EQ,
-      anon_sym_SLASH,
-      sym__comparison,
-    ACTIONS(357), 9,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [11410] = 4,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(355), 3,
-      anon_sym_EQ,
-      anon_sym_SLASH,
-      sym__comparison,
-    ACTIONS(353), 9,
-      anon_sym_RPAREN,
-      anon_sym_EQ_EQ,
-      anon_sym_COMMA,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-      anon_sym_STAR,
-      sym__and,
-      sym__or,
-      sym_foreign_operator,
-  [11435] = 4,
+  [11414] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -21300,7 +21378,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym__and,
       sym__or,
       sym_foreign_operator,
-  [11460] = 4,
+  [11439] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -21321,20 +21399,62 @@ static const uint16_t ts_small_parse_table[] = {
       sym__and,
       sym__or,
       sym_foreign_operator,
-  [11485] = 4,
+  [11464] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(859), 5,
+    ACTIONS(347), 3,
+      anon_sym_EQ,
+      anon_sym_SLASH,
+      sym__comparison,
+    ACTIONS(345), 9,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11489] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(335), 3,
+      anon_sym_EQ,
+      anon_sym_SLASH,
+      sym__comparison,
+    ACTIONS(333), 9,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11514] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(227), 5,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_literal_word,
       sym_malformed_word,
       sym__address,
-    ACTIONS(857), 7,
+    ACTIONS(205), 7,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_slide,
@@ -21342,7 +21462,7 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [11510] = 4,
+  [11539] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -21363,45 +21483,41 @@ static const uint16_t ts_small_parse_table[] = {
       sym__and,
       sym__or,
       sym_foreign_operator,
-  [11535] = 8,
-    ACTIONS(861), 1,
-      anon_sym_LPAREN,
-    ACTIONS(863), 1,
-      sym_variable,
-    ACTIONS(865), 1,
-      sym_variable_kind,
-    ACTIONS(869), 1,
-      anon_sym_POUND,
+  [11564] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(867), 3,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-    STATE(76), 5,
-      sym_parenthesis,
-      sym__place,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-  [11568] = 4,
+    ACTIONS(359), 3,
+      anon_sym_EQ,
+      anon_sym_SLASH,
+      sym__comparison,
+    ACTIONS(357), 9,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11589] = 4,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(612), 5,
+    ACTIONS(460), 5,
       sym_unclosed_string,
       sym_letter_o_word,
       sym_literal_word,
       sym_malformed_word,
       sym__address,
-    ACTIONS(610), 7,
+    ACTIONS(458), 7,
       ts_builtin_sym_end,
       sym__end_of_line,
       sym_slide,
@@ -21409,12 +21525,56 @@ static const uint16_t ts_small_parse_table[] = {
       sym_string,
       sym_typographic_string,
       sym_lower_case_word,
-  [11593] = 7,
-    ACTIONS(666), 1,
+  [11614] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(355), 3,
+      anon_sym_EQ,
+      anon_sym_SLASH,
+      sym__comparison,
+    ACTIONS(353), 9,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11639] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(343), 3,
+      anon_sym_EQ,
+      anon_sym_SLASH,
+      sym__comparison,
+    ACTIONS(341), 9,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11664] = 8,
+    ACTIONS(869), 1,
+      anon_sym_LPAREN,
+    ACTIONS(871), 1,
       sym_variable,
-    ACTIONS(668), 1,
+    ACTIONS(873), 1,
       sym_variable_kind,
-    ACTIONS(670), 1,
+    ACTIONS(877), 1,
       anon_sym_POUND,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -21422,16 +21582,123 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(871), 3,
+    ACTIONS(875), 3,
       sym_named_variable,
       sym_transfer_variable,
       sym_foreign_variable,
-    STATE(209), 4,
+    STATE(70), 5,
+      sym_parenthesis,
       sym__place,
       sym_selected_variable,
       sym_indirect_variable,
       sym_double_sharp,
-  [11622] = 7,
+  [11697] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(444), 5,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(442), 7,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [11722] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(363), 3,
+      anon_sym_EQ,
+      anon_sym_SLASH,
+      sym__comparison,
+    ACTIONS(361), 9,
+      anon_sym_RPAREN,
+      anon_sym_EQ_EQ,
+      anon_sym_COMMA,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+      anon_sym_STAR,
+      sym__and,
+      sym__or,
+      sym_foreign_operator,
+  [11747] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(881), 5,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(879), 7,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [11772] = 4,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(578), 5,
+      sym_unclosed_string,
+      sym_letter_o_word,
+      sym_literal_word,
+      sym_malformed_word,
+      sym__address,
+    ACTIONS(576), 7,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+      sym_slide,
+      sym_number,
+      sym_string,
+      sym_typographic_string,
+      sym_lower_case_word,
+  [11797] = 7,
+    ACTIONS(670), 1,
+      sym_variable,
+    ACTIONS(672), 1,
+      sym_variable_kind,
+    ACTIONS(674), 1,
+      anon_sym_POUND,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(883), 3,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+    STATE(208), 4,
+      sym__place,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+  [11826] = 7,
     ACTIONS(63), 1,
       sym_variable,
     ACTIONS(65), 1,
@@ -21444,43 +21711,21 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(873), 3,
+    ACTIONS(885), 3,
       sym_named_variable,
       sym_transfer_variable,
       sym_foreign_variable,
-    STATE(44), 4,
+    STATE(56), 4,
       sym__place,
       sym_selected_variable,
       sym_indirect_variable,
       sym_double_sharp,
-  [11651] = 7,
-    ACTIONS(863), 1,
-      sym_variable,
-    ACTIONS(865), 1,
-      sym_variable_kind,
-    ACTIONS(869), 1,
-      anon_sym_POUND,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(873), 3,
-      sym_named_variable,
-      sym_transfer_variable,
-      sym_foreign_variable,
-    STATE(44), 4,
-      sym__place,
-      sym_selected_variable,
-      sym_indirect_variable,
-      sym_double_sharp,
-  [11680] = 7,
-    ACTIONS(472), 1,
-      sym_variable,
-    ACTIONS(474), 1,
-      sym_variable_kind,
+  [11855] = 7,
     ACTIONS(476), 1,
+      sym_variable,
+    ACTIONS(478), 1,
+      sym_variable_kind,
+    ACTIONS(480), 1,
       anon_sym_POUND,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -21488,7 +21733,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(875), 3,
+    ACTIONS(887), 3,
       sym_named_variable,
       sym_transfer_variable,
       sym_foreign_variable,
@@ -21497,7 +21742,29 @@ static const uint16_t ts_small_parse_table[] = {
       sym_selected_variable,
       sym_indirect_variable,
       sym_double_sharp,
-  [11709] = 7,
+  [11884] = 7,
+    ACTIONS(871), 1,
+      sym_variable,
+    ACTIONS(873), 1,
+      sym_variable_kind,
+    ACTIONS(877), 1,
+      anon_sym_POUND,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(885), 3,
+      sym_named_variable,
+      sym_transfer_variable,
+      sym_foreign_variable,
+    STATE(56), 4,
+      sym__place,
+      sym_selected_variable,
+      sym_indirect_variable,
+      sym_double_sharp,
+  [11913] = 7,
     ACTIONS(255), 1,
       sym_variable,
     ACTIONS(257), 1,
@@ -21510,16 +21777,16 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(877), 3,
+    ACTIONS(889), 3,
       sym_named_variable,
       sym_transfer_variable,
       sym_foreign_variable,
-    STATE(71), 4,
+    STATE(63), 4,
       sym__place,
       sym_selected_variable,
       sym_indirect_variable,
       sym_double_sharp,
-  [11738] = 7,
+  [11942] = 7,
     ACTIONS(219), 1,
       sym_variable,
     ACTIONS(221), 1,
@@ -21532,19 +21799,19 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(879), 3,
+    ACTIONS(891), 3,
       sym_named_variable,
       sym_transfer_variable,
       sym_foreign_variable,
-    STATE(28), 4,
+    STATE(34), 4,
       sym__place,
       sym_selected_variable,
       sym_indirect_variable,
       sym_double_sharp,
-  [11767] = 6,
-    ACTIONS(843), 1,
+  [11971] = 6,
+    ACTIONS(856), 1,
       anon_sym_EQ,
-    ACTIONS(847), 1,
+    ACTIONS(860), 1,
       sym__comparison,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -21552,7 +21819,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(845), 2,
+    ACTIONS(858), 2,
       anon_sym_EQ_EQ,
       sym_foreign_operator,
     ACTIONS(289), 4,
@@ -21560,16 +21827,16 @@ static const uint16_t ts_small_parse_table[] = {
       anon_sym_COMMA,
       sym__and,
       sym__or,
-  [11792] = 6,
-    ACTIONS(881), 1,
+  [11996] = 6,
+    ACTIONS(893), 1,
       ts_builtin_sym_end,
-    ACTIONS(883), 1,
+    ACTIONS(895), 1,
       sym__end_of_line,
-    ACTIONS(885), 1,
+    ACTIONS(897), 1,
       sym_program_name,
-    STATE(269), 1,
+    STATE(282), 1,
       sym__text,
-    ACTIONS(887), 3,
+    ACTIONS(899), 3,
       sym_string,
       sym_unclosed_string,
       sym_typographic_string,
@@ -21578,50 +21845,11 @@ static const uint16_t ts_small_parse_table[] = {
       sym_comment,
       sym_unclosed_comment,
       sym_foreign_comment,
-  [11816] = 6,
-    ACTIONS(893), 1,
-      sym_unclosed_string,
-    STATE(284), 1,
-      sym__text,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(889), 2,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-    ACTIONS(891), 2,
-      sym_string,
-      sym_typographic_string,
-  [11839] = 7,
-    ACTIONS(897), 1,
-      anon_sym_STAR,
-    ACTIONS(899), 1,
-      anon_sym_SLASH,
-    STATE(142), 1,
-      sym__multiply,
-    STATE(155), 1,
-      sym__sign,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(895), 2,
-      anon_sym_DASH,
-      anon_sym_PLUS,
-  [11864] = 7,
-    ACTIONS(903), 1,
-      anon_sym_STAR,
+  [12020] = 6,
     ACTIONS(905), 1,
-      anon_sym_SLASH,
-    STATE(152), 1,
-      sym__multiply,
-    STATE(156), 1,
-      sym__sign,
+      sym_unclosed_string,
+    STATE(283), 1,
+      sym__text,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
@@ -21629,86 +21857,57 @@ static const uint16_t ts_small_parse_table[] = {
       sym_comment,
       sym_unclosed_comment,
     ACTIONS(901), 2,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+    ACTIONS(903), 2,
+      sym_string,
+      sym_typographic_string,
+  [12043] = 7,
+    ACTIONS(909), 1,
+      anon_sym_STAR,
+    ACTIONS(911), 1,
+      anon_sym_SLASH,
+    STATE(157), 1,
+      sym__sign,
+    STATE(159), 1,
+      sym__multiply,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(907), 2,
       anon_sym_DASH,
       anon_sym_PLUS,
-  [11889] = 7,
-    ACTIONS(907), 1,
-      anon_sym_RPAREN,
-    ACTIONS(909), 1,
-      anon_sym_COMMA,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
-    STATE(268), 1,
-      aux_sym__several_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [11913] = 7,
-    ACTIONS(909), 1,
-      anon_sym_COMMA,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
+  [12068] = 7,
     ACTIONS(915), 1,
-      anon_sym_RPAREN,
-    STATE(267), 1,
-      aux_sym__several_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [11937] = 7,
-    ACTIONS(909), 1,
-      anon_sym_COMMA,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
+      anon_sym_STAR,
     ACTIONS(917), 1,
-      anon_sym_RPAREN,
-    STATE(248), 1,
-      aux_sym__several_repeat1,
+      anon_sym_SLASH,
+    STATE(154), 1,
+      sym__sign,
+    STATE(158), 1,
+      sym__multiply,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [11961] = 7,
-    ACTIONS(909), 1,
-      anon_sym_COMMA,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
+    ACTIONS(913), 2,
+      anon_sym_DASH,
+      anon_sym_PLUS,
+  [12093] = 7,
     ACTIONS(919), 1,
       anon_sym_RPAREN,
-    STATE(253), 1,
-      aux_sym__several_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [11985] = 7,
-    ACTIONS(909), 1,
-      anon_sym_COMMA,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
     ACTIONS(921), 1,
-      anon_sym_RPAREN,
-    STATE(259), 1,
+      anon_sym_COMMA,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    STATE(250), 1,
       aux_sym__several_repeat1,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -21716,37 +21915,105 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12009] = 5,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(923), 2,
-      anon_sym_RPAREN,
+  [12117] = 7,
+    ACTIONS(921), 1,
       anon_sym_COMMA,
-  [12028] = 4,
-    ACTIONS(911), 1,
+    ACTIONS(923), 1,
       sym__and,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(516), 3,
-      anon_sym_RPAREN,
-      anon_sym_COMMA,
+    ACTIONS(925), 1,
       sym__or,
-  [12045] = 5,
     ACTIONS(927), 1,
+      anon_sym_RPAREN,
+    STATE(257), 1,
+      aux_sym__several_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12141] = 7,
+    ACTIONS(921), 1,
+      anon_sym_COMMA,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    ACTIONS(929), 1,
+      anon_sym_RPAREN,
+    STATE(263), 1,
+      aux_sym__several_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12165] = 7,
+    ACTIONS(921), 1,
+      anon_sym_COMMA,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    ACTIONS(931), 1,
+      anon_sym_RPAREN,
+    STATE(269), 1,
+      aux_sym__several_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12189] = 7,
+    ACTIONS(921), 1,
+      anon_sym_COMMA,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    ACTIONS(933), 1,
+      anon_sym_RPAREN,
+    STATE(265), 1,
+      aux_sym__several_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12213] = 5,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(935), 2,
+      anon_sym_RPAREN,
+      anon_sym_COMMA,
+  [12232] = 4,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(520), 3,
+      anon_sym_RPAREN,
+      anon_sym_COMMA,
+      sym__or,
+  [12249] = 5,
+    ACTIONS(939), 1,
       anon_sym_LPAREN,
-    STATE(212), 1,
+    STATE(213), 1,
       sym_argument_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -21754,41 +22021,92 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(925), 2,
+    ACTIONS(937), 2,
       anon_sym_RPAREN,
       anon_sym_COMMA,
-  [12064] = 3,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(516), 4,
-      anon_sym_RPAREN,
-      anon_sym_COMMA,
-      sym__and,
-      sym__or,
-  [12079] = 5,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(929), 2,
-      anon_sym_RPAREN,
-      anon_sym_COMMA,
-  [12098] = 5,
+  [12268] = 5,
     ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(941), 2,
       anon_sym_RPAREN,
-    ACTIONS(931), 1,
       anon_sym_COMMA,
-    STATE(242), 1,
+  [12287] = 3,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(520), 4,
+      anon_sym_RPAREN,
+      anon_sym_COMMA,
+      sym__and,
+      sym__or,
+  [12302] = 4,
+    ACTIONS(943), 1,
+      ts_builtin_sym_end,
+    ACTIONS(945), 1,
+      sym__end_of_line,
+    ACTIONS(947), 1,
+      sym_header_value,
+    ACTIONS(5), 4,
+      sym_description_mark,
+      sym_comment,
+      sym_unclosed_comment,
+      sym_foreign_comment,
+  [12318] = 5,
+    ACTIONS(9), 1,
+      sym__end_of_line,
+    ACTIONS(949), 1,
+      ts_builtin_sym_end,
+    STATE(248), 1,
+      aux_sym_file_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12336] = 5,
+    ACTIONS(9), 1,
+      sym__end_of_line,
+    ACTIONS(951), 1,
+      ts_builtin_sym_end,
+    STATE(251), 1,
+      aux_sym_file_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12354] = 5,
+    ACTIONS(953), 1,
+      anon_sym_RPAREN,
+    ACTIONS(955), 1,
+      anon_sym_COMMA,
+    STATE(249), 1,
+      aux_sym_selector_list_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12372] = 5,
+    ACTIONS(921), 1,
+      anon_sym_COMMA,
+    ACTIONS(958), 1,
+      anon_sym_RPAREN,
+    STATE(254), 1,
       aux_sym__several_repeat1,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -21796,50 +22114,25 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12116] = 5,
-    ACTIONS(934), 1,
-      anon_sym_RPAREN,
-    ACTIONS(936), 1,
-      anon_sym_COMMA,
-    STATE(246), 1,
-      aux_sym_selector_list_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12134] = 4,
-    ACTIONS(938), 1,
+  [12390] = 5,
+    ACTIONS(960), 1,
       ts_builtin_sym_end,
-    ACTIONS(940), 1,
+    ACTIONS(962), 1,
       sym__end_of_line,
-    ACTIONS(942), 1,
-      sym_header_value,
-    ACTIONS(5), 4,
-      sym_description_mark,
-      sym_comment,
-      sym_unclosed_comment,
-      sym_foreign_comment,
-  [12150] = 5,
-    ACTIONS(907), 1,
-      anon_sym_RPAREN,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
+    STATE(251), 1,
+      aux_sym_file_repeat1,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12168] = 5,
-    ACTIONS(944), 1,
+  [12408] = 5,
+    ACTIONS(965), 1,
       anon_sym_RPAREN,
-    ACTIONS(946), 1,
+    ACTIONS(967), 1,
       anon_sym_COMMA,
-    STATE(246), 1,
+    STATE(249), 1,
       aux_sym_selector_list_repeat1,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -21847,10 +22140,75 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12186] = 5,
-    ACTIONS(936), 1,
+  [12426] = 5,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    ACTIONS(933), 1,
+      anon_sym_RPAREN,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12444] = 5,
+    ACTIONS(941), 1,
+      anon_sym_RPAREN,
+    ACTIONS(969), 1,
       anon_sym_COMMA,
-    ACTIONS(949), 1,
+    STATE(254), 1,
+      aux_sym__several_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12462] = 5,
+    ACTIONS(967), 1,
+      anon_sym_COMMA,
+    ACTIONS(972), 1,
+      anon_sym_RPAREN,
+    STATE(258), 1,
+      aux_sym_selector_list_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12480] = 5,
+    ACTIONS(496), 1,
+      anon_sym_LPAREN,
+    ACTIONS(974), 1,
+      anon_sym_RPAREN,
+    STATE(300), 1,
+      sym_selector_list,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12498] = 5,
+    ACTIONS(921), 1,
+      anon_sym_COMMA,
+    ACTIONS(976), 1,
+      anon_sym_RPAREN,
+    STATE(254), 1,
+      aux_sym__several_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12516] = 5,
+    ACTIONS(967), 1,
+      anon_sym_COMMA,
+    ACTIONS(978), 1,
       anon_sym_RPAREN,
     STATE(249), 1,
       aux_sym_selector_list_repeat1,
@@ -21860,194 +22218,12 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12204] = 5,
-    ACTIONS(909), 1,
-      anon_sym_COMMA,
-    ACTIONS(951), 1,
-      anon_sym_RPAREN,
-    STATE(242), 1,
-      aux_sym__several_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12222] = 5,
-    ACTIONS(936), 1,
-      anon_sym_COMMA,
-    ACTIONS(953), 1,
-      anon_sym_RPAREN,
-    STATE(246), 1,
-      aux_sym_selector_list_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12240] = 5,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
-    ACTIONS(955), 1,
-      anon_sym_RPAREN,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12258] = 5,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
-    ACTIONS(957), 1,
-      anon_sym_RPAREN,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12276] = 5,
-    ACTIONS(936), 1,
-      anon_sym_COMMA,
-    ACTIONS(959), 1,
-      anon_sym_RPAREN,
-    STATE(254), 1,
-      aux_sym_selector_list_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12294] = 5,
-    ACTIONS(909), 1,
-      anon_sym_COMMA,
-    ACTIONS(961), 1,
-      anon_sym_RPAREN,
-    STATE(242), 1,
-      aux_sym__several_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12312] = 5,
-    ACTIONS(936), 1,
-      anon_sym_COMMA,
-    ACTIONS(963), 1,
-      anon_sym_RPAREN,
-    STATE(246), 1,
-      aux_sym_selector_list_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12330] = 5,
-    ACTIONS(965), 1,
-      ts_builtin_sym_end,
+  [12534] = 5,
     ACTIONS(967), 1,
-      sym__end_of_line,
-    STATE(255), 1,
-      aux_sym_file_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12348] = 5,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
-    ACTIONS(970), 1,
-      anon_sym_RPAREN,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12366] = 5,
-    ACTIONS(9), 1,
-      sym__end_of_line,
-    ACTIONS(972), 1,
-      ts_builtin_sym_end,
-    STATE(265), 1,
-      aux_sym_file_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12384] = 5,
-    ACTIONS(936), 1,
       anon_sym_COMMA,
-    ACTIONS(974), 1,
-      anon_sym_RPAREN,
-    STATE(260), 1,
-      aux_sym_selector_list_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12402] = 5,
-    ACTIONS(909), 1,
-      anon_sym_COMMA,
-    ACTIONS(976), 1,
-      anon_sym_RPAREN,
-    STATE(242), 1,
-      aux_sym__several_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12420] = 5,
-    ACTIONS(936), 1,
-      anon_sym_COMMA,
-    ACTIONS(978), 1,
-      anon_sym_RPAREN,
-    STATE(246), 1,
-      aux_sym_selector_list_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12438] = 5,
-    ACTIONS(911), 1,
-      sym__and,
-    ACTIONS(913), 1,
-      sym__or,
     ACTIONS(980), 1,
       anon_sym_RPAREN,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12456] = 5,
-    ACTIONS(936), 1,
-      anon_sym_COMMA,
-    ACTIONS(982), 1,
-      anon_sym_RPAREN,
-    STATE(263), 1,
+    STATE(252), 1,
       aux_sym_selector_list_repeat1,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22055,12 +22231,25 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12474] = 5,
-    ACTIONS(936), 1,
+  [12552] = 5,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    ACTIONS(982), 1,
+      anon_sym_RPAREN,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12570] = 5,
+    ACTIONS(967), 1,
       anon_sym_COMMA,
     ACTIONS(984), 1,
       anon_sym_RPAREN,
-    STATE(246), 1,
+    STATE(264), 1,
       aux_sym_selector_list_repeat1,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22068,64 +22257,51 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12492] = 5,
-    ACTIONS(936), 1,
-      anon_sym_COMMA,
+  [12588] = 5,
+    ACTIONS(496), 1,
+      anon_sym_LPAREN,
     ACTIONS(986), 1,
       anon_sym_RPAREN,
-    STATE(243), 1,
-      aux_sym_selector_list_repeat1,
+    STATE(300), 1,
+      sym_selector_list,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12510] = 5,
-    ACTIONS(9), 1,
-      sym__end_of_line,
+  [12606] = 5,
+    ACTIONS(921), 1,
+      anon_sym_COMMA,
     ACTIONS(988), 1,
-      ts_builtin_sym_end,
-    STATE(255), 1,
-      aux_sym_file_repeat1,
+      anon_sym_RPAREN,
+    STATE(254), 1,
+      aux_sym__several_repeat1,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12528] = 5,
-    ACTIONS(9), 1,
-      sym__end_of_line,
-    ACTIONS(972), 1,
-      ts_builtin_sym_end,
-    STATE(255), 1,
-      aux_sym_file_repeat1,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12546] = 5,
-    ACTIONS(909), 1,
+  [12624] = 5,
+    ACTIONS(967), 1,
       anon_sym_COMMA,
     ACTIONS(990), 1,
       anon_sym_RPAREN,
-    STATE(242), 1,
-      aux_sym__several_repeat1,
+    STATE(249), 1,
+      aux_sym_selector_list_repeat1,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12564] = 5,
-    ACTIONS(909), 1,
+  [12642] = 5,
+    ACTIONS(921), 1,
       anon_sym_COMMA,
     ACTIONS(992), 1,
       anon_sym_RPAREN,
-    STATE(242), 1,
+    STATE(254), 1,
       aux_sym__several_repeat1,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22133,18 +22309,183 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12582] = 3,
+  [12660] = 5,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    ACTIONS(994), 1,
+      anon_sym_RPAREN,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(994), 2,
+  [12678] = 5,
+    ACTIONS(967), 1,
+      anon_sym_COMMA,
+    ACTIONS(996), 1,
+      anon_sym_RPAREN,
+    STATE(270), 1,
+      aux_sym_selector_list_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12696] = 5,
+    ACTIONS(496), 1,
+      anon_sym_LPAREN,
+    ACTIONS(998), 1,
+      anon_sym_RPAREN,
+    STATE(300), 1,
+      sym_selector_list,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12714] = 5,
+    ACTIONS(921), 1,
+      anon_sym_COMMA,
+    ACTIONS(1000), 1,
+      anon_sym_RPAREN,
+    STATE(254), 1,
+      aux_sym__several_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12732] = 5,
+    ACTIONS(967), 1,
+      anon_sym_COMMA,
+    ACTIONS(1002), 1,
+      anon_sym_RPAREN,
+    STATE(249), 1,
+      aux_sym_selector_list_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12750] = 5,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    ACTIONS(1004), 1,
+      anon_sym_RPAREN,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12768] = 5,
+    ACTIONS(967), 1,
+      anon_sym_COMMA,
+    ACTIONS(1006), 1,
+      anon_sym_RPAREN,
+    STATE(273), 1,
+      aux_sym_selector_list_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12786] = 5,
+    ACTIONS(967), 1,
+      anon_sym_COMMA,
+    ACTIONS(1008), 1,
+      anon_sym_RPAREN,
+    STATE(249), 1,
+      aux_sym_selector_list_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12804] = 5,
+    ACTIONS(923), 1,
+      sym__and,
+    ACTIONS(925), 1,
+      sym__or,
+    ACTIONS(1010), 1,
+      anon_sym_RPAREN,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12822] = 5,
+    ACTIONS(9), 1,
+      sym__end_of_line,
+    ACTIONS(949), 1,
+      ts_builtin_sym_end,
+    STATE(251), 1,
+      aux_sym_file_repeat1,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12840] = 5,
+    ACTIONS(496), 1,
+      anon_sym_LPAREN,
+    ACTIONS(1012), 1,
+      anon_sym_RPAREN,
+    STATE(300), 1,
+      sym_selector_list,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12858] = 4,
+    ACTIONS(1014), 1,
+      anon_sym_LPAREN,
+    STATE(110), 1,
+      sym_argument_list,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12873] = 3,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(960), 2,
       ts_builtin_sym_end,
       sym__end_of_line,
-  [12595] = 4,
-    ACTIONS(996), 1,
+  [12886] = 4,
+    ACTIONS(838), 1,
+      anon_sym_LPAREN,
+    STATE(200), 1,
+      sym_selector_list,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [12901] = 4,
+    ACTIONS(1016), 1,
       anon_sym_LPAREN,
     STATE(180), 1,
       sym_argument_list,
@@ -22154,10 +22495,10 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12610] = 4,
-    ACTIONS(996), 1,
+  [12916] = 4,
+    ACTIONS(1016), 1,
       anon_sym_LPAREN,
-    STATE(177), 1,
+    STATE(181), 1,
       sym_argument_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22165,10 +22506,30 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12625] = 4,
-    ACTIONS(808), 1,
+  [12931] = 3,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(1018), 2,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+  [12944] = 3,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(1020), 2,
+      ts_builtin_sym_end,
+      sym__end_of_line,
+  [12957] = 4,
+    ACTIONS(496), 1,
       anon_sym_LPAREN,
-    STATE(172), 1,
+    STATE(73), 1,
       sym_selector_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22176,29 +22537,7 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12640] = 4,
-    ACTIONS(998), 1,
-      anon_sym_LPAREN,
-    STATE(74), 1,
-      sym_argument_list,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12655] = 4,
-    ACTIONS(998), 1,
-      anon_sym_LPAREN,
-    STATE(75), 1,
-      sym_argument_list,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12670] = 4,
+  [12972] = 4,
     ACTIONS(287), 1,
       anon_sym_LPAREN,
     STATE(15), 1,
@@ -22209,10 +22548,10 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12685] = 4,
-    ACTIONS(927), 1,
+  [12987] = 4,
+    ACTIONS(939), 1,
       anon_sym_LPAREN,
-    STATE(212), 1,
+    STATE(209), 1,
       sym_argument_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22220,10 +22559,10 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12700] = 4,
-    ACTIONS(927), 1,
+  [13002] = 4,
+    ACTIONS(939), 1,
       anon_sym_LPAREN,
-    STATE(211), 1,
+    STATE(213), 1,
       sym_argument_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22231,20 +22570,10 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12715] = 3,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(944), 2,
-      anon_sym_RPAREN,
-      anon_sym_COMMA,
-  [12728] = 4,
-    ACTIONS(492), 1,
+  [13017] = 4,
+    ACTIONS(1022), 1,
       anon_sym_LPAREN,
-    STATE(56), 1,
+    STATE(49), 1,
       sym_selector_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22252,32 +22581,10 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12743] = 4,
-    ACTIONS(998), 1,
+  [13032] = 4,
+    ACTIONS(812), 1,
       anon_sym_LPAREN,
-    STATE(91), 1,
-      sym_argument_list,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12758] = 4,
-    ACTIONS(814), 1,
-      anon_sym_LPAREN,
-    STATE(25), 1,
-      sym_argument_list,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12773] = 4,
-    ACTIONS(1000), 1,
-      anon_sym_LPAREN,
-    STATE(48), 1,
+    STATE(174), 1,
       sym_selector_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22285,31 +22592,31 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12788] = 4,
-    ACTIONS(818), 1,
-      anon_sym_LPAREN,
-    STATE(188), 1,
-      sym_selector_list,
+  [13047] = 3,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12803] = 3,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-    ACTIONS(1002), 2,
+    ACTIONS(1024), 2,
       ts_builtin_sym_end,
       sym__end_of_line,
-  [12816] = 4,
-    ACTIONS(492), 1,
+  [13060] = 4,
+    ACTIONS(1014), 1,
       anon_sym_LPAREN,
-    STATE(72), 1,
+    STATE(76), 1,
+      sym_argument_list,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [13075] = 4,
+    ACTIONS(496), 1,
+      anon_sym_LPAREN,
+    STATE(59), 1,
       sym_selector_list,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22317,8 +22624,29 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12831] = 4,
-    ACTIONS(814), 1,
+  [13090] = 3,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+    ACTIONS(953), 2,
+      anon_sym_RPAREN,
+      anon_sym_COMMA,
+  [13103] = 4,
+    ACTIONS(1014), 1,
+      anon_sym_LPAREN,
+    STATE(77), 1,
+      sym_argument_list,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [13118] = 4,
+    ACTIONS(822), 1,
       anon_sym_LPAREN,
     STATE(24), 1,
       sym_argument_list,
@@ -22328,28 +22656,28 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12846] = 3,
+  [13133] = 4,
+    ACTIONS(822), 1,
+      anon_sym_LPAREN,
+    STATE(25), 1,
+      sym_argument_list,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(965), 2,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-  [12859] = 3,
+  [13148] = 3,
+    ACTIONS(1026), 1,
+      anon_sym_LPAREN,
     ACTIONS(3), 2,
       sym_description_mark,
       sym_foreign_comment,
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-    ACTIONS(1004), 2,
-      ts_builtin_sym_end,
-      sym__end_of_line,
-  [12872] = 3,
-    ACTIONS(1006), 1,
+  [13160] = 3,
+    ACTIONS(974), 1,
       anon_sym_RPAREN,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22357,8 +22685,8 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12884] = 3,
-    ACTIONS(1008), 1,
+  [13172] = 3,
+    ACTIONS(998), 1,
       anon_sym_RPAREN,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22366,8 +22694,8 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12896] = 3,
-    ACTIONS(1010), 1,
+  [13184] = 3,
+    ACTIONS(1028), 1,
       anon_sym_RPAREN,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22375,17 +22703,17 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12908] = 3,
+  [13196] = 3,
+    ACTIONS(1030), 1,
+      anon_sym_RPAREN,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [13208] = 3,
     ACTIONS(1012), 1,
-      ts_builtin_sym_end,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12920] = 3,
-    ACTIONS(1014), 1,
       anon_sym_RPAREN,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22393,8 +22721,53 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12932] = 3,
-    ACTIONS(1016), 1,
+  [13220] = 3,
+    ACTIONS(986), 1,
+      anon_sym_RPAREN,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [13232] = 3,
+    ACTIONS(1032), 1,
+      anon_sym_RPAREN,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [13244] = 3,
+    ACTIONS(1034), 1,
+      ts_builtin_sym_end,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [13256] = 3,
+    ACTIONS(1036), 1,
+      anon_sym_RPAREN,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [13268] = 3,
+    ACTIONS(1038), 1,
+      anon_sym_RPAREN,
+    ACTIONS(3), 2,
+      sym_description_mark,
+      sym_foreign_comment,
+    ACTIONS(5), 2,
+      sym_comment,
+      sym_unclosed_comment,
+  [13280] = 3,
+    ACTIONS(1040), 1,
       anon_sym_LPAREN,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22402,8 +22775,8 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12944] = 3,
-    ACTIONS(1018), 1,
+  [13292] = 3,
+    ACTIONS(1042), 1,
       anon_sym_LPAREN,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22411,17 +22784,8 @@ static const uint16_t ts_small_parse_table[] = {
     ACTIONS(5), 2,
       sym_comment,
       sym_unclosed_comment,
-  [12956] = 3,
-    ACTIONS(1020), 1,
-      anon_sym_LPAREN,
-    ACTIONS(3), 2,
-      sym_description_mark,
-      sym_foreign_comment,
-    ACTIONS(5), 2,
-      sym_comment,
-      sym_unclosed_comment,
-  [12968] = 3,
-    ACTIONS(1022), 1,
+  [13304] = 3,
+    ACTIONS(1044), 1,
       anon_sym_LPAREN,
     ACTIONS(3), 2,
       sym_description_mark,
@@ -22453,269 +22817,282 @@ static const uint32_t ts_small_parse_table_map[] = {
   [SMALL_STATE(32)] = 1266,
   [SMALL_STATE(33)] = 1332,
   [SMALL_STATE(34)] = 1398,
-  [SMALL_STATE(35)] = 1469,
-  [SMALL_STATE(36)] = 1548,
-  [SMALL_STATE(37)] = 1627,
-  [SMALL_STATE(38)] = 1706,
-  [SMALL_STATE(39)] = 1785,
-  [SMALL_STATE(40)] = 1864,
-  [SMALL_STATE(41)] = 1927,
-  [SMALL_STATE(42)] = 2006,
-  [SMALL_STATE(43)] = 2069,
-  [SMALL_STATE(44)] = 2131,
-  [SMALL_STATE(45)] = 2193,
-  [SMALL_STATE(46)] = 2255,
-  [SMALL_STATE(47)] = 2327,
-  [SMALL_STATE(48)] = 2393,
-  [SMALL_STATE(49)] = 2459,
-  [SMALL_STATE(50)] = 2529,
-  [SMALL_STATE(51)] = 2595,
-  [SMALL_STATE(52)] = 2661,
-  [SMALL_STATE(53)] = 2733,
-  [SMALL_STATE(54)] = 2803,
-  [SMALL_STATE(55)] = 2869,
-  [SMALL_STATE(56)] = 2973,
+  [SMALL_STATE(35)] = 1464,
+  [SMALL_STATE(36)] = 1535,
+  [SMALL_STATE(37)] = 1614,
+  [SMALL_STATE(38)] = 1693,
+  [SMALL_STATE(39)] = 1772,
+  [SMALL_STATE(40)] = 1851,
+  [SMALL_STATE(41)] = 1930,
+  [SMALL_STATE(42)] = 1993,
+  [SMALL_STATE(43)] = 2072,
+  [SMALL_STATE(44)] = 2135,
+  [SMALL_STATE(45)] = 2197,
+  [SMALL_STATE(46)] = 2259,
+  [SMALL_STATE(47)] = 2331,
+  [SMALL_STATE(48)] = 2397,
+  [SMALL_STATE(49)] = 2467,
+  [SMALL_STATE(50)] = 2533,
+  [SMALL_STATE(51)] = 2599,
+  [SMALL_STATE(52)] = 2665,
+  [SMALL_STATE(53)] = 2737,
+  [SMALL_STATE(54)] = 2841,
+  [SMALL_STATE(55)] = 2911,
+  [SMALL_STATE(56)] = 2977,
   [SMALL_STATE(57)] = 3039,
   [SMALL_STATE(58)] = 3107,
   [SMALL_STATE(59)] = 3173,
-  [SMALL_STATE(60)] = 3234,
-  [SMALL_STATE(61)] = 3295,
-  [SMALL_STATE(62)] = 3362,
-  [SMALL_STATE(63)] = 3422,
-  [SMALL_STATE(64)] = 3486,
-  [SMALL_STATE(65)] = 3546,
-  [SMALL_STATE(66)] = 3610,
-  [SMALL_STATE(67)] = 3670,
-  [SMALL_STATE(68)] = 3730,
-  [SMALL_STATE(69)] = 3790,
-  [SMALL_STATE(70)] = 3850,
-  [SMALL_STATE(71)] = 3910,
-  [SMALL_STATE(72)] = 3970,
-  [SMALL_STATE(73)] = 4034,
-  [SMALL_STATE(74)] = 4094,
-  [SMALL_STATE(75)] = 4154,
-  [SMALL_STATE(76)] = 4214,
-  [SMALL_STATE(77)] = 4274,
-  [SMALL_STATE(78)] = 4332,
-  [SMALL_STATE(79)] = 4394,
-  [SMALL_STATE(80)] = 4456,
-  [SMALL_STATE(81)] = 4518,
-  [SMALL_STATE(82)] = 4580,
-  [SMALL_STATE(83)] = 4642,
-  [SMALL_STATE(84)] = 4704,
-  [SMALL_STATE(85)] = 4766,
-  [SMALL_STATE(86)] = 4826,
-  [SMALL_STATE(87)] = 4888,
-  [SMALL_STATE(88)] = 4950,
-  [SMALL_STATE(89)] = 5013,
-  [SMALL_STATE(90)] = 5069,
-  [SMALL_STATE(91)] = 5125,
-  [SMALL_STATE(92)] = 5181,
-  [SMALL_STATE(93)] = 5237,
-  [SMALL_STATE(94)] = 5293,
-  [SMALL_STATE(95)] = 5349,
-  [SMALL_STATE(96)] = 5407,
-  [SMALL_STATE(97)] = 5463,
-  [SMALL_STATE(98)] = 5519,
-  [SMALL_STATE(99)] = 5575,
-  [SMALL_STATE(100)] = 5631,
-  [SMALL_STATE(101)] = 5687,
-  [SMALL_STATE(102)] = 5743,
-  [SMALL_STATE(103)] = 5799,
-  [SMALL_STATE(104)] = 5855,
-  [SMALL_STATE(105)] = 5911,
-  [SMALL_STATE(106)] = 5967,
-  [SMALL_STATE(107)] = 6023,
-  [SMALL_STATE(108)] = 6079,
-  [SMALL_STATE(109)] = 6135,
-  [SMALL_STATE(110)] = 6191,
-  [SMALL_STATE(111)] = 6247,
-  [SMALL_STATE(112)] = 6329,
-  [SMALL_STATE(113)] = 6408,
-  [SMALL_STATE(114)] = 6485,
-  [SMALL_STATE(115)] = 6562,
-  [SMALL_STATE(116)] = 6639,
-  [SMALL_STATE(117)] = 6716,
-  [SMALL_STATE(118)] = 6793,
-  [SMALL_STATE(119)] = 6870,
-  [SMALL_STATE(120)] = 6944,
-  [SMALL_STATE(121)] = 7018,
-  [SMALL_STATE(122)] = 7092,
-  [SMALL_STATE(123)] = 7166,
-  [SMALL_STATE(124)] = 7240,
-  [SMALL_STATE(125)] = 7311,
-  [SMALL_STATE(126)] = 7382,
-  [SMALL_STATE(127)] = 7453,
-  [SMALL_STATE(128)] = 7524,
-  [SMALL_STATE(129)] = 7595,
-  [SMALL_STATE(130)] = 7666,
-  [SMALL_STATE(131)] = 7737,
-  [SMALL_STATE(132)] = 7808,
-  [SMALL_STATE(133)] = 7879,
-  [SMALL_STATE(134)] = 7950,
-  [SMALL_STATE(135)] = 8021,
-  [SMALL_STATE(136)] = 8092,
-  [SMALL_STATE(137)] = 8163,
-  [SMALL_STATE(138)] = 8234,
-  [SMALL_STATE(139)] = 8305,
-  [SMALL_STATE(140)] = 8376,
-  [SMALL_STATE(141)] = 8440,
-  [SMALL_STATE(142)] = 8504,
-  [SMALL_STATE(143)] = 8568,
-  [SMALL_STATE(144)] = 8632,
-  [SMALL_STATE(145)] = 8696,
-  [SMALL_STATE(146)] = 8760,
-  [SMALL_STATE(147)] = 8824,
-  [SMALL_STATE(148)] = 8888,
-  [SMALL_STATE(149)] = 8952,
-  [SMALL_STATE(150)] = 9016,
-  [SMALL_STATE(151)] = 9080,
-  [SMALL_STATE(152)] = 9144,
-  [SMALL_STATE(153)] = 9208,
-  [SMALL_STATE(154)] = 9272,
-  [SMALL_STATE(155)] = 9336,
-  [SMALL_STATE(156)] = 9400,
-  [SMALL_STATE(157)] = 9464,
-  [SMALL_STATE(158)] = 9528,
-  [SMALL_STATE(159)] = 9592,
-  [SMALL_STATE(160)] = 9656,
-  [SMALL_STATE(161)] = 9704,
-  [SMALL_STATE(162)] = 9752,
-  [SMALL_STATE(163)] = 9800,
-  [SMALL_STATE(164)] = 9848,
-  [SMALL_STATE(165)] = 9889,
-  [SMALL_STATE(166)] = 9924,
-  [SMALL_STATE(167)] = 9965,
-  [SMALL_STATE(168)] = 10004,
-  [SMALL_STATE(169)] = 10039,
-  [SMALL_STATE(170)] = 10074,
-  [SMALL_STATE(171)] = 10113,
-  [SMALL_STATE(172)] = 10148,
-  [SMALL_STATE(173)] = 10183,
-  [SMALL_STATE(174)] = 10213,
-  [SMALL_STATE(175)] = 10243,
-  [SMALL_STATE(176)] = 10279,
-  [SMALL_STATE(177)] = 10312,
-  [SMALL_STATE(178)] = 10341,
-  [SMALL_STATE(179)] = 10370,
-  [SMALL_STATE(180)] = 10399,
-  [SMALL_STATE(181)] = 10428,
-  [SMALL_STATE(182)] = 10457,
-  [SMALL_STATE(183)] = 10486,
-  [SMALL_STATE(184)] = 10515,
-  [SMALL_STATE(185)] = 10544,
-  [SMALL_STATE(186)] = 10573,
-  [SMALL_STATE(187)] = 10602,
-  [SMALL_STATE(188)] = 10634,
-  [SMALL_STATE(189)] = 10665,
-  [SMALL_STATE(190)] = 10702,
-  [SMALL_STATE(191)] = 10739,
-  [SMALL_STATE(192)] = 10770,
-  [SMALL_STATE(193)] = 10805,
-  [SMALL_STATE(194)] = 10836,
-  [SMALL_STATE(195)] = 10867,
-  [SMALL_STATE(196)] = 10898,
-  [SMALL_STATE(197)] = 10933,
-  [SMALL_STATE(198)] = 10974,
-  [SMALL_STATE(199)] = 11005,
-  [SMALL_STATE(200)] = 11031,
-  [SMALL_STATE(201)] = 11063,
-  [SMALL_STATE(202)] = 11089,
-  [SMALL_STATE(203)] = 11121,
-  [SMALL_STATE(204)] = 11153,
-  [SMALL_STATE(205)] = 11185,
-  [SMALL_STATE(206)] = 11210,
-  [SMALL_STATE(207)] = 11235,
-  [SMALL_STATE(208)] = 11260,
-  [SMALL_STATE(209)] = 11285,
-  [SMALL_STATE(210)] = 11310,
-  [SMALL_STATE(211)] = 11335,
-  [SMALL_STATE(212)] = 11360,
-  [SMALL_STATE(213)] = 11385,
-  [SMALL_STATE(214)] = 11410,
-  [SMALL_STATE(215)] = 11435,
-  [SMALL_STATE(216)] = 11460,
-  [SMALL_STATE(217)] = 11485,
-  [SMALL_STATE(218)] = 11510,
-  [SMALL_STATE(219)] = 11535,
-  [SMALL_STATE(220)] = 11568,
-  [SMALL_STATE(221)] = 11593,
-  [SMALL_STATE(222)] = 11622,
-  [SMALL_STATE(223)] = 11651,
-  [SMALL_STATE(224)] = 11680,
-  [SMALL_STATE(225)] = 11709,
-  [SMALL_STATE(226)] = 11738,
-  [SMALL_STATE(227)] = 11767,
-  [SMALL_STATE(228)] = 11792,
-  [SMALL_STATE(229)] = 11816,
-  [SMALL_STATE(230)] = 11839,
-  [SMALL_STATE(231)] = 11864,
-  [SMALL_STATE(232)] = 11889,
-  [SMALL_STATE(233)] = 11913,
-  [SMALL_STATE(234)] = 11937,
-  [SMALL_STATE(235)] = 11961,
-  [SMALL_STATE(236)] = 11985,
-  [SMALL_STATE(237)] = 12009,
-  [SMALL_STATE(238)] = 12028,
-  [SMALL_STATE(239)] = 12045,
-  [SMALL_STATE(240)] = 12064,
-  [SMALL_STATE(241)] = 12079,
-  [SMALL_STATE(242)] = 12098,
-  [SMALL_STATE(243)] = 12116,
-  [SMALL_STATE(244)] = 12134,
-  [SMALL_STATE(245)] = 12150,
-  [SMALL_STATE(246)] = 12168,
-  [SMALL_STATE(247)] = 12186,
-  [SMALL_STATE(248)] = 12204,
-  [SMALL_STATE(249)] = 12222,
-  [SMALL_STATE(250)] = 12240,
-  [SMALL_STATE(251)] = 12258,
-  [SMALL_STATE(252)] = 12276,
-  [SMALL_STATE(253)] = 12294,
-  [SMALL_STATE(254)] = 12312,
-  [SMALL_STATE(255)] = 12330,
-  [SMALL_STATE(256)] = 12348,
-  [SMALL_STATE(257)] = 12366,
-  [SMALL_STATE(258)] = 12384,
-  [SMALL_STATE(259)] = 12402,
-  [SMALL_STATE(260)] = 12420,
-  [SMALL_STATE(261)] = 12438,
-  [SMALL_STATE(262)] = 12456,
-  [SMALL_STATE(263)] = 12474,
-  [SMALL_STATE(264)] = 12492,
-  [SMALL_STATE(265)] = 12510,
-  [SMALL_STATE(266)] = 12528,
-  [SMALL_STATE(267)] = 12546,
-  [SMALL_STATE(268)] = 12564,
-  [SMALL_STATE(269)] = 12582,
-  [SMALL_STATE(270)] = 12595,
-  [SMALL_STATE(271)] = 12610,
-  [SMALL_STATE(272)] = 12625,
-  [SMALL_STATE(273)] = 12640,
-  [SMALL_STATE(274)] = 12655,
-  [SMALL_STATE(275)] = 12670,
-  [SMALL_STATE(276)] = 12685,
-  [SMALL_STATE(277)] = 12700,
-  [SMALL_STATE(278)] = 12715,
-  [SMALL_STATE(279)] = 12728,
-  [SMALL_STATE(280)] = 12743,
-  [SMALL_STATE(281)] = 12758,
-  [SMALL_STATE(282)] = 12773,
-  [SMALL_STATE(283)] = 12788,
-  [SMALL_STATE(284)] = 12803,
-  [SMALL_STATE(285)] = 12816,
-  [SMALL_STATE(286)] = 12831,
-  [SMALL_STATE(287)] = 12846,
-  [SMALL_STATE(288)] = 12859,
-  [SMALL_STATE(289)] = 12872,
-  [SMALL_STATE(290)] = 12884,
-  [SMALL_STATE(291)] = 12896,
-  [SMALL_STATE(292)] = 12908,
-  [SMALL_STATE(293)] = 12920,
-  [SMALL_STATE(294)] = 12932,
-  [SMALL_STATE(295)] = 12944,
-  [SMALL_STATE(296)] = 12956,
-  [SMALL_STATE(297)] = 12968,
+  [SMALL_STATE(60)] = 3239,
+  [SMALL_STATE(61)] = 3306,
+  [SMALL_STATE(62)] = 3367,
+  [SMALL_STATE(63)] = 3428,
+  [SMALL_STATE(64)] = 3488,
+  [SMALL_STATE(65)] = 3552,
+  [SMALL_STATE(66)] = 3612,
+  [SMALL_STATE(67)] = 3672,
+  [SMALL_STATE(68)] = 3732,
+  [SMALL_STATE(69)] = 3792,
+  [SMALL_STATE(70)] = 3852,
+  [SMALL_STATE(71)] = 3912,
+  [SMALL_STATE(72)] = 3972,
+  [SMALL_STATE(73)] = 4032,
+  [SMALL_STATE(74)] = 4096,
+  [SMALL_STATE(75)] = 4156,
+  [SMALL_STATE(76)] = 4220,
+  [SMALL_STATE(77)] = 4280,
+  [SMALL_STATE(78)] = 4340,
+  [SMALL_STATE(79)] = 4400,
+  [SMALL_STATE(80)] = 4458,
+  [SMALL_STATE(81)] = 4520,
+  [SMALL_STATE(82)] = 4582,
+  [SMALL_STATE(83)] = 4644,
+  [SMALL_STATE(84)] = 4706,
+  [SMALL_STATE(85)] = 4768,
+  [SMALL_STATE(86)] = 4830,
+  [SMALL_STATE(87)] = 4892,
+  [SMALL_STATE(88)] = 4952,
+  [SMALL_STATE(89)] = 5014,
+  [SMALL_STATE(90)] = 5076,
+  [SMALL_STATE(91)] = 5139,
+  [SMALL_STATE(92)] = 5195,
+  [SMALL_STATE(93)] = 5251,
+  [SMALL_STATE(94)] = 5307,
+  [SMALL_STATE(95)] = 5363,
+  [SMALL_STATE(96)] = 5419,
+  [SMALL_STATE(97)] = 5475,
+  [SMALL_STATE(98)] = 5533,
+  [SMALL_STATE(99)] = 5589,
+  [SMALL_STATE(100)] = 5645,
+  [SMALL_STATE(101)] = 5701,
+  [SMALL_STATE(102)] = 5757,
+  [SMALL_STATE(103)] = 5813,
+  [SMALL_STATE(104)] = 5869,
+  [SMALL_STATE(105)] = 5925,
+  [SMALL_STATE(106)] = 5981,
+  [SMALL_STATE(107)] = 6037,
+  [SMALL_STATE(108)] = 6093,
+  [SMALL_STATE(109)] = 6149,
+  [SMALL_STATE(110)] = 6205,
+  [SMALL_STATE(111)] = 6261,
+  [SMALL_STATE(112)] = 6317,
+  [SMALL_STATE(113)] = 6373,
+  [SMALL_STATE(114)] = 6455,
+  [SMALL_STATE(115)] = 6534,
+  [SMALL_STATE(116)] = 6611,
+  [SMALL_STATE(117)] = 6688,
+  [SMALL_STATE(118)] = 6765,
+  [SMALL_STATE(119)] = 6842,
+  [SMALL_STATE(120)] = 6919,
+  [SMALL_STATE(121)] = 6996,
+  [SMALL_STATE(122)] = 7070,
+  [SMALL_STATE(123)] = 7144,
+  [SMALL_STATE(124)] = 7218,
+  [SMALL_STATE(125)] = 7292,
+  [SMALL_STATE(126)] = 7366,
+  [SMALL_STATE(127)] = 7437,
+  [SMALL_STATE(128)] = 7508,
+  [SMALL_STATE(129)] = 7579,
+  [SMALL_STATE(130)] = 7650,
+  [SMALL_STATE(131)] = 7721,
+  [SMALL_STATE(132)] = 7792,
+  [SMALL_STATE(133)] = 7863,
+  [SMALL_STATE(134)] = 7934,
+  [SMALL_STATE(135)] = 8005,
+  [SMALL_STATE(136)] = 8076,
+  [SMALL_STATE(137)] = 8147,
+  [SMALL_STATE(138)] = 8218,
+  [SMALL_STATE(139)] = 8289,
+  [SMALL_STATE(140)] = 8360,
+  [SMALL_STATE(141)] = 8431,
+  [SMALL_STATE(142)] = 8502,
+  [SMALL_STATE(143)] = 8566,
+  [SMALL_STATE(144)] = 8630,
+  [SMALL_STATE(145)] = 8694,
+  [SMALL_STATE(146)] = 8758,
+  [SMALL_STATE(147)] = 8822,
+  [SMALL_STATE(148)] = 8886,
+  [SMALL_STATE(149)] = 8950,
+  [SMALL_STATE(150)] = 9014,
+  [SMALL_STATE(151)] = 9078,
+  [SMALL_STATE(152)] = 9142,
+  [SMALL_STATE(153)] = 9206,
+  [SMALL_STATE(154)] = 9270,
+  [SMALL_STATE(155)] = 9334,
+  [SMALL_STATE(156)] = 9398,
+  [SMALL_STATE(157)] = 9462,
+  [SMALL_STATE(158)] = 9526,
+  [SMALL_STATE(159)] = 9590,
+  [SMALL_STATE(160)] = 9654,
+  [SMALL_STATE(161)] = 9718,
+  [SMALL_STATE(162)] = 9782,
+  [SMALL_STATE(163)] = 9830,
+  [SMALL_STATE(164)] = 9878,
+  [SMALL_STATE(165)] = 9926,
+  [SMALL_STATE(166)] = 9974,
+  [SMALL_STATE(167)] = 10015,
+  [SMALL_STATE(168)] = 10050,
+  [SMALL_STATE(169)] = 10091,
+  [SMALL_STATE(170)] = 10130,
+  [SMALL_STATE(171)] = 10165,
+  [SMALL_STATE(172)] = 10204,
+  [SMALL_STATE(173)] = 10239,
+  [SMALL_STATE(174)] = 10274,
+  [SMALL_STATE(175)] = 10309,
+  [SMALL_STATE(176)] = 10339,
+  [SMALL_STATE(177)] = 10369,
+  [SMALL_STATE(178)] = 10405,
+  [SMALL_STATE(179)] = 10438,
+  [SMALL_STATE(180)] = 10467,
+  [SMALL_STATE(181)] = 10496,
+  [SMALL_STATE(182)] = 10525,
+  [SMALL_STATE(183)] = 10554,
+  [SMALL_STATE(184)] = 10583,
+  [SMALL_STATE(185)] = 10612,
+  [SMALL_STATE(186)] = 10641,
+  [SMALL_STATE(187)] = 10670,
+  [SMALL_STATE(188)] = 10699,
+  [SMALL_STATE(189)] = 10728,
+  [SMALL_STATE(190)] = 10757,
+  [SMALL_STATE(191)] = 10795,
+  [SMALL_STATE(192)] = 10827,
+  [SMALL_STATE(193)] = 10865,
+  [SMALL_STATE(194)] = 10903,
+  [SMALL_STATE(195)] = 10941,
+  [SMALL_STATE(196)] = 10972,
+  [SMALL_STATE(197)] = 11003,
+  [SMALL_STATE(198)] = 11038,
+  [SMALL_STATE(199)] = 11075,
+  [SMALL_STATE(200)] = 11106,
+  [SMALL_STATE(201)] = 11137,
+  [SMALL_STATE(202)] = 11174,
+  [SMALL_STATE(203)] = 11205,
+  [SMALL_STATE(204)] = 11240,
+  [SMALL_STATE(205)] = 11281,
+  [SMALL_STATE(206)] = 11312,
+  [SMALL_STATE(207)] = 11338,
+  [SMALL_STATE(208)] = 11364,
+  [SMALL_STATE(209)] = 11389,
+  [SMALL_STATE(210)] = 11414,
+  [SMALL_STATE(211)] = 11439,
+  [SMALL_STATE(212)] = 11464,
+  [SMALL_STATE(213)] = 11489,
+  [SMALL_STATE(214)] = 11514,
+  [SMALL_STATE(215)] = 11539,
+  [SMALL_STATE(216)] = 11564,
+  [SMALL_STATE(217)] = 11589,
+  [SMALL_STATE(218)] = 11614,
+  [SMALL_STATE(219)] = 11639,
+  [SMALL_STATE(220)] = 11664,
+  [SMALL_STATE(221)] = 11697,
+  [SMALL_STATE(222)] = 11722,
+  [SMALL_STATE(223)] = 11747,
+  [SMALL_STATE(224)] = 11772,
+  [SMALL_STATE(225)] = 11797,
+  [SMALL_STATE(226)] = 11826,
+  [SMALL_STATE(227)] = 11855,
+  [SMALL_STATE(228)] = 11884,
+  [SMALL_STATE(229)] = 11913,
+  [SMALL_STATE(230)] = 11942,
+  [SMALL_STATE(231)] = 11971,
+  [SMALL_STATE(232)] = 11996,
+  [SMALL_STATE(233)] = 12020,
+  [SMALL_STATE(234)] = 12043,
+  [SMALL_STATE(235)] = 12068,
+  [SMALL_STATE(236)] = 12093,
+  [SMALL_STATE(237)] = 12117,
+  [SMALL_STATE(238)] = 12141,
+  [SMALL_STATE(239)] = 12165,
+  [SMALL_STATE(240)] = 12189,
+  [SMALL_STATE(241)] = 12213,
+  [SMALL_STATE(242)] = 12232,
+  [SMALL_STATE(243)] = 12249,
+  [SMALL_STATE(244)] = 12268,
+  [SMALL_STATE(245)] = 12287,
+  [SMALL_STATE(246)] = 12302,
+  [SMALL_STATE(247)] = 12318,
+  [SMALL_STATE(248)] = 12336,
+  [SMALL_STATE(249)] = 12354,
+  [SMALL_STATE(250)] = 12372,
+  [SMALL_STATE(251)] = 12390,
+  [SMALL_STATE(252)] = 12408,
+  [SMALL_STATE(253)] = 12426,
+  [SMALL_STATE(254)] = 12444,
+  [SMALL_STATE(255)] = 12462,
+  [SMALL_STATE(256)] = 12480,
+  [SMALL_STATE(257)] = 12498,
+  [SMALL_STATE(258)] = 12516,
+  [SMALL_STATE(259)] = 12534,
+  [SMALL_STATE(260)] = 12552,
+  [SMALL_STATE(261)] = 12570,
+  [SMALL_STATE(262)] = 12588,
+  [SMALL_STATE(263)] = 12606,
+  [SMALL_STATE(264)] = 12624,
+  [SMALL_STATE(265)] = 12642,
+  [SMALL_STATE(266)] = 12660,
+  [SMALL_STATE(267)] = 12678,
+  [SMALL_STATE(268)] = 12696,
+  [SMALL_STATE(269)] = 12714,
+  [SMALL_STATE(270)] = 12732,
+  [SMALL_STATE(271)] = 12750,
+  [SMALL_STATE(272)] = 12768,
+  [SMALL_STATE(273)] = 12786,
+  [SMALL_STATE(274)] = 12804,
+  [SMALL_STATE(275)] = 12822,
+  [SMALL_STATE(276)] = 12840,
+  [SMALL_STATE(277)] = 12858,
+  [SMALL_STATE(278)] = 12873,
+  [SMALL_STATE(279)] = 12886,
+  [SMALL_STATE(280)] = 12901,
+  [SMALL_STATE(281)] = 12916,
+  [SMALL_STATE(282)] = 12931,
+  [SMALL_STATE(283)] = 12944,
+  [SMALL_STATE(284)] = 12957,
+  [SMALL_STATE(285)] = 12972,
+  [SMALL_STATE(286)] = 12987,
+  [SMALL_STATE(287)] = 13002,
+  [SMALL_STATE(288)] = 13017,
+  [SMALL_STATE(289)] = 13032,
+  [SMALL_STATE(290)] = 13047,
+  [SMALL_STATE(291)] = 13060,
+  [SMALL_STATE(292)] = 13075,
+  [SMALL_STATE(293)] = 13090,
+  [SMALL_STATE(294)] = 13103,
+  [SMALL_STATE(295)] = 13118,
+  [SMALL_STATE(296)] = 13133,
+  [SMALL_STATE(297)] = 13148,
+  [SMALL_STATE(298)] = 13160,
+  [SMALL_STATE(299)] = 13172,
+  [SMALL_STATE(300)] = 13184,
+  [SMALL_STATE(301)] = 13196,
+  [SMALL_STATE(302)] = 13208,
+  [SMALL_STATE(303)] = 13220,
+  [SMALL_STATE(304)] = 13232,
+  [SMALL_STATE(305)] = 13244,
+  [SMALL_STATE(306)] = 13256,
+  [SMALL_STATE(307)] = 13268,
+  [SMALL_STATE(308)] = 13280,
+  [SMALL_STATE(309)] = 13292,
+  [SMALL_STATE(310)] = 13304,
 };
 
 static const TSParseActionEntry ts_parse_actions[] = {
@@ -22726,45 +23103,45 @@ static const TSParseActionEntry ts_parse_actions[] = {
   [7] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_file, 0, 0, 0),
   [9] = {.entry = {.count = 1, .reusable = true}}, SHIFT(2),
   [11] = {.entry = {.count = 1, .reusable = true}}, SHIFT(3),
-  [13] = {.entry = {.count = 1, .reusable = true}}, SHIFT(228),
-  [15] = {.entry = {.count = 1, .reusable = true}}, SHIFT(244),
+  [13] = {.entry = {.count = 1, .reusable = true}}, SHIFT(232),
+  [15] = {.entry = {.count = 1, .reusable = true}}, SHIFT(246),
   [17] = {.entry = {.count = 1, .reusable = false}}, SHIFT(3),
-  [19] = {.entry = {.count = 1, .reusable = false}}, SHIFT(219),
-  [21] = {.entry = {.count = 1, .reusable = true}}, SHIFT(105),
+  [19] = {.entry = {.count = 1, .reusable = false}}, SHIFT(220),
+  [21] = {.entry = {.count = 1, .reusable = true}}, SHIFT(96),
   [23] = {.entry = {.count = 1, .reusable = true}}, SHIFT(5),
-  [25] = {.entry = {.count = 1, .reusable = false}}, SHIFT(192),
-  [27] = {.entry = {.count = 1, .reusable = false}}, SHIFT(126),
+  [25] = {.entry = {.count = 1, .reusable = false}}, SHIFT(197),
+  [27] = {.entry = {.count = 1, .reusable = false}}, SHIFT(140),
   [29] = {.entry = {.count = 1, .reusable = false}}, SHIFT(102),
   [31] = {.entry = {.count = 1, .reusable = false}}, SHIFT(106),
-  [33] = {.entry = {.count = 1, .reusable = false}}, SHIFT(107),
-  [35] = {.entry = {.count = 1, .reusable = false}}, SHIFT(127),
+  [33] = {.entry = {.count = 1, .reusable = false}}, SHIFT(103),
+  [35] = {.entry = {.count = 1, .reusable = false}}, SHIFT(128),
   [37] = {.entry = {.count = 1, .reusable = false}}, SHIFT(108),
   [39] = {.entry = {.count = 1, .reusable = false}}, SHIFT(131),
   [41] = {.entry = {.count = 1, .reusable = false}}, SHIFT(132),
-  [43] = {.entry = {.count = 1, .reusable = false}}, SHIFT(110),
-  [45] = {.entry = {.count = 1, .reusable = false}}, SHIFT(96),
-  [47] = {.entry = {.count = 1, .reusable = false}}, SHIFT(89),
+  [43] = {.entry = {.count = 1, .reusable = false}}, SHIFT(111),
+  [45] = {.entry = {.count = 1, .reusable = false}}, SHIFT(112),
+  [47] = {.entry = {.count = 1, .reusable = false}}, SHIFT(92),
   [49] = {.entry = {.count = 1, .reusable = false}}, SHIFT(11),
-  [51] = {.entry = {.count = 1, .reusable = false}}, SHIFT(280),
-  [53] = {.entry = {.count = 1, .reusable = false}}, SHIFT(39),
-  [55] = {.entry = {.count = 1, .reusable = false}}, SHIFT(95),
-  [57] = {.entry = {.count = 1, .reusable = false}}, SHIFT(88),
-  [59] = {.entry = {.count = 1, .reusable = false}}, SHIFT(97),
-  [61] = {.entry = {.count = 1, .reusable = true}}, SHIFT(100),
-  [63] = {.entry = {.count = 1, .reusable = true}}, SHIFT(63),
-  [65] = {.entry = {.count = 1, .reusable = false}}, SHIFT(285),
-  [67] = {.entry = {.count = 1, .reusable = true}}, SHIFT(87),
-  [69] = {.entry = {.count = 1, .reusable = false}}, SHIFT(222),
-  [71] = {.entry = {.count = 1, .reusable = false}}, SHIFT(100),
+  [51] = {.entry = {.count = 1, .reusable = false}}, SHIFT(277),
+  [53] = {.entry = {.count = 1, .reusable = false}}, SHIFT(40),
+  [55] = {.entry = {.count = 1, .reusable = false}}, SHIFT(97),
+  [57] = {.entry = {.count = 1, .reusable = false}}, SHIFT(90),
+  [59] = {.entry = {.count = 1, .reusable = false}}, SHIFT(95),
+  [61] = {.entry = {.count = 1, .reusable = true}}, SHIFT(101),
+  [63] = {.entry = {.count = 1, .reusable = true}}, SHIFT(75),
+  [65] = {.entry = {.count = 1, .reusable = false}}, SHIFT(284),
+  [67] = {.entry = {.count = 1, .reusable = true}}, SHIFT(89),
+  [69] = {.entry = {.count = 1, .reusable = false}}, SHIFT(226),
+  [71] = {.entry = {.count = 1, .reusable = false}}, SHIFT(101),
   [73] = {.entry = {.count = 1, .reusable = false}}, SHIFT(5),
-  [75] = {.entry = {.count = 1, .reusable = false}}, SHIFT(61),
+  [75] = {.entry = {.count = 1, .reusable = false}}, SHIFT(60),
   [77] = {.entry = {.count = 1, .reusable = false}}, SHIFT(12),
-  [79] = {.entry = {.count = 1, .reusable = false}}, SHIFT(206),
+  [79] = {.entry = {.count = 1, .reusable = false}}, SHIFT(214),
   [81] = {.entry = {.count = 1, .reusable = false}}, SHIFT(9),
   [83] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_file_repeat1, 1, 0, 0),
   [85] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_block, 1, 0, 0),
-  [87] = {.entry = {.count = 1, .reusable = true}}, SHIFT(34),
-  [89] = {.entry = {.count = 1, .reusable = false}}, SHIFT(34),
+  [87] = {.entry = {.count = 1, .reusable = true}}, SHIFT(35),
+  [89] = {.entry = {.count = 1, .reusable = false}}, SHIFT(35),
   [91] = {.entry = {.count = 1, .reusable = true}}, SHIFT(7),
   [93] = {.entry = {.count = 1, .reusable = false}}, SHIFT(7),
   [95] = {.entry = {.count = 1, .reusable = false}}, SHIFT(10),
@@ -22775,33 +23152,33 @@ static const TSParseActionEntry ts_parse_actions[] = {
   [105] = {.entry = {.count = 1, .reusable = false}}, SHIFT(8),
   [107] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0),
   [109] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(6),
-  [112] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(105),
-  [115] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(192),
-  [118] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(126),
+  [112] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(96),
+  [115] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(197),
+  [118] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(140),
   [121] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(102),
   [124] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(106),
-  [127] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(107),
-  [130] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(127),
+  [127] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(103),
+  [130] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(128),
   [133] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(108),
   [136] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(131),
   [139] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(132),
-  [142] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(110),
-  [145] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(96),
-  [148] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(89),
+  [142] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(111),
+  [145] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(112),
+  [148] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(92),
   [151] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(11),
-  [154] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(280),
-  [157] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(39),
-  [160] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(95),
-  [163] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(88),
-  [166] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(97),
-  [169] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(100),
-  [172] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(63),
-  [175] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(285),
-  [178] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(87),
-  [181] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(222),
-  [184] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(100),
+  [154] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(277),
+  [157] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(40),
+  [160] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(97),
+  [163] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(90),
+  [166] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(95),
+  [169] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(101),
+  [172] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(75),
+  [175] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(284),
+  [178] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(89),
+  [181] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(226),
+  [184] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(101),
   [187] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(6),
-  [190] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(61),
+  [190] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(60),
   [193] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(12),
   [196] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat2, 2, 0, 0), SHIFT_REPEAT(10),
   [199] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_block, 2, 0, 0),
@@ -22810,53 +23187,53 @@ static const TSParseActionEntry ts_parse_actions[] = {
   [205] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_section_name, 1, 0, 0),
   [207] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unknown_statement, 1, 0, 3),
   [209] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unknown_statement, 1, 0, 3),
-  [211] = {.entry = {.count = 1, .reusable = true}}, SHIFT(122),
-  [213] = {.entry = {.count = 1, .reusable = false}}, SHIFT(286),
-  [215] = {.entry = {.count = 1, .reusable = false}}, SHIFT(294),
-  [217] = {.entry = {.count = 1, .reusable = true}}, SHIFT(158),
+  [211] = {.entry = {.count = 1, .reusable = true}}, SHIFT(124),
+  [213] = {.entry = {.count = 1, .reusable = false}}, SHIFT(295),
+  [215] = {.entry = {.count = 1, .reusable = false}}, SHIFT(297),
+  [217] = {.entry = {.count = 1, .reusable = true}}, SHIFT(153),
   [219] = {.entry = {.count = 1, .reusable = true}}, SHIFT(21),
-  [221] = {.entry = {.count = 1, .reusable = false}}, SHIFT(275),
+  [221] = {.entry = {.count = 1, .reusable = false}}, SHIFT(285),
   [223] = {.entry = {.count = 1, .reusable = true}}, SHIFT(16),
-  [225] = {.entry = {.count = 1, .reusable = false}}, SHIFT(226),
+  [225] = {.entry = {.count = 1, .reusable = false}}, SHIFT(230),
   [227] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_section_name, 1, 0, 0),
-  [229] = {.entry = {.count = 1, .reusable = false}}, SHIFT(187),
+  [229] = {.entry = {.count = 1, .reusable = false}}, SHIFT(191),
   [231] = {.entry = {.count = 1, .reusable = false}}, SHIFT(16),
-  [233] = {.entry = {.count = 1, .reusable = false}}, SHIFT(281),
+  [233] = {.entry = {.count = 1, .reusable = false}}, SHIFT(296),
   [235] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_return_statement, 1, 0, 0),
   [237] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_return_statement, 1, 0, 0),
-  [239] = {.entry = {.count = 1, .reusable = true}}, SHIFT(136),
+  [239] = {.entry = {.count = 1, .reusable = true}}, SHIFT(137),
   [241] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_empty_word, 1, 0, 2),
   [243] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_empty_word, 1, 0, 2),
-  [245] = {.entry = {.count = 1, .reusable = true}}, SHIFT(137),
-  [247] = {.entry = {.count = 1, .reusable = false}}, SHIFT(273),
-  [249] = {.entry = {.count = 1, .reusable = false}}, SHIFT(295),
-  [251] = {.entry = {.count = 1, .reusable = true}}, SHIFT(140),
+  [245] = {.entry = {.count = 1, .reusable = true}}, SHIFT(138),
+  [247] = {.entry = {.count = 1, .reusable = false}}, SHIFT(291),
+  [249] = {.entry = {.count = 1, .reusable = false}}, SHIFT(308),
+  [251] = {.entry = {.count = 1, .reusable = true}}, SHIFT(143),
   [253] = {.entry = {.count = 1, .reusable = true}}, SHIFT(52),
   [255] = {.entry = {.count = 1, .reusable = true}}, SHIFT(58),
-  [257] = {.entry = {.count = 1, .reusable = false}}, SHIFT(279),
-  [259] = {.entry = {.count = 1, .reusable = false}}, SHIFT(225),
+  [257] = {.entry = {.count = 1, .reusable = false}}, SHIFT(292),
+  [259] = {.entry = {.count = 1, .reusable = false}}, SHIFT(229),
   [261] = {.entry = {.count = 1, .reusable = false}}, SHIFT(52),
   [263] = {.entry = {.count = 1, .reusable = false}}, SHIFT(13),
-  [265] = {.entry = {.count = 1, .reusable = true}}, SHIFT(101),
-  [267] = {.entry = {.count = 1, .reusable = false}}, SHIFT(274),
+  [265] = {.entry = {.count = 1, .reusable = true}}, SHIFT(98),
+  [267] = {.entry = {.count = 1, .reusable = false}}, SHIFT(294),
   [269] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_empty_word, 2, 0, 19),
   [271] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_empty_word, 2, 0, 19),
   [273] = {.entry = {.count = 1, .reusable = true}}, SHIFT(46),
   [275] = {.entry = {.count = 1, .reusable = false}}, SHIFT(46),
-  [277] = {.entry = {.count = 1, .reusable = true}}, SHIFT(103),
+  [277] = {.entry = {.count = 1, .reusable = true}}, SHIFT(100),
   [279] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_binary, 3, 0, 34),
   [281] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_binary, 3, 0, 34),
   [283] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_indirect_variable, 2, 0, 17),
   [285] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_indirect_variable, 2, 0, 17),
-  [287] = {.entry = {.count = 1, .reusable = true}}, SHIFT(116),
+  [287] = {.entry = {.count = 1, .reusable = true}}, SHIFT(118),
   [289] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__expression, 1, 0, 0),
-  [291] = {.entry = {.count = 1, .reusable = false}}, SHIFT(146),
-  [293] = {.entry = {.count = 1, .reusable = true}}, SHIFT(148),
+  [291] = {.entry = {.count = 1, .reusable = false}}, SHIFT(148),
+  [293] = {.entry = {.count = 1, .reusable = true}}, SHIFT(149),
   [295] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__expression, 1, 0, 0),
-  [297] = {.entry = {.count = 1, .reusable = true}}, SHIFT(149),
-  [299] = {.entry = {.count = 1, .reusable = true}}, SHIFT(150),
-  [301] = {.entry = {.count = 1, .reusable = false}}, SHIFT(150),
-  [303] = {.entry = {.count = 1, .reusable = false}}, SHIFT(148),
+  [297] = {.entry = {.count = 1, .reusable = true}}, SHIFT(150),
+  [299] = {.entry = {.count = 1, .reusable = true}}, SHIFT(151),
+  [301] = {.entry = {.count = 1, .reusable = false}}, SHIFT(151),
+  [303] = {.entry = {.count = 1, .reusable = false}}, SHIFT(149),
   [305] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_comparison, 3, 0, 37),
   [307] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_comparison, 3, 0, 37),
   [309] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unary, 2, 0, 28),
@@ -22865,348 +23242,359 @@ static const TSParseActionEntry ts_parse_actions[] = {
   [315] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_comparison, 3, 0, 34),
   [317] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__place, 1, 0, 0),
   [319] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__place, 1, 0, 0),
-  [321] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_selector_list, 4, 0, 0),
-  [323] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_selector_list, 4, 0, 0),
-  [325] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_selector_list, 3, 0, 0),
-  [327] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_selector_list, 3, 0, 0),
+  [321] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_selector_list, 3, 0, 0),
+  [323] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_selector_list, 3, 0, 0),
+  [325] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_selector_list, 4, 0, 0),
+  [327] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_selector_list, 4, 0, 0),
   [329] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_function_call, 2, 0, 12),
   [331] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_function_call, 2, 0, 12),
   [333] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_function_call, 2, 0, 27),
   [335] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_function_call, 2, 0, 27),
-  [337] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_argument_list, 3, 0, 0),
-  [339] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_argument_list, 3, 0, 0),
-  [341] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_selected_variable, 2, 0, 16),
-  [343] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_selected_variable, 2, 0, 16),
-  [345] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_double_sharp, 2, 0, 18),
-  [347] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_double_sharp, 2, 0, 18),
-  [349] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_argument_list, 4, 0, 0),
-  [351] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_argument_list, 4, 0, 0),
-  [353] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_argument_list, 2, 0, 0),
-  [355] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_argument_list, 2, 0, 0),
+  [337] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_vacancy_test, 4, 0, 38),
+  [339] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_vacancy_test, 4, 0, 38),
+  [341] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_vacancy_test, 4, 0, 39),
+  [343] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_vacancy_test, 4, 0, 39),
+  [345] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_argument_list, 2, 0, 0),
+  [347] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_argument_list, 2, 0, 0),
+  [349] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_selected_variable, 2, 0, 16),
+  [351] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_selected_variable, 2, 0, 16),
+  [353] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_argument_list, 4, 0, 0),
+  [355] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_argument_list, 4, 0, 0),
   [357] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_indirect_variable, 3, 0, 31),
   [359] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_indirect_variable, 3, 0, 31),
   [361] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_parenthesis, 3, 0, 0),
   [363] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_parenthesis, 3, 0, 0),
-  [365] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_vacancy_test, 4, 0, 38),
-  [367] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_vacancy_test, 4, 0, 38),
-  [369] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_block_repeat1, 2, 0, 0),
-  [371] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat1, 2, 0, 0), SHIFT_REPEAT(34),
-  [374] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat1, 2, 0, 0), SHIFT_REPEAT(34),
-  [377] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat1, 2, 0, 0), SHIFT_REPEAT(219),
-  [380] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_block_repeat1, 2, 0, 0),
-  [382] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29),
-  [384] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29),
-  [386] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29), SHIFT_REPEAT(92),
-  [389] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29), SHIFT_REPEAT(61),
-  [392] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29), SHIFT_REPEAT(92),
-  [395] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29), SHIFT_REPEAT(12),
-  [398] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_call, 3, 0, 26),
-  [400] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_call, 3, 0, 26),
-  [402] = {.entry = {.count = 1, .reusable = false}}, SHIFT(109),
-  [404] = {.entry = {.count = 1, .reusable = true}}, SHIFT(109),
-  [406] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36),
-  [408] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36),
-  [410] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36), SHIFT_REPEAT(109),
-  [413] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36), SHIFT_REPEAT(61),
-  [416] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36), SHIFT_REPEAT(109),
-  [419] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36), SHIFT_REPEAT(12),
-  [422] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_call, 2, 0, 6),
-  [424] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_call, 2, 0, 6),
-  [426] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unit_start, 1, 0, 0),
-  [428] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unit_start, 1, 0, 0),
-  [430] = {.entry = {.count = 1, .reusable = false}}, SHIFT(92),
-  [432] = {.entry = {.count = 1, .reusable = true}}, SHIFT(92),
-  [434] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unit_start, 2, 0, 14),
-  [436] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unit_start, 2, 0, 14),
-  [438] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_word, 3, 0, 32),
-  [440] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_word, 3, 0, 32),
-  [442] = {.entry = {.count = 1, .reusable = true}}, SHIFT(153),
-  [444] = {.entry = {.count = 1, .reusable = true}}, SHIFT(154),
-  [446] = {.entry = {.count = 1, .reusable = false}}, SHIFT(154),
-  [448] = {.entry = {.count = 1, .reusable = false}}, SHIFT(115),
-  [450] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__extended, 3, 0, 34),
-  [452] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__extended, 3, 0, 34),
-  [454] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_word, 2, 0, 20),
-  [456] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_word, 2, 0, 20),
-  [458] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_section, 2, 0, 22),
-  [460] = {.entry = {.count = 1, .reusable = true}}, SHIFT(217),
-  [462] = {.entry = {.count = 1, .reusable = true}}, SHIFT(125),
-  [464] = {.entry = {.count = 1, .reusable = false}}, SHIFT(270),
-  [466] = {.entry = {.count = 1, .reusable = false}}, SHIFT(297),
-  [468] = {.entry = {.count = 1, .reusable = true}}, SHIFT(143),
-  [470] = {.entry = {.count = 1, .reusable = true}}, SHIFT(164),
-  [472] = {.entry = {.count = 1, .reusable = true}}, SHIFT(171),
-  [474] = {.entry = {.count = 1, .reusable = false}}, SHIFT(272),
-  [476] = {.entry = {.count = 1, .reusable = false}}, SHIFT(224),
-  [478] = {.entry = {.count = 1, .reusable = false}}, SHIFT(164),
-  [480] = {.entry = {.count = 1, .reusable = false}}, SHIFT(217),
-  [482] = {.entry = {.count = 1, .reusable = false}}, SHIFT(175),
-  [484] = {.entry = {.count = 1, .reusable = false}}, SHIFT(112),
-  [486] = {.entry = {.count = 1, .reusable = true}}, SHIFT(205),
-  [488] = {.entry = {.count = 1, .reusable = false}}, SHIFT(111),
-  [490] = {.entry = {.count = 1, .reusable = false}}, SHIFT(271),
-  [492] = {.entry = {.count = 1, .reusable = true}}, SHIFT(114),
-  [494] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__any_word, 1, 0, 0),
-  [496] = {.entry = {.count = 1, .reusable = true}}, SHIFT(98),
-  [498] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__any_word, 1, 0, 0),
-  [500] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__extended_left, 1, 0, 0),
-  [502] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__extended_left, 1, 0, 0),
-  [504] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_extended_word, 1, 0, 4),
-  [506] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_extended_word, 1, 0, 4),
-  [508] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__extended_left, 1, 0, 5),
-  [510] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__extended_left, 1, 0, 5),
-  [512] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_computed_block_number, 2, 0, 9),
-  [514] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_computed_block_number, 2, 0, 9),
-  [516] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_logical, 3, 0, 34),
-  [518] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_logical, 3, 0, 34),
-  [520] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_if_statement, 2, 0, 10),
-  [522] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_if_statement, 2, 0, 10),
-  [524] = {.entry = {.count = 1, .reusable = false}}, SHIFT(133),
-  [526] = {.entry = {.count = 1, .reusable = false}}, SHIFT(134),
-  [528] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_assignment, 3, 0, 34),
-  [530] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_assignment, 3, 0, 34),
-  [532] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_assignment, 3, 0, 35),
-  [534] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_assignment, 3, 0, 35),
-  [536] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_while_statement, 2, 0, 10),
-  [538] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_while_statement, 2, 0, 10),
-  [540] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_switch_statement, 2, 0, 11),
-  [542] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_switch_statement, 2, 0, 11),
-  [544] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_case_statement, 2, 0, 11),
-  [546] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_case_statement, 2, 0, 11),
-  [548] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_return_statement, 2, 0, 11),
-  [550] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_return_statement, 2, 0, 11),
-  [552] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unknown_statement, 2, 0, 21),
-  [554] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unknown_statement, 2, 0, 21),
-  [556] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_declaration, 1, 0, 1),
-  [558] = {.entry = {.count = 1, .reusable = false}}, SHIFT(128),
-  [560] = {.entry = {.count = 1, .reusable = true}}, SHIFT(129),
-  [562] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_declaration, 1, 0, 1),
-  [564] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_group_start, 1, 0, 0),
-  [566] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_group_start, 1, 0, 0),
-  [568] = {.entry = {.count = 1, .reusable = true}}, SHIFT(94),
-  [570] = {.entry = {.count = 1, .reusable = false}}, SHIFT(94),
-  [572] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_endswitch_statement, 1, 0, 0),
-  [574] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_endswitch_statement, 1, 0, 0),
-  [576] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__several, 2, 0, 0),
-  [578] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__several, 2, 0, 0),
-  [580] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_output_statement, 2, 0, 12),
-  [582] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_output_statement, 2, 0, 12),
-  [584] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_unit_start_repeat1, 1, 0, 13),
-  [586] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_unit_start_repeat1, 1, 0, 13),
-  [588] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unit_end, 2, 0, 15),
-  [590] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unit_end, 2, 0, 15),
-  [592] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_group_start, 2, 0, 6),
-  [594] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_group_start, 2, 0, 6),
-  [596] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unit_end, 1, 0, 0),
-  [598] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unit_end, 1, 0, 0),
-  [600] = {.entry = {.count = 1, .reusable = true}}, SHIFT(93),
-  [602] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_break_statement, 1, 0, 0),
-  [604] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_break_statement, 1, 0, 0),
-  [606] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_group_end, 1, 0, 0),
-  [608] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_group_end, 1, 0, 0),
-  [610] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__any_word, 2, 0, 0),
-  [612] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__any_word, 2, 0, 0),
-  [614] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__several, 4, 0, 0),
-  [616] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__several, 4, 0, 0),
-  [618] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_bare_value, 1, 0, 0),
-  [620] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_bare_value, 1, 0, 0),
-  [622] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_then_statement, 1, 0, 0),
-  [624] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_then_statement, 1, 0, 0),
-  [626] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_stray_parenthesis, 1, 0, 0),
-  [628] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_stray_parenthesis, 1, 0, 0),
-  [630] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_else_statement, 1, 0, 0),
-  [632] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_else_statement, 1, 0, 0),
-  [634] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_endif_statement, 1, 0, 0),
-  [636] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_endif_statement, 1, 0, 0),
-  [638] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_endwhile_statement, 1, 0, 0),
-  [640] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_endwhile_statement, 1, 0, 0),
-  [642] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_call_repeat1, 1, 0, 25),
-  [644] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_call_repeat1, 1, 0, 25),
+  [365] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_argument_list, 3, 0, 0),
+  [367] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_argument_list, 3, 0, 0),
+  [369] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_double_sharp, 2, 0, 18),
+  [371] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_double_sharp, 2, 0, 18),
+  [373] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_block_repeat1, 2, 0, 0),
+  [375] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_block_repeat1, 2, 0, 0), SHIFT_REPEAT(35),
+  [378] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat1, 2, 0, 0), SHIFT_REPEAT(35),
+  [381] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_block_repeat1, 2, 0, 0), SHIFT_REPEAT(220),
+  [384] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_block_repeat1, 2, 0, 0),
+  [386] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29),
+  [388] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29),
+  [390] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29), SHIFT_REPEAT(109),
+  [393] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29), SHIFT_REPEAT(60),
+  [396] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29), SHIFT_REPEAT(109),
+  [399] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_unit_start_repeat1, 2, 0, 29), SHIFT_REPEAT(12),
+  [402] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_call, 3, 0, 26),
+  [404] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_call, 3, 0, 26),
+  [406] = {.entry = {.count = 1, .reusable = false}}, SHIFT(107),
+  [408] = {.entry = {.count = 1, .reusable = true}}, SHIFT(107),
+  [410] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36),
+  [412] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36),
+  [414] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36), SHIFT_REPEAT(107),
+  [417] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36), SHIFT_REPEAT(60),
+  [420] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36), SHIFT_REPEAT(107),
+  [423] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_call_repeat1, 2, 0, 36), SHIFT_REPEAT(12),
+  [426] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_call, 2, 0, 6),
+  [428] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_call, 2, 0, 6),
+  [430] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unit_start, 1, 0, 0),
+  [432] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unit_start, 1, 0, 0),
+  [434] = {.entry = {.count = 1, .reusable = false}}, SHIFT(109),
+  [436] = {.entry = {.count = 1, .reusable = true}}, SHIFT(109),
+  [438] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unit_start, 2, 0, 14),
+  [440] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unit_start, 2, 0, 14),
+  [442] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_word, 3, 0, 32),
+  [444] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_word, 3, 0, 32),
+  [446] = {.entry = {.count = 1, .reusable = true}}, SHIFT(152),
+  [448] = {.entry = {.count = 1, .reusable = true}}, SHIFT(155),
+  [450] = {.entry = {.count = 1, .reusable = false}}, SHIFT(155),
+  [452] = {.entry = {.count = 1, .reusable = false}}, SHIFT(117),
+  [454] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__extended, 3, 0, 34),
+  [456] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__extended, 3, 0, 34),
+  [458] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_word, 2, 0, 20),
+  [460] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_word, 2, 0, 20),
+  [462] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_section, 2, 0, 22),
+  [464] = {.entry = {.count = 1, .reusable = true}}, SHIFT(223),
+  [466] = {.entry = {.count = 1, .reusable = true}}, SHIFT(141),
+  [468] = {.entry = {.count = 1, .reusable = false}}, SHIFT(280),
+  [470] = {.entry = {.count = 1, .reusable = false}}, SHIFT(310),
+  [472] = {.entry = {.count = 1, .reusable = true}}, SHIFT(145),
+  [474] = {.entry = {.count = 1, .reusable = true}}, SHIFT(166),
+  [476] = {.entry = {.count = 1, .reusable = true}}, SHIFT(173),
+  [478] = {.entry = {.count = 1, .reusable = false}}, SHIFT(289),
+  [480] = {.entry = {.count = 1, .reusable = false}}, SHIFT(227),
+  [482] = {.entry = {.count = 1, .reusable = false}}, SHIFT(166),
+  [484] = {.entry = {.count = 1, .reusable = false}}, SHIFT(223),
+  [486] = {.entry = {.count = 1, .reusable = false}}, SHIFT(177),
+  [488] = {.entry = {.count = 1, .reusable = false}}, SHIFT(114),
+  [490] = {.entry = {.count = 1, .reusable = true}}, SHIFT(217),
+  [492] = {.entry = {.count = 1, .reusable = false}}, SHIFT(113),
+  [494] = {.entry = {.count = 1, .reusable = false}}, SHIFT(281),
+  [496] = {.entry = {.count = 1, .reusable = true}}, SHIFT(115),
+  [498] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__any_word, 1, 0, 0),
+  [500] = {.entry = {.count = 1, .reusable = true}}, SHIFT(91),
+  [502] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__any_word, 1, 0, 0),
+  [504] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__extended_left, 1, 0, 0),
+  [506] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__extended_left, 1, 0, 0),
+  [508] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_extended_word, 1, 0, 4),
+  [510] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_extended_word, 1, 0, 4),
+  [512] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__extended_left, 1, 0, 5),
+  [514] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__extended_left, 1, 0, 5),
+  [516] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_computed_block_number, 2, 0, 9),
+  [518] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_computed_block_number, 2, 0, 9),
+  [520] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_logical, 3, 0, 34),
+  [522] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_logical, 3, 0, 34),
+  [524] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_if_statement, 2, 0, 10),
+  [526] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_if_statement, 2, 0, 10),
+  [528] = {.entry = {.count = 1, .reusable = false}}, SHIFT(133),
+  [530] = {.entry = {.count = 1, .reusable = false}}, SHIFT(134),
+  [532] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_assignment, 3, 0, 34),
+  [534] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_assignment, 3, 0, 34),
+  [536] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_assignment, 3, 0, 35),
+  [538] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_assignment, 3, 0, 35),
+  [540] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_while_statement, 2, 0, 10),
+  [542] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_while_statement, 2, 0, 10),
+  [544] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_switch_statement, 2, 0, 11),
+  [546] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_switch_statement, 2, 0, 11),
+  [548] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_case_statement, 2, 0, 11),
+  [550] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_case_statement, 2, 0, 11),
+  [552] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_return_statement, 2, 0, 11),
+  [554] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_return_statement, 2, 0, 11),
+  [556] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unknown_statement, 2, 0, 21),
+  [558] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unknown_statement, 2, 0, 21),
+  [560] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_declaration, 1, 0, 1),
+  [562] = {.entry = {.count = 1, .reusable = false}}, SHIFT(129),
+  [564] = {.entry = {.count = 1, .reusable = true}}, SHIFT(130),
+  [566] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_declaration, 1, 0, 1),
+  [568] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_group_start, 1, 0, 0),
+  [570] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_group_start, 1, 0, 0),
+  [572] = {.entry = {.count = 1, .reusable = true}}, SHIFT(94),
+  [574] = {.entry = {.count = 1, .reusable = false}}, SHIFT(94),
+  [576] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__any_word, 2, 0, 0),
+  [578] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__any_word, 2, 0, 0),
+  [580] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_endswitch_statement, 1, 0, 0),
+  [582] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_endswitch_statement, 1, 0, 0),
+  [584] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unit_end, 2, 0, 15),
+  [586] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unit_end, 2, 0, 15),
+  [588] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_group_start, 2, 0, 6),
+  [590] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_group_start, 2, 0, 6),
+  [592] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_group_end, 1, 0, 0),
+  [594] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_group_end, 1, 0, 0),
+  [596] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_stray_parenthesis, 1, 0, 0),
+  [598] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_stray_parenthesis, 1, 0, 0),
+  [600] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_unit_end, 1, 0, 0),
+  [602] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_unit_end, 1, 0, 0),
+  [604] = {.entry = {.count = 1, .reusable = true}}, SHIFT(93),
+  [606] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__several, 4, 0, 0),
+  [608] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__several, 4, 0, 0),
+  [610] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_bare_value, 1, 0, 0),
+  [612] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_bare_value, 1, 0, 0),
+  [614] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_then_statement, 1, 0, 0),
+  [616] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_then_statement, 1, 0, 0),
+  [618] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_endif_statement, 1, 0, 0),
+  [620] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_endif_statement, 1, 0, 0),
+  [622] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__several, 2, 0, 0),
+  [624] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym__several, 2, 0, 0),
+  [626] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_else_statement, 1, 0, 0),
+  [628] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_else_statement, 1, 0, 0),
+  [630] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_call_repeat1, 1, 0, 25),
+  [632] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_call_repeat1, 1, 0, 25),
+  [634] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_endwhile_statement, 1, 0, 0),
+  [636] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_endwhile_statement, 1, 0, 0),
+  [638] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_unit_start_repeat1, 1, 0, 13),
+  [640] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_unit_start_repeat1, 1, 0, 13),
+  [642] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_output_statement, 2, 0, 12),
+  [644] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_output_statement, 2, 0, 12),
   [646] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_default_statement, 1, 0, 0),
   [648] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_default_statement, 1, 0, 0),
-  [650] = {.entry = {.count = 1, .reusable = true}}, SHIFT(166),
-  [652] = {.entry = {.count = 1, .reusable = false}}, SHIFT(166),
-  [654] = {.entry = {.count = 1, .reusable = true}}, SHIFT(207),
-  [656] = {.entry = {.count = 1, .reusable = true}}, SHIFT(138),
-  [658] = {.entry = {.count = 1, .reusable = false}}, SHIFT(277),
-  [660] = {.entry = {.count = 1, .reusable = false}}, SHIFT(296),
-  [662] = {.entry = {.count = 1, .reusable = true}}, SHIFT(157),
-  [664] = {.entry = {.count = 1, .reusable = true}}, SHIFT(197),
-  [666] = {.entry = {.count = 1, .reusable = true}}, SHIFT(191),
-  [668] = {.entry = {.count = 1, .reusable = false}}, SHIFT(283),
-  [670] = {.entry = {.count = 1, .reusable = false}}, SHIFT(221),
-  [672] = {.entry = {.count = 1, .reusable = false}}, SHIFT(197),
-  [674] = {.entry = {.count = 1, .reusable = false}}, SHIFT(239),
-  [676] = {.entry = {.count = 1, .reusable = false}}, SHIFT(278),
-  [678] = {.entry = {.count = 1, .reusable = false}}, SHIFT(264),
-  [680] = {.entry = {.count = 1, .reusable = false}}, SHIFT(247),
-  [682] = {.entry = {.count = 1, .reusable = false}}, SHIFT(252),
-  [684] = {.entry = {.count = 1, .reusable = false}}, SHIFT(258),
-  [686] = {.entry = {.count = 1, .reusable = false}}, SHIFT(262),
-  [688] = {.entry = {.count = 1, .reusable = true}}, SHIFT(30),
-  [690] = {.entry = {.count = 1, .reusable = false}}, SHIFT(276),
-  [692] = {.entry = {.count = 1, .reusable = true}}, SHIFT(181),
-  [694] = {.entry = {.count = 1, .reusable = true}}, SHIFT(66),
-  [696] = {.entry = {.count = 1, .reusable = true}}, SHIFT(90),
-  [698] = {.entry = {.count = 1, .reusable = true}}, SHIFT(214),
-  [700] = {.entry = {.count = 1, .reusable = true}}, SHIFT(51),
-  [702] = {.entry = {.count = 1, .reusable = false}}, SHIFT(51),
-  [704] = {.entry = {.count = 1, .reusable = true}}, SHIFT(198),
-  [706] = {.entry = {.count = 1, .reusable = false}}, SHIFT(198),
-  [708] = {.entry = {.count = 1, .reusable = true}}, SHIFT(50),
-  [710] = {.entry = {.count = 1, .reusable = false}}, SHIFT(50),
-  [712] = {.entry = {.count = 1, .reusable = true}}, SHIFT(168),
-  [714] = {.entry = {.count = 1, .reusable = false}}, SHIFT(168),
+  [650] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_break_statement, 1, 0, 0),
+  [652] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_break_statement, 1, 0, 0),
+  [654] = {.entry = {.count = 1, .reusable = true}}, SHIFT(168),
+  [656] = {.entry = {.count = 1, .reusable = false}}, SHIFT(168),
+  [658] = {.entry = {.count = 1, .reusable = true}}, SHIFT(221),
+  [660] = {.entry = {.count = 1, .reusable = true}}, SHIFT(139),
+  [662] = {.entry = {.count = 1, .reusable = false}}, SHIFT(286),
+  [664] = {.entry = {.count = 1, .reusable = false}}, SHIFT(309),
+  [666] = {.entry = {.count = 1, .reusable = true}}, SHIFT(156),
+  [668] = {.entry = {.count = 1, .reusable = true}}, SHIFT(204),
+  [670] = {.entry = {.count = 1, .reusable = true}}, SHIFT(196),
+  [672] = {.entry = {.count = 1, .reusable = false}}, SHIFT(279),
+  [674] = {.entry = {.count = 1, .reusable = false}}, SHIFT(225),
+  [676] = {.entry = {.count = 1, .reusable = false}}, SHIFT(204),
+  [678] = {.entry = {.count = 1, .reusable = false}}, SHIFT(243),
+  [680] = {.entry = {.count = 1, .reusable = false}}, SHIFT(259),
+  [682] = {.entry = {.count = 1, .reusable = false}}, SHIFT(293),
+  [684] = {.entry = {.count = 1, .reusable = false}}, SHIFT(255),
+  [686] = {.entry = {.count = 1, .reusable = false}}, SHIFT(261),
+  [688] = {.entry = {.count = 1, .reusable = false}}, SHIFT(267),
+  [690] = {.entry = {.count = 1, .reusable = false}}, SHIFT(272),
+  [692] = {.entry = {.count = 1, .reusable = true}}, SHIFT(28),
+  [694] = {.entry = {.count = 1, .reusable = false}}, SHIFT(287),
+  [696] = {.entry = {.count = 1, .reusable = true}}, SHIFT(183),
+  [698] = {.entry = {.count = 1, .reusable = true}}, SHIFT(67),
+  [700] = {.entry = {.count = 1, .reusable = true}}, SHIFT(105),
+  [702] = {.entry = {.count = 1, .reusable = true}}, SHIFT(212),
+  [704] = {.entry = {.count = 1, .reusable = true}}, SHIFT(195),
+  [706] = {.entry = {.count = 1, .reusable = false}}, SHIFT(195),
+  [708] = {.entry = {.count = 1, .reusable = true}}, SHIFT(51),
+  [710] = {.entry = {.count = 1, .reusable = false}}, SHIFT(51),
+  [712] = {.entry = {.count = 1, .reusable = true}}, SHIFT(201),
+  [714] = {.entry = {.count = 1, .reusable = false}}, SHIFT(201),
   [716] = {.entry = {.count = 1, .reusable = true}}, SHIFT(170),
   [718] = {.entry = {.count = 1, .reusable = false}}, SHIFT(170),
-  [720] = {.entry = {.count = 1, .reusable = true}}, SHIFT(169),
-  [722] = {.entry = {.count = 1, .reusable = false}}, SHIFT(169),
-  [724] = {.entry = {.count = 1, .reusable = true}}, SHIFT(17),
-  [726] = {.entry = {.count = 1, .reusable = false}}, SHIFT(17),
-  [728] = {.entry = {.count = 1, .reusable = true}}, SHIFT(189),
-  [730] = {.entry = {.count = 1, .reusable = false}}, SHIFT(189),
+  [720] = {.entry = {.count = 1, .reusable = true}}, SHIFT(171),
+  [722] = {.entry = {.count = 1, .reusable = false}}, SHIFT(171),
+  [724] = {.entry = {.count = 1, .reusable = true}}, SHIFT(172),
+  [726] = {.entry = {.count = 1, .reusable = false}}, SHIFT(172),
+  [728] = {.entry = {.count = 1, .reusable = true}}, SHIFT(17),
+  [730] = {.entry = {.count = 1, .reusable = false}}, SHIFT(17),
   [732] = {.entry = {.count = 1, .reusable = true}}, SHIFT(19),
   [734] = {.entry = {.count = 1, .reusable = false}}, SHIFT(19),
   [736] = {.entry = {.count = 1, .reusable = true}}, SHIFT(20),
   [738] = {.entry = {.count = 1, .reusable = false}}, SHIFT(20),
   [740] = {.entry = {.count = 1, .reusable = true}}, SHIFT(14),
   [742] = {.entry = {.count = 1, .reusable = false}}, SHIFT(14),
-  [744] = {.entry = {.count = 1, .reusable = true}}, SHIFT(190),
-  [746] = {.entry = {.count = 1, .reusable = false}}, SHIFT(190),
-  [748] = {.entry = {.count = 1, .reusable = true}}, SHIFT(165),
-  [750] = {.entry = {.count = 1, .reusable = false}}, SHIFT(165),
-  [752] = {.entry = {.count = 1, .reusable = true}}, SHIFT(53),
-  [754] = {.entry = {.count = 1, .reusable = false}}, SHIFT(53),
-  [756] = {.entry = {.count = 1, .reusable = true}}, SHIFT(54),
-  [758] = {.entry = {.count = 1, .reusable = false}}, SHIFT(54),
-  [760] = {.entry = {.count = 1, .reusable = true}}, SHIFT(49),
-  [762] = {.entry = {.count = 1, .reusable = false}}, SHIFT(49),
-  [764] = {.entry = {.count = 1, .reusable = true}}, SHIFT(167),
-  [766] = {.entry = {.count = 1, .reusable = false}}, SHIFT(167),
-  [768] = {.entry = {.count = 1, .reusable = true}}, SHIFT(194),
-  [770] = {.entry = {.count = 1, .reusable = false}}, SHIFT(194),
-  [772] = {.entry = {.count = 1, .reusable = true}}, SHIFT(18),
-  [774] = {.entry = {.count = 1, .reusable = false}}, SHIFT(18),
-  [776] = {.entry = {.count = 1, .reusable = true}}, SHIFT(196),
-  [778] = {.entry = {.count = 1, .reusable = false}}, SHIFT(196),
-  [780] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_section, 1, 0, 1),
-  [782] = {.entry = {.count = 1, .reusable = false}}, SHIFT(55),
+  [744] = {.entry = {.count = 1, .reusable = true}}, SHIFT(54),
+  [746] = {.entry = {.count = 1, .reusable = false}}, SHIFT(54),
+  [748] = {.entry = {.count = 1, .reusable = true}}, SHIFT(18),
+  [750] = {.entry = {.count = 1, .reusable = false}}, SHIFT(18),
+  [752] = {.entry = {.count = 1, .reusable = true}}, SHIFT(169),
+  [754] = {.entry = {.count = 1, .reusable = false}}, SHIFT(169),
+  [756] = {.entry = {.count = 1, .reusable = true}}, SHIFT(55),
+  [758] = {.entry = {.count = 1, .reusable = false}}, SHIFT(55),
+  [760] = {.entry = {.count = 1, .reusable = true}}, SHIFT(199),
+  [762] = {.entry = {.count = 1, .reusable = false}}, SHIFT(199),
+  [764] = {.entry = {.count = 1, .reusable = true}}, SHIFT(48),
+  [766] = {.entry = {.count = 1, .reusable = false}}, SHIFT(48),
+  [768] = {.entry = {.count = 1, .reusable = true}}, SHIFT(167),
+  [770] = {.entry = {.count = 1, .reusable = false}}, SHIFT(167),
+  [772] = {.entry = {.count = 1, .reusable = true}}, SHIFT(50),
+  [774] = {.entry = {.count = 1, .reusable = false}}, SHIFT(50),
+  [776] = {.entry = {.count = 1, .reusable = true}}, SHIFT(203),
+  [778] = {.entry = {.count = 1, .reusable = false}}, SHIFT(203),
+  [780] = {.entry = {.count = 1, .reusable = true}}, SHIFT(198),
+  [782] = {.entry = {.count = 1, .reusable = false}}, SHIFT(198),
   [784] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_section, 3, 0, 33),
-  [786] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_section, 2, 0, 23),
-  [788] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_section_repeat1, 2, 0, 29),
-  [790] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_section_repeat1, 2, 0, 29), SHIFT_REPEAT(217),
-  [793] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_section_repeat1, 2, 0, 29), SHIFT_REPEAT(217),
-  [796] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_section_repeat1, 2, 0, 29), SHIFT_REPEAT(175),
-  [799] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_section_repeat1, 2, 0, 29), SHIFT_REPEAT(111),
-  [802] = {.entry = {.count = 1, .reusable = true}}, SHIFT(144),
-  [804] = {.entry = {.count = 1, .reusable = true}}, SHIFT(145),
-  [806] = {.entry = {.count = 1, .reusable = false}}, SHIFT(145),
-  [808] = {.entry = {.count = 1, .reusable = true}}, SHIFT(118),
-  [810] = {.entry = {.count = 1, .reusable = true}}, SHIFT(220),
-  [812] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_section_name_repeat1, 1, 0, 0),
-  [814] = {.entry = {.count = 1, .reusable = true}}, SHIFT(119),
-  [816] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_section_name_repeat1, 1, 0, 0),
-  [818] = {.entry = {.count = 1, .reusable = true}}, SHIFT(117),
-  [820] = {.entry = {.count = 1, .reusable = true}}, SHIFT(159),
-  [822] = {.entry = {.count = 1, .reusable = true}}, SHIFT(141),
-  [824] = {.entry = {.count = 1, .reusable = false}}, SHIFT(141),
-  [826] = {.entry = {.count = 1, .reusable = true}}, SHIFT(38),
-  [828] = {.entry = {.count = 1, .reusable = false}}, SHIFT(38),
-  [830] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_section_name, 2, 0, 0),
-  [832] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_section_name, 2, 0, 0),
-  [834] = {.entry = {.count = 1, .reusable = false}}, SHIFT(195),
-  [836] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_section_name_repeat1, 2, 0, 0),
-  [838] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_section_name_repeat1, 2, 0, 0),
-  [840] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_section_name_repeat1, 2, 0, 0), SHIFT_REPEAT(195),
-  [843] = {.entry = {.count = 1, .reusable = false}}, SHIFT(147),
-  [845] = {.entry = {.count = 1, .reusable = true}}, SHIFT(151),
-  [847] = {.entry = {.count = 1, .reusable = false}}, SHIFT(151),
-  [849] = {.entry = {.count = 1, .reusable = true}}, SHIFT(290),
-  [851] = {.entry = {.count = 1, .reusable = true}}, SHIFT(289),
-  [853] = {.entry = {.count = 1, .reusable = true}}, SHIFT(293),
-  [855] = {.entry = {.count = 1, .reusable = true}}, SHIFT(291),
-  [857] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_section_repeat1, 1, 0, 13),
-  [859] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_section_repeat1, 1, 0, 13),
-  [861] = {.entry = {.count = 1, .reusable = true}}, SHIFT(135),
-  [863] = {.entry = {.count = 1, .reusable = true}}, SHIFT(47),
-  [865] = {.entry = {.count = 1, .reusable = false}}, SHIFT(282),
-  [867] = {.entry = {.count = 1, .reusable = true}}, SHIFT(76),
-  [869] = {.entry = {.count = 1, .reusable = false}}, SHIFT(223),
-  [871] = {.entry = {.count = 1, .reusable = true}}, SHIFT(209),
-  [873] = {.entry = {.count = 1, .reusable = true}}, SHIFT(44),
-  [875] = {.entry = {.count = 1, .reusable = true}}, SHIFT(179),
-  [877] = {.entry = {.count = 1, .reusable = true}}, SHIFT(71),
-  [879] = {.entry = {.count = 1, .reusable = true}}, SHIFT(28),
-  [881] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_program_name_line, 1, 0, 0),
-  [883] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_program_name_line, 1, 0, 0),
-  [885] = {.entry = {.count = 1, .reusable = false}}, SHIFT(229),
-  [887] = {.entry = {.count = 1, .reusable = false}}, SHIFT(269),
-  [889] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_program_name_line, 2, 0, 6),
-  [891] = {.entry = {.count = 1, .reusable = true}}, SHIFT(284),
-  [893] = {.entry = {.count = 1, .reusable = false}}, SHIFT(284),
-  [895] = {.entry = {.count = 1, .reusable = true}}, SHIFT(155),
-  [897] = {.entry = {.count = 1, .reusable = true}}, SHIFT(142),
-  [899] = {.entry = {.count = 1, .reusable = false}}, SHIFT(142),
-  [901] = {.entry = {.count = 1, .reusable = true}}, SHIFT(156),
-  [903] = {.entry = {.count = 1, .reusable = true}}, SHIFT(152),
-  [905] = {.entry = {.count = 1, .reusable = false}}, SHIFT(152),
-  [907] = {.entry = {.count = 1, .reusable = true}}, SHIFT(32),
-  [909] = {.entry = {.count = 1, .reusable = true}}, SHIFT(130),
-  [911] = {.entry = {.count = 1, .reusable = true}}, SHIFT(124),
-  [913] = {.entry = {.count = 1, .reusable = true}}, SHIFT(139),
-  [915] = {.entry = {.count = 1, .reusable = true}}, SHIFT(68),
-  [917] = {.entry = {.count = 1, .reusable = true}}, SHIFT(26),
-  [919] = {.entry = {.count = 1, .reusable = true}}, SHIFT(218),
-  [921] = {.entry = {.count = 1, .reusable = true}}, SHIFT(185),
-  [923] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym__several_repeat1, 2, 0, 0),
-  [925] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__selector, 1, 0, 30),
-  [927] = {.entry = {.count = 1, .reusable = true}}, SHIFT(123),
-  [929] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__selector, 1, 0, 0),
-  [931] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym__several_repeat1, 2, 0, 0), SHIFT_REPEAT(130),
-  [934] = {.entry = {.count = 1, .reusable = true}}, SHIFT(40),
-  [936] = {.entry = {.count = 1, .reusable = true}}, SHIFT(113),
-  [938] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_header_entry, 1, 0, 1),
-  [940] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_header_entry, 1, 0, 1),
-  [942] = {.entry = {.count = 1, .reusable = true}}, SHIFT(288),
-  [944] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_selector_list_repeat1, 2, 0, 0),
-  [946] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_selector_list_repeat1, 2, 0, 0), SHIFT_REPEAT(113),
-  [949] = {.entry = {.count = 1, .reusable = true}}, SHIFT(60),
-  [951] = {.entry = {.count = 1, .reusable = true}}, SHIFT(29),
-  [953] = {.entry = {.count = 1, .reusable = true}}, SHIFT(59),
-  [955] = {.entry = {.count = 1, .reusable = true}}, SHIFT(69),
-  [957] = {.entry = {.count = 1, .reusable = true}}, SHIFT(67),
-  [959] = {.entry = {.count = 1, .reusable = true}}, SHIFT(23),
-  [961] = {.entry = {.count = 1, .reusable = true}}, SHIFT(215),
-  [963] = {.entry = {.count = 1, .reusable = true}}, SHIFT(22),
-  [965] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_file_repeat1, 2, 0, 0),
-  [967] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_file_repeat1, 2, 0, 0), SHIFT_REPEAT(2),
-  [970] = {.entry = {.count = 1, .reusable = true}}, SHIFT(210),
-  [972] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_file, 1, 0, 0),
-  [974] = {.entry = {.count = 1, .reusable = true}}, SHIFT(201),
-  [976] = {.entry = {.count = 1, .reusable = true}}, SHIFT(183),
-  [978] = {.entry = {.count = 1, .reusable = true}}, SHIFT(199),
-  [980] = {.entry = {.count = 1, .reusable = true}}, SHIFT(186),
-  [982] = {.entry = {.count = 1, .reusable = true}}, SHIFT(173),
-  [984] = {.entry = {.count = 1, .reusable = true}}, SHIFT(174),
-  [986] = {.entry = {.count = 1, .reusable = true}}, SHIFT(42),
-  [988] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_file, 2, 0, 0),
-  [990] = {.entry = {.count = 1, .reusable = true}}, SHIFT(73),
+  [786] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_section_repeat1, 2, 0, 29),
+  [788] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_section_repeat1, 2, 0, 29), SHIFT_REPEAT(223),
+  [791] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_section_repeat1, 2, 0, 29), SHIFT_REPEAT(223),
+  [794] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_section_repeat1, 2, 0, 29), SHIFT_REPEAT(177),
+  [797] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_section_repeat1, 2, 0, 29), SHIFT_REPEAT(113),
+  [800] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_section, 2, 0, 23),
+  [802] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_section, 1, 0, 1),
+  [804] = {.entry = {.count = 1, .reusable = false}}, SHIFT(53),
+  [806] = {.entry = {.count = 1, .reusable = true}}, SHIFT(146),
+  [808] = {.entry = {.count = 1, .reusable = true}}, SHIFT(147),
+  [810] = {.entry = {.count = 1, .reusable = false}}, SHIFT(147),
+  [812] = {.entry = {.count = 1, .reusable = true}}, SHIFT(120),
+  [814] = {.entry = {.count = 1, .reusable = true}}, SHIFT(224),
+  [816] = {.entry = {.count = 1, .reusable = true}}, SHIFT(256),
+  [818] = {.entry = {.count = 1, .reusable = true}}, SHIFT(298),
+  [820] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_section_name_repeat1, 1, 0, 0),
+  [822] = {.entry = {.count = 1, .reusable = true}}, SHIFT(121),
+  [824] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_section_name_repeat1, 1, 0, 0),
+  [826] = {.entry = {.count = 1, .reusable = true}}, SHIFT(276),
+  [828] = {.entry = {.count = 1, .reusable = true}}, SHIFT(302),
+  [830] = {.entry = {.count = 1, .reusable = true}}, SHIFT(262),
+  [832] = {.entry = {.count = 1, .reusable = true}}, SHIFT(303),
+  [834] = {.entry = {.count = 1, .reusable = true}}, SHIFT(268),
+  [836] = {.entry = {.count = 1, .reusable = true}}, SHIFT(299),
+  [838] = {.entry = {.count = 1, .reusable = true}}, SHIFT(119),
+  [840] = {.entry = {.count = 1, .reusable = true}}, SHIFT(39),
+  [842] = {.entry = {.count = 1, .reusable = false}}, SHIFT(39),
+  [844] = {.entry = {.count = 1, .reusable = true}}, SHIFT(160),
+  [846] = {.entry = {.count = 1, .reusable = true}}, SHIFT(142),
+  [848] = {.entry = {.count = 1, .reusable = false}}, SHIFT(142),
+  [850] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_section_name, 2, 0, 0),
+  [852] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_section_name, 2, 0, 0),
+  [854] = {.entry = {.count = 1, .reusable = false}}, SHIFT(205),
+  [856] = {.entry = {.count = 1, .reusable = false}}, SHIFT(161),
+  [858] = {.entry = {.count = 1, .reusable = true}}, SHIFT(144),
+  [860] = {.entry = {.count = 1, .reusable = false}}, SHIFT(144),
+  [862] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_section_name_repeat1, 2, 0, 0),
+  [864] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_section_name_repeat1, 2, 0, 0),
+  [866] = {.entry = {.count = 2, .reusable = false}}, REDUCE(aux_sym_section_name_repeat1, 2, 0, 0), SHIFT_REPEAT(205),
+  [869] = {.entry = {.count = 1, .reusable = true}}, SHIFT(135),
+  [871] = {.entry = {.count = 1, .reusable = true}}, SHIFT(47),
+  [873] = {.entry = {.count = 1, .reusable = false}}, SHIFT(288),
+  [875] = {.entry = {.count = 1, .reusable = true}}, SHIFT(70),
+  [877] = {.entry = {.count = 1, .reusable = false}}, SHIFT(228),
+  [879] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_section_repeat1, 1, 0, 13),
+  [881] = {.entry = {.count = 1, .reusable = false}}, REDUCE(aux_sym_section_repeat1, 1, 0, 13),
+  [883] = {.entry = {.count = 1, .reusable = true}}, SHIFT(208),
+  [885] = {.entry = {.count = 1, .reusable = true}}, SHIFT(56),
+  [887] = {.entry = {.count = 1, .reusable = true}}, SHIFT(179),
+  [889] = {.entry = {.count = 1, .reusable = true}}, SHIFT(63),
+  [891] = {.entry = {.count = 1, .reusable = true}}, SHIFT(34),
+  [893] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_program_name_line, 1, 0, 0),
+  [895] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_program_name_line, 1, 0, 0),
+  [897] = {.entry = {.count = 1, .reusable = false}}, SHIFT(233),
+  [899] = {.entry = {.count = 1, .reusable = false}}, SHIFT(282),
+  [901] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_program_name_line, 2, 0, 6),
+  [903] = {.entry = {.count = 1, .reusable = true}}, SHIFT(283),
+  [905] = {.entry = {.count = 1, .reusable = false}}, SHIFT(283),
+  [907] = {.entry = {.count = 1, .reusable = true}}, SHIFT(157),
+  [909] = {.entry = {.count = 1, .reusable = true}}, SHIFT(159),
+  [911] = {.entry = {.count = 1, .reusable = false}}, SHIFT(159),
+  [913] = {.entry = {.count = 1, .reusable = true}}, SHIFT(154),
+  [915] = {.entry = {.count = 1, .reusable = true}}, SHIFT(158),
+  [917] = {.entry = {.count = 1, .reusable = false}}, SHIFT(158),
+  [919] = {.entry = {.count = 1, .reusable = true}}, SHIFT(69),
+  [921] = {.entry = {.count = 1, .reusable = true}}, SHIFT(136),
+  [923] = {.entry = {.count = 1, .reusable = true}}, SHIFT(127),
+  [925] = {.entry = {.count = 1, .reusable = true}}, SHIFT(126),
+  [927] = {.entry = {.count = 1, .reusable = true}}, SHIFT(33),
+  [929] = {.entry = {.count = 1, .reusable = true}}, SHIFT(211),
+  [931] = {.entry = {.count = 1, .reusable = true}}, SHIFT(185),
+  [933] = {.entry = {.count = 1, .reusable = true}}, SHIFT(32),
+  [935] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__selector, 1, 0, 0),
+  [937] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__selector, 1, 0, 30),
+  [939] = {.entry = {.count = 1, .reusable = true}}, SHIFT(125),
+  [941] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym__several_repeat1, 2, 0, 0),
+  [943] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_header_entry, 1, 0, 1),
+  [945] = {.entry = {.count = 1, .reusable = false}}, REDUCE(sym_header_entry, 1, 0, 1),
+  [947] = {.entry = {.count = 1, .reusable = true}}, SHIFT(290),
+  [949] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_file, 1, 0, 0),
+  [951] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_file, 2, 0, 0),
+  [953] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_selector_list_repeat1, 2, 0, 0),
+  [955] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_selector_list_repeat1, 2, 0, 0), SHIFT_REPEAT(116),
+  [958] = {.entry = {.count = 1, .reusable = true}}, SHIFT(78),
+  [960] = {.entry = {.count = 1, .reusable = true}}, REDUCE(aux_sym_file_repeat1, 2, 0, 0),
+  [962] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym_file_repeat1, 2, 0, 0), SHIFT_REPEAT(2),
+  [965] = {.entry = {.count = 1, .reusable = true}}, SHIFT(41),
+  [967] = {.entry = {.count = 1, .reusable = true}}, SHIFT(116),
+  [969] = {.entry = {.count = 2, .reusable = true}}, REDUCE(aux_sym__several_repeat1, 2, 0, 0), SHIFT_REPEAT(136),
+  [972] = {.entry = {.count = 1, .reusable = true}}, SHIFT(61),
+  [974] = {.entry = {.count = 1, .reusable = true}}, SHIFT(65),
+  [976] = {.entry = {.count = 1, .reusable = true}}, SHIFT(30),
+  [978] = {.entry = {.count = 1, .reusable = true}}, SHIFT(62),
+  [980] = {.entry = {.count = 1, .reusable = true}}, SHIFT(43),
+  [982] = {.entry = {.count = 1, .reusable = true}}, SHIFT(71),
+  [984] = {.entry = {.count = 1, .reusable = true}}, SHIFT(22),
+  [986] = {.entry = {.count = 1, .reusable = true}}, SHIFT(215),
+  [988] = {.entry = {.count = 1, .reusable = true}}, SHIFT(218),
+  [990] = {.entry = {.count = 1, .reusable = true}}, SHIFT(23),
   [992] = {.entry = {.count = 1, .reusable = true}}, SHIFT(99),
-  [994] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_program_name_line, 2, 0, 7),
-  [996] = {.entry = {.count = 1, .reusable = true}}, SHIFT(120),
-  [998] = {.entry = {.count = 1, .reusable = true}}, SHIFT(121),
-  [1000] = {.entry = {.count = 1, .reusable = true}}, SHIFT(115),
-  [1002] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_program_name_line, 3, 0, 24),
-  [1004] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_header_entry, 2, 0, 8),
-  [1006] = {.entry = {.count = 1, .reusable = true}}, SHIFT(64),
-  [1008] = {.entry = {.count = 1, .reusable = true}}, SHIFT(33),
-  [1010] = {.entry = {.count = 1, .reusable = true}}, SHIFT(182),
-  [1012] = {.entry = {.count = 1, .reusable = true}},  ACCEPT_INPUT(),
-  [1014] = {.entry = {.count = 1, .reusable = true}}, SHIFT(216),
-  [1016] = {.entry = {.count = 1, .reusable = true}}, SHIFT(200),
-  [1018] = {.entry = {.count = 1, .reusable = true}}, SHIFT(202),
-  [1020] = {.entry = {.count = 1, .reusable = true}}, SHIFT(203),
-  [1022] = {.entry = {.count = 1, .reusable = true}}, SHIFT(204),
+  [994] = {.entry = {.count = 1, .reusable = true}}, SHIFT(222),
+  [996] = {.entry = {.count = 1, .reusable = true}}, SHIFT(207),
+  [998] = {.entry = {.count = 1, .reusable = true}}, SHIFT(188),
+  [1000] = {.entry = {.count = 1, .reusable = true}}, SHIFT(186),
+  [1002] = {.entry = {.count = 1, .reusable = true}}, SHIFT(206),
+  [1004] = {.entry = {.count = 1, .reusable = true}}, SHIFT(189),
+  [1006] = {.entry = {.count = 1, .reusable = true}}, SHIFT(175),
+  [1008] = {.entry = {.count = 1, .reusable = true}}, SHIFT(176),
+  [1010] = {.entry = {.count = 1, .reusable = true}}, SHIFT(68),
+  [1012] = {.entry = {.count = 1, .reusable = true}}, SHIFT(26),
+  [1014] = {.entry = {.count = 1, .reusable = true}}, SHIFT(123),
+  [1016] = {.entry = {.count = 1, .reusable = true}}, SHIFT(122),
+  [1018] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_program_name_line, 2, 0, 7),
+  [1020] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_program_name_line, 3, 0, 24),
+  [1022] = {.entry = {.count = 1, .reusable = true}}, SHIFT(117),
+  [1024] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym_header_entry, 2, 0, 8),
+  [1026] = {.entry = {.count = 1, .reusable = true}}, SHIFT(192),
+  [1028] = {.entry = {.count = 1, .reusable = true}}, REDUCE(sym__signless_selected, 2, 0, 16),
+  [1030] = {.entry = {.count = 1, .reusable = true}}, SHIFT(219),
+  [1032] = {.entry = {.count = 1, .reusable = true}}, SHIFT(187),
+  [1034] = {.entry = {.count = 1, .reusable = true}},  ACCEPT_INPUT(),
+  [1036] = {.entry = {.count = 1, .reusable = true}}, SHIFT(66),
+  [1038] = {.entry = {.count = 1, .reusable = true}}, SHIFT(27),
+  [1040] = {.entry = {.count = 1, .reusable = true}}, SHIFT(190),
+  [1042] = {.entry = {.count = 1, .reusable = true}}, SHIFT(193),
+  [1044] = {.entry = {.count = 1, .reusable = true}}, SHIFT(194),
 };
 
 #ifdef __cplusplus
