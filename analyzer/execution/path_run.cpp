@@ -2,6 +2,7 @@
 #include "analyzer/execution/path_run.hpp"
 
 #include "analyzer/dataflow/domain/arithmetic.hpp"
+#include "analyzer/execution/outcome.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -105,21 +106,54 @@ std::optional<PathRun::Point> PathRun::along_now(flow::EdgeId id, const Point& a
     if (!next.state.reached) return std::nullopt;
     // A condition that not all channels ask says nothing of the others.
     const bool asked_by_all = graph_.channels_at(edge.from).running == graph_.all_channels;
-    if (edge.condition && asked_by_all && !assume(next, after.state, *edge.condition, edge.holds))
+    if (edge.condition && asked_by_all &&
+        !(assume_outcome(next, after.state, *edge.condition, edge.holds) &&
+          assume(next, after.state, *edge.condition, edge.holds)))
         return std::nullopt;
     return next;
 }
 
-/// Takes what must be so when the condition turned out like this; choices between alternatives are left out.
+/// Of several comparisons it may not be said how each turned out: asked again they turn out the same.
+bool PathRun::assume_outcome(Point& point, const dataflow::State& before, ExpressionId condition,
+                             bool holds) {
+    const auto outcome = outcome_of(program_, transfer_, states_.table(), before, condition);
+    if (!outcome) return true;
+    Value truth;
+    truth.know(dataflow::number_value(states_.table(), 0));
+    truth.high = 1;
+    truth.symbol = outcome->symbol;
+    const Value found = dataflow::number_value(states_.table(), holds != outcome->negated ? 1 : 0);
+    const auto assumed = assumptions_.add(point.assumed, Operation::equal, truth, found);
+    if (assumed) point.assumed = *assumed;
+    return assumed.has_value();
+}
+
+/// Takes what must be so when the condition turned out like this.
 bool PathRun::assume(Point& point, const dataflow::State& before, ExpressionId condition, bool holds) {
     const auto* apply = std::get_if<Apply>(&program_.expressions[condition].node);
     if (apply == nullptr) return true;
     const auto operands = program_.operands_of(*apply);
     if (apply->operation == Operation::not_of) return assume(point, before, operands.front(), !holds);
+    if (apply->operation == (holds ? Operation::any_of : Operation::all_of))
+        return assume_some(point, before, operands, holds);
     if (apply->operation != (holds ? Operation::all_of : Operation::any_of))
         return assume_one(point, before, *apply, holds);
     return std::ranges::all_of(operands,
                                [&](ExpressionId operand) { return assume(point, before, operand, holds); });
+}
+
+/// One of them at least turned out like this: where all others cannot, the last one did.
+bool PathRun::assume_some(Point& point, const dataflow::State& before, std::span<const ExpressionId> operands,
+                          bool holds) {
+    std::optional<Point> only;
+    for (const ExpressionId operand : operands) {
+        Point with = point;
+        if (!assume(with, before, operand, holds)) continue;
+        if (only) return true; // nobody knows which
+        only = with;
+    }
+    if (only) point = *only;
+    return only.has_value();
 }
 
 bool PathRun::assume_one(Point& point, const dataflow::State& before, const Apply& apply, bool holds) {
@@ -129,6 +163,10 @@ bool PathRun::assume_one(Point& point, const dataflow::State& before, const Appl
     const Operation operation = holds ? apply.operation : dataflow::opposite(apply.operation);
     const Value left = transfer_.value_in(before, operands.front());
     const Value right = test ? left : transfer_.value_in(before, operands.back());
+    const semantics::Truth truth =
+        test ? semantics::test_vacancy(operation, left)
+             : dataflow::compare(operation, left, right, program_.control->vacant_equals_zero);
+    if (!truth.can_hold) return false;
     const auto assumed = assumptions_.add(point.assumed, operation, left, right);
     if (assumed) point.assumed = *assumed;
     return assumed.has_value();

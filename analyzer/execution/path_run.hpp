@@ -79,8 +79,12 @@ class PathRun {
     [[nodiscard]] dataflow::Root unknown_after(const Changes& changes);
     [[nodiscard]] Point change(const Changes& changes, Point point);
     [[nodiscard]] bool stores_in_machine(const flow::Node& node) const;
+    [[nodiscard]] bool assume_outcome(Point& point, const dataflow::State& before, ExpressionId condition,
+                                      bool holds);
     [[nodiscard]] bool assume(Point& point, const dataflow::State& before, ExpressionId condition,
                               bool holds);
+    [[nodiscard]] bool assume_some(Point& point, const dataflow::State& before,
+                                   std::span<const ExpressionId> operands, bool holds);
     [[nodiscard]] bool assume_one(Point& point, const dataflow::State& before, const Apply& apply,
                                   bool holds);
     /// What a decision can ask of the value with this number in the table.

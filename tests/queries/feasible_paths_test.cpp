@@ -347,6 +347,45 @@ TEST(FeasiblePaths, OneOfTheCasesIsMetWhereAllOthersAreSentAway) {
     EXPECT_TRUE(reaches_uninitialised("IF[[#500NE1]AND[#500NE3]]GOTO9\n" + cases, 5));
 }
 
+TEST(FeasiblePaths, SeveralComparisonsTurnOutTheSameWhenTheyAreAskedAgain) {
+    const auto reads = [](const std::string& first, const std::string& again,
+                          const std::string& between = "") {
+        return reaches_uninitialised("IF[" + first + "]GOTO10\n#5=1\nN10 G0X1.\n" + between + "IF[" + again +
+                                         "]GOTO20\nG0Z#5\nN20",
+                                     5);
+    };
+    EXPECT_FALSE(reads("[#501EQ1]AND[#502EQ#503]", "[#501EQ1]AND[#502EQ#503]"));
+    EXPECT_FALSE(reads("[#501EQ1]OR[#502EQ2]OR[#503LT3]", "[3GT#503]OR[#501EQ1]OR[#502EQ2]"));
+    EXPECT_FALSE(reads("[#501EQ#0]OR[#502GT2]", "[#502GT2]OR[#501EQ#0]"));
+    EXPECT_TRUE(reads("[#501EQ1]OR[#502EQ2]", "[#501EQ1]OR[#502EQ3]"));
+    EXPECT_TRUE(reads("[#501EQ1]OR[#502LT2]", "[#501EQ1]OR[#502GT2]"));
+    EXPECT_TRUE(reads("[#501EQ1]OR[#502EQ2]", "[#501EQ1]OR[#502EQ2]", "#502=#503\n"));
+    EXPECT_TRUE(reads("[#501EQ1]OR[#502EQ2]", "[#501EQ1]AND[#502EQ2]"));
+}
+
+TEST(FeasiblePaths, TheOppositeOfSeveralComparisonsTurnsOutOtherwise) {
+    const auto reads = [](const std::string& first, const std::string& opposite) {
+        return reaches_uninitialised("IF[" + first + "]GOTO10\n#5=1\nN10 G0X1.\nIF[" + opposite +
+                                         "]GOTO15\nGOTO20\nN15 G0Z#5\nN20",
+                                     5);
+    };
+    EXPECT_FALSE(reads("[#501EQ1]OR[#502GT2]", "[#501NE1]AND[#502LE2]"));
+    EXPECT_FALSE(reads("[#501GE1]OR[#502EQ#0]", "[#501LT1]AND[#502NE#0]"));
+    EXPECT_TRUE(reads("[#501EQ1]OR[#502GT2]", "[#501NE1]AND[#502LE3]"));
+}
+
+TEST(FeasiblePaths, OfSeveralComparisonsTheOneThatIsLeftDecides) {
+    const std::string first_is_greater = "IF[#501GT#503]GOTO4\n#5=1\nN4";
+    const std::string both = "IF[[#501GT#503]AND[#502GT#503]]GOTO20\n";
+    EXPECT_FALSE(
+        reaches_uninitialised(first_is_greater + "IF[#502GT#503]GOTO6\n#5=1\nN6" + both + "G0Z#5\nN20", 5));
+    EXPECT_FALSE(
+        reaches_uninitialised(first_is_greater + both + "IF[#502GT#503]GOTO15\nGOTO20\nN15G0Z#5\nN20", 5));
+    EXPECT_TRUE(
+        reaches_uninitialised(first_is_greater + both + "IF[#502GT#504]GOTO15\nGOTO20\nN15G0Z#5\nN20", 5));
+    EXPECT_TRUE(reaches_uninitialised(both + "IF[#502GT#503]GOTO15\nGOTO20\nN15G0Z#5\nN20", 5));
+}
+
 TEST(FeasiblePaths, WhatRoundsChangeByAFractionIsComparedAsAFraction) {
     // Line 6 lets #1 be above 1 and below 2 after both loops, or never.
     const auto text = [](const std::string& step) {
