@@ -33,7 +33,8 @@ PathRun::PathRun(const ProgramAnalysis& analysis)
     , graph_(analysis.graph())
     , states_(program_, analysis.data().knowledge())
     , transfer_(program_, graph_, states_, analysis.data().callees())
-    , assumptions_(program_.control->vacant_equals_zero) {
+    , assumptions_(program_.control->vacant_equals_zero)
+    , skips_(program_, graph_) {
     for (const Expression& expression : program_.expressions)
         if (const auto* load = std::get_if<LoadModal>(&expression.node)) asked_groups_.push_back(load->group);
     std::ranges::sort(asked_groups_);
@@ -68,7 +69,8 @@ PathRun::Point PathRun::run(flow::NodeId node, Point point) {
 std::optional<PathRun::Point> PathRun::along(flow::EdgeId id, const Point& after) {
     if (!after.state.reached) return std::nullopt;
     const flow::Edge& edge = graph_.edges[id];
-    if (!edge.condition && !edge.label && graph_.channels_at(edge.from).running == graph_.all_channels)
+    if (!edge.condition && !edge.label && skips_.at(id) == Switches{} &&
+        graph_.channels_at(edge.from).running == graph_.all_channels)
         return after;
     return remembered(Step::Kind::edge, id, after, [&] { return along_now(id, after); });
 }
@@ -103,7 +105,7 @@ std::optional<PathRun::Point> PathRun::along_now(flow::EdgeId id, const Point& a
     transfer_.turn_back();
     transfer_.set_machine_time(after.time);
     next.state = transfer_.along(edge, after.state);
-    if (!next.state.reached) return std::nullopt;
+    if (!next.state.reached || !assume_switches(next, skips_.at(id))) return std::nullopt;
     // A condition that not all channels ask says nothing of the others.
     const bool asked_by_all = graph_.channels_at(edge.from).running == graph_.all_channels;
     if (edge.condition && asked_by_all &&
@@ -113,19 +115,34 @@ std::optional<PathRun::Point> PathRun::along_now(flow::EdgeId id, const Point& a
     return next;
 }
 
+bool PathRun::assume_switches(Point& point, const Switches& switches) {
+    for (std::uint32_t level = 0; level < std::numeric_limits<std::uint16_t>::digits; ++level) {
+        const bool on = (switches.on >> level & 1U) != 0;
+        if (!on && (switches.off >> level & 1U) == 0) continue;
+        if (!assume_is(point, states_.table().symbols({Symbol::Kind::skip_switch, level}), on)) return false;
+    }
+    return true;
+}
+
+/// Of what is true (1) or false (0).
+bool PathRun::assume_is(Point& point, SymbolId subject, bool holds) {
+    const double number = holds ? 1 : 0;
+    for (Assumptions::Id id = point.assumed; id != Assumptions::none; id = assumptions_[id].earlier)
+        if (assumptions_[id].subject == subject) return assumptions_[id].number == number;
+    Value value = dataflow::number_value(subject, 0);
+    value.high = 1;
+    const auto assumed = assumptions_.add(point.assumed, Operation::equal, value,
+                                          dataflow::number_value(states_.table(), number));
+    if (assumed) point.assumed = *assumed;
+    return assumed.has_value();
+}
+
 /// Of several comparisons it may not be said how each turned out: asked again they turn out the same.
 bool PathRun::assume_outcome(Point& point, const dataflow::State& before, ExpressionId condition,
                              bool holds) {
     const auto outcome = outcome_of(program_, transfer_, states_.table(), before, condition);
     if (!outcome) return true;
-    Value truth;
-    truth.know(dataflow::number_value(states_.table(), 0));
-    truth.high = 1;
-    truth.symbol = outcome->symbol;
-    const Value found = dataflow::number_value(states_.table(), holds != outcome->negated ? 1 : 0);
-    const auto assumed = assumptions_.add(point.assumed, Operation::equal, truth, found);
-    if (assumed) point.assumed = *assumed;
-    return assumed.has_value();
+    return assume_is(point, outcome->symbol, holds != outcome->negated);
 }
 
 /// Takes what must be so when the condition turned out like this.
@@ -221,7 +238,8 @@ bool PathRun::can_be_seen(SymbolId id) const {
     switch (symbol.kind) {
     case Symbol::Kind::constant:
     case Symbol::Kind::vacant:
-    case Symbol::Kind::machine: return true;
+    case Symbol::Kind::machine:
+    case Symbol::Kind::skip_switch: return true;
     case Symbol::Kind::result:
         if (can_be_seen(symbol.b) && can_be_seen(symbol.c)) return true;
         break;

@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/domain/interner.hpp"
 #include "analyzer/dataflow/solver/transfer.hpp"
 #include "analyzer/execution/assumptions.hpp"
+#include "analyzer/execution/skips.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
@@ -79,6 +80,8 @@ class PathRun {
     [[nodiscard]] dataflow::Root unknown_after(const Changes& changes);
     [[nodiscard]] Point change(const Changes& changes, Point point);
     [[nodiscard]] bool stores_in_machine(const flow::Node& node) const;
+    [[nodiscard]] bool assume_is(Point& point, dataflow::SymbolId subject, bool holds);
+    [[nodiscard]] bool assume_switches(Point& point, const Switches& switches);
     [[nodiscard]] bool assume_outcome(Point& point, const dataflow::State& before, ExpressionId condition,
                                       bool holds);
     [[nodiscard]] bool assume(Point& point, const dataflow::State& before, ExpressionId condition,
@@ -101,6 +104,7 @@ class PathRun {
     dataflow::States states_; ///< of its own: rules ask on several threads
     dataflow::Transfer transfer_;
     Assumptions assumptions_;
+    Skips skips_;
     dataflow::Interner<Step> steps_;
     std::vector<std::optional<Point>> after_;                   ///< of each step
     std::unordered_map<std::uint32_t, dataflow::Root> unknown_; ///< by id of changes, see unknown_after

@@ -50,12 +50,23 @@ bool only_clamps(const ProgramAnalysis& analysis, const dataflow::Condition& con
 struct Sides {
     bool vacant = false; ///< one has never been set
     bool open = true;    ///< no comparison is decided by itself: #1LT8 OR #1GT6
+    bool near = false;   ///< one may be decided otherwise by the rounding of a calculated value
 };
+
+/// 1-#1*#1/900, which is never below 0 but by its last digit, is asked for LT0 in front of SQRT.
+bool is_rounding_away(const dataflow::Comparison& comparison) {
+    const dataflow::Value& left = comparison.left;
+    const dataflow::Value& right = comparison.right;
+    const bool rounded =
+        left.exactness == dataflow::Exactness::rounded || right.exactness == dataflow::Exactness::rounded;
+    return rounded && (left.low == right.high || left.high == right.low);
+}
 
 Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     Sides sides;
     for (const auto& comparison : analysis.facts().at<dataflow::Comparison>(condition.effect)) {
         sides.open &= comparison.truth.can_hold && comparison.truth.can_fail;
+        sides.near |= is_rounding_away(comparison);
         for (const dataflow::Value* value : {&comparison.left, &comparison.right})
             sides.vacant |= value->vacancy == dataflow::Vacancy::vacant;
     }
@@ -85,6 +96,7 @@ bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition,
          guarded_text(program, guard->effect) == guarded_text(program, condition.effect)))
         return false;
     if (sides.open) return false;
+    if (!guard && sides.near) return true;
     if (!guard && settings_.is_all_that_is_read(condition.expression, condition.effect)) return true;
     if (!guard && sides.vacant) return true; // MAC209's, or a case that is left over
     if (leaves_nothing_to_run(condition)) return false;
@@ -138,17 +150,11 @@ Reason reason_for(const ProgramAnalysis& analysis, const dataflow::Condition& co
         if (number && set)
             return {Reason::Kind::number, read.variable, *number, program.effects[*set].span, {}};
     }
-    const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
-    const auto is_read = [&](ExpressionId side) {
-        const auto variable = plain_variable(program, side);
-        return variable && std::ranges::find(reads.variables, *variable) != reads.variables.end();
-    };
     const auto comparisons = analysis.facts().all<dataflow::Comparison>();
     auto other = std::ranges::lower_bound(comparisons, condition.node, {}, &dataflow::Comparison::node);
     for (std::size_t i = 0; i < most_tests_before && other != comparisons.begin(); ++i) {
         --other;
-        if (is_read(other->left_expression) || is_read(other->right_expression))
-            return tested(other->expression);
+        if (decides(analysis, *other, condition)) return tested(other->expression);
     }
     return {Reason::Kind::unknown, {}, 0, {}, {}};
 }

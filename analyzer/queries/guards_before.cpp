@@ -5,8 +5,10 @@
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/flow/walk.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/semantics/truth.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +23,58 @@ using semantics::AbstractValue;
 using semantics::Truth;
 
 constexpr int most_nodes = 64; ///< of a row of guards
+constexpr std::size_t most_nodes_on_the_way = 10'000;
+
+/// A number of the text.
+bool has_number_on_right(const Program& program, const Comparison& comparison) {
+    if (semantics::is_vacancy_test(comparison.operation)) return false;
+    const auto right = dataflow::variables_of(program, comparison.right_expression);
+    return right.closed && right.variables.empty() && comparison.right.constant();
+}
+
+AbstractValue any_number() {
+    AbstractValue value;
+    value.vacancy = semantics::Vacancy::set;
+    return value;
+}
+
+/// What `later` is, whatever the value on its left, where `earlier` asked the same value and turned out so.
+std::optional<bool> outcome_after(const ProgramAnalysis& analysis, const Comparison& earlier, bool holds,
+                                  const Comparison& later) {
+    if (!same_expression(analysis.program(), earlier.left_expression, later.left_expression))
+        return std::nullopt;
+    const bool zero = analysis.control().vacant_equals_zero;
+    const Operation known = holds ? earlier.operation : semantics::opposite(earlier.operation);
+    Truth truth{false, false};
+    for (const AbstractValue& any : {any_number(), semantics::of_vacant()}) {
+        const auto left = semantics::refine(any, known, earlier.right, zero);
+        if (!left) continue;
+        const Truth now = semantics::compare(later.operation, *left, later.right, zero);
+        truth.can_hold |= now.can_hold;
+        truth.can_fail |= now.can_fail;
+    }
+    return truth.can_hold == truth.can_fail ? std::nullopt : std::optional(truth.can_hold);
+}
+
+/// How the comparison turned out on every path from it to the node; nothing where it may be either, is but a
+/// part of a condition, or where that is a long way.
+std::optional<bool> outcome_on_the_way(const ProgramAnalysis& analysis, const Comparison& comparison,
+                                       flow::NodeId node) {
+    const WorkLimit::Pause pause; // it has a bound of its own
+    std::size_t met = 0;
+    Truth outcome{false, false};
+    flow::walk<flow::Direction::backward>(analysis.graph(), {node}, [&](flow::EdgeId id, flow::NodeId from) {
+        if (!analysis.data().passable(id) || ++met > most_nodes_on_the_way) return flow::Step::refuse;
+        if (from != comparison.node) return flow::Step::go_on;
+        const flow::Edge& edge = analysis.graph().edges[id];
+        const bool is_all = edge.condition == comparison.expression;
+        outcome.can_hold |= !is_all || edge.holds;
+        outcome.can_fail |= !is_all || !edge.holds;
+        return flow::Step::refuse; // the other edge may lead here, too
+    });
+    if (met > most_nodes_on_the_way || outcome.can_hold == outcome.can_fail) return std::nullopt;
+    return outcome.can_hold;
+}
 
 /// Where the program comes from to a node.
 struct Before {
@@ -115,36 +169,15 @@ class Row {
         if (same_expression(program(), earlier, later)) return false;
         const Comparison* first = comparison_with_number(node, earlier);
         const Comparison* second = comparison_with_number(last_.node, later);
-        if (first == nullptr || second == nullptr ||
-            !same_expression(program(), first->left_expression, second->left_expression))
-            return std::nullopt;
-        Truth truth{false, false};
-        for (const AbstractValue& any : {number(), semantics::of_vacant()}) {
-            const bool zero = analysis_.control().vacant_equals_zero;
-            const auto left =
-                semantics::refine(any, semantics::opposite(first->operation), first->right, zero);
-            if (!left) continue;
-            const Truth now = semantics::compare(second->operation, *left, second->right, zero);
-            truth.can_hold |= now.can_hold;
-            truth.can_fail |= now.can_fail;
-        }
-        return truth.can_hold == truth.can_fail ? std::nullopt : std::optional(truth.can_hold);
-    }
-
-    static AbstractValue number() {
-        AbstractValue value;
-        value.vacancy = semantics::Vacancy::set;
-        return value;
+        if (first == nullptr || second == nullptr) return std::nullopt;
+        return outcome_after(analysis_, *first, false, *second);
     }
 
     /// The comparison that a condition is, where its right side is a number of the text; else nullptr.
     [[nodiscard]] const Comparison* comparison_with_number(flow::NodeId node, ExpressionId condition) const {
-        for (const Comparison& comparison : analysis_.facts().in<Comparison>(node)) {
-            if (comparison.expression != condition || semantics::is_vacancy_test(comparison.operation))
-                continue;
-            const auto right = dataflow::variables_of(program(), comparison.right_expression);
-            if (right.closed && right.variables.empty() && comparison.right.constant()) return &comparison;
-        }
+        for (const Comparison& comparison : analysis_.facts().in<Comparison>(node))
+            if (comparison.expression == condition && has_number_on_right(program(), comparison))
+                return &comparison;
         return nullptr;
     }
 
@@ -166,6 +199,22 @@ bool is_used_as_given(const ProgramAnalysis& analysis, const dataflow::Read& rea
 std::optional<GuardBefore> guard_that_decides(const ProgramAnalysis& analysis,
                                               const dataflow::Condition& condition) {
     return Row(analysis, condition).find();
+}
+
+bool decides(const ProgramAnalysis& analysis, const Comparison& earlier,
+             const dataflow::Condition& condition) {
+    if (!has_number_on_right(analysis.program(), earlier)) return false;
+    std::optional<std::optional<bool>> outcome; // nothing: nobody has asked
+    for (const Comparison& later : analysis.facts().at<Comparison>(condition.effect)) {
+        if (later.truth.can_hold == later.truth.can_fail || !has_number_on_right(analysis.program(), later))
+            continue;
+        for (const bool holds : {true, false}) {
+            if (outcome_after(analysis, earlier, holds, later) != later.truth.can_hold) continue;
+            if (!outcome) outcome = outcome_on_the_way(analysis, earlier, condition.node);
+            if (*outcome == holds) return true;
+        }
+    }
+    return false;
 }
 
 std::vector<Variable> untested_arguments(const ProgramAnalysis& analysis) {

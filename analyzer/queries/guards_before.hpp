@@ -1,6 +1,7 @@
 //! Guards in a row, the later of which asks what an earlier one has decided.
 #pragma once
 
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
@@ -21,6 +22,11 @@ struct GuardBefore {
 /// that store in other variables than the conditions read; nobody jumps in between.
 [[nodiscard]] std::optional<GuardBefore> guard_that_decides(const ProgramAnalysis& analysis,
                                                             const dataflow::Condition& condition);
+
+/// Whether the earlier comparison with a number turned out the same on every path from it to the condition,
+/// and what it says of the value makes a comparison of the condition what it always is.
+[[nodiscard]] bool decides(const ProgramAnalysis& analysis, const dataflow::Comparison& earlier,
+                           const dataflow::Condition& condition);
 
 /// Arguments that the program uses as the call gives them, and that none of its conditions asks for; in the
 /// order of their numbers.

@@ -30,6 +30,13 @@ bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return true;
 }
 
+/// By a return or a program end under a condition.
+bool is_left_in_its_body(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    return std::ranges::any_of(loop.exit_edges, [&](flow::EdgeId id) {
+        return analysis.graph().edges[id].from != loop.head && analysis.data().passable(id);
+    });
+}
+
 } // namespace
 
 const flow::Region* region_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
@@ -100,7 +107,8 @@ bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& cond
     if (analysis.control().loops_left_by_jump || !reads.closed || !reads.variables.empty()) return false;
     return any_within_limit(analysis.loops(), [&](const dataflow::Loop& loop) {
         const flow::Region* region = region_of(analysis, loop);
-        return region != nullptr && region->open == condition.effect && !loop.can_stop;
+        return region != nullptr && region->open == condition.effect && !loop.can_stop &&
+               !is_left_in_its_body(analysis, loop);
     });
 }
 

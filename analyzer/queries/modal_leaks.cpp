@@ -3,15 +3,16 @@
 
 #include "analyzer/dataflow/facts/call_made.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/execution/path_search.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/handed_modes.hpp"
 #include "analyzer/queries/origins.hpp"
 #include "analyzer/queries/own_settings.hpp"
 #include "analyzer/queries/saved_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <variant>
@@ -117,17 +118,20 @@ class LeftState {
         return place(last_->part) < place(part);
     }
 
-    /// Where something unknown may have changed the group: whether a path leads around that. Of a feed or
-    /// speed that is asked only where the program keeps its callers' state.
+    /// Whether a path leads from there to the exit on which nothing changes the group, or may. Where
+    /// something unknown may have changed it, a search that gives up tells nothing, and of a feed or speed
+    /// that is asked only where the program keeps its callers' state.
     [[nodiscard]] bool lasts(const dataflow::ModalPart& part, const dataflow::ExitState& exit,
                              bool may_be_changed) {
+        if (analysis_.program().has_several_channels()) return !may_be_changed;
+        if (may_be_changed && is_value_ && !answers_for_calls_) return false;
         if (!changes_) changes_ = changes_of(analysis_, group_);
-        if (!may_be_changed) return true;
-        if (analysis_.program().has_several_channels() || (is_value_ && !answers_for_calls_)) return false;
         const flow::NodeId set = node_of_origin(analysis_, part.origin);
-        const bool changed_at_exit =
-            set != exit.exit.node && std::ranges::binary_search(*changes_, exit.exit.node);
-        return !changed_at_exit && can_follow(analysis_, set, exit.exit.node, *changes_);
+        const flow::NodeId end = exit.exit.node;
+        if (set != end && std::ranges::binary_search(*changes_, end)) return !may_be_changed;
+        const auto found = execution::PathSearch(analysis_).find(
+            std::array{execution::Leg{set, {}}, execution::Leg{end, *changes_}});
+        return found.path || (found.gave_up && !may_be_changed);
     }
 
     const ProgramAnalysis& analysis_;

@@ -1,6 +1,7 @@
 //! DIN407: a loop counts in a variable that the program has not set.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/loop_counter.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -68,12 +69,22 @@ bool is_shared_and_uninitialised(const ProgramAnalysis& analysis, Variable varia
     return space.scope == Scope::shared && space.initial_value == InitialValue::undefined;
 }
 
+/// Whether the program has found out by DEF or NDEF that it holds a value.
+bool is_known_to_be_set(const ProgramAnalysis& analysis, const queries::Counter& counter) {
+    const dataflow::Comparison& test = *counter.tests.front().comparison;
+    const bool on_left =
+        queries::plain_variable(analysis.program(), test.left_expression) == counter.variable;
+    return (on_left ? test.left : test.right).vacancy == dataflow::Vacancy::set;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.is_main()) return; // a caller may have set it
     const Program& program = analysis.program();
     for (const dataflow::Loop& loop : analysis.loops()) {
         const auto counter = queries::counter_of(analysis, loop);
-        if (!counter || !is_shared_and_uninitialised(analysis, counter->variable)) continue;
+        if (!counter || !is_shared_and_uninitialised(analysis, counter->variable) ||
+            is_known_to_be_set(analysis, *counter))
+            continue;
         execution::PathSearch search(analysis);
         const auto path =
             queries::path_without_assignment(search, analysis, counter->variable, loop.head).path;

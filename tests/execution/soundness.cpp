@@ -34,7 +34,11 @@ class RandomEnvironment {
             return value_of(program, program.expressions[id]);
         };
         environment.typed_in = [this](const Program&, Variable) { return Content{number()}; };
-        environment.skips = [this](const BlockView&) { return dice_.one_in(2); };
+        // The switches stay as they are during a run.
+        const std::uint32_t switches = dice_.one_in(2) ? 1U << 1U : 0;
+        environment.skips = [switches](const BlockView& block) {
+            return (block.skip_levels & switches) != 0;
+        };
         environment.unknown_call = [this](const Program& program, CallKindId kind) {
             return unknown_call(program, kind);
         };

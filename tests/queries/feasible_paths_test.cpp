@@ -386,6 +386,19 @@ TEST(FeasiblePaths, OfSeveralComparisonsTheOneThatIsLeftDecides) {
     EXPECT_TRUE(reaches_uninitialised(both + "IF[#502GT#503]GOTO15\nGOTO20\nN15G0Z#5\nN20", 5));
 }
 
+TEST(FeasiblePaths, TheSwitchOfALevelStaysAsItIs) {
+    // Passed by here is passed by there; each of two levels has a switch of its own.
+    EXPECT_FALSE(reaches_uninitialised("G0X1.\n/#5=1\nG0X2.\n/G0Z#5\n", 5));
+    EXPECT_FALSE(reaches_uninitialised("G0X1.\n/#5=1\n/#6=1\n/3#7=1\nG0X2.\n/3#7=2\n/1G0Z#5\n", 5));
+    EXPECT_TRUE(reaches_uninitialised("G0X1.\n/2#5=1\nG0X2.\n/3G0Z#5\n", 5));
+    EXPECT_TRUE(reaches_uninitialised("G0X1.\n/#5=1\nG0Z#5\n", 5));
+    // So it is where a jump leads to the block, or stands in it.
+    EXPECT_FALSE(reaches_uninitialised("IF[#501EQ1]GOTO2\nG0X1.\n/N2#5=1\nG0X2.\n/G0Z#5\n", 5));
+    EXPECT_FALSE(reaches_uninitialised("G0X1.\n/GOTO2\n#5=1\nN2\n/GOTO3\nG0Z#5\nN3\n", 5));
+    EXPECT_TRUE(reaches_uninitialised("G0X1.\n/IF[#501EQ1]GOTO2\n#5=1\nN2\n/G0X2.\nG0Z#5\n", 5));
+    EXPECT_TRUE(reaches_uninitialised("IF[#501EQ1]GOTO3\n/#5=1\nN3G0Z#5\n", 5));
+}
+
 TEST(FeasiblePaths, WhatRoundsChangeByAFractionIsComparedAsAFraction) {
     // Line 6 lets #1 be above 1 and below 2 after both loops, or never.
     const auto text = [](const std::string& step) {

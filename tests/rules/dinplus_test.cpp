@@ -226,6 +226,8 @@ TEST(LoopVariable, MustBeSetOnEveryWayToTheLoop) {
     const std::string loop = "WHILE #c4<10\nG0 X10\n#c4=#c4+1\nENDWHILE\nM30\nEND\n";
     EXPECT_THAT(lines("DIN407", "MACHINING\nIF #g1==1\nTHEN\n#c4=0\nENDIF\n" + loop), ElementsAre(6));
     EXPECT_THAT(lines("DIN407", "MACHINING\n#c4=0\n" + loop), IsEmpty());
+    EXPECT_THAT(lines("DIN407", "MACHINING\nIF NDEF(#c4)\nTHEN\n#c4=0\nENDIF\n" + loop), IsEmpty());
+    EXPECT_THAT(lines("DIN407", "MACHINING\nIF DEF(#c4)\nTHEN\n#c4=0\nENDIF\n" + loop), ElementsAre(6));
     EXPECT_THAT(lines("DIN407", "MACHINING\nWHILE #g4<10\nG0 X10\n#g4=#g4+1\nENDWHILE\nM30\nEND\n"),
                 IsEmpty());
 }
@@ -234,6 +236,17 @@ TEST(ConstantCondition, ALoopThatAPauseCanEndMayRunForEver) {
     EXPECT_THAT(lines("MAC718", "MACHINING\nWHILE 1==1\nG0 X1\nENDWHILE\nEND\n"), ElementsAre(2));
     EXPECT_THAT(lines("MAC718", "MACHINING\nWHILE 1==1\nG0 X1\nM0\nENDWHILE\nEND\n"), IsEmpty());
     EXPECT_THAT(lines("MAC319", "MACHINING\nWHILE 1==1\nG0 X1\nENDWHILE\nEND\n"), IsEmpty());
+}
+
+TEST(ConstantCondition, ALoopThatAReturnOrTheProgramsEndLeavesMayRunForEver) {
+    const auto raised = [](const std::string& condition, const std::string& way_out) {
+        return lines("MAC718", "MACHINING\nINPUT(\"N\",#l1)\nWHILE 1==1\nG0 X1\nIF " + condition +
+                                   "\nTHEN\n" + way_out + "\nENDIF\nENDWHILE\nEND\n");
+    };
+    EXPECT_THAT(raised("#l1==1", "M30"), IsEmpty());
+    EXPECT_THAT(raised("#l1==1", "RETURN"), IsEmpty());
+    EXPECT_THAT(raised("#l1==1", "G0 X2"), ElementsAre(3));
+    EXPECT_THAT(raised("1==2", "M30"), ElementsAre(3));
 }
 
 // ---- what stays switched on

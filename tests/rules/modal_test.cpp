@@ -88,6 +88,20 @@ TEST(ModalState, PutBackOnSomeWaysOnlySaysSo) {
                 ElementsAre(HasSubstr("on some of the paths")));
 }
 
+TEST(ModalState, SwitchedOnAndOffUnderOneConditionIsNotLeft) {
+    const auto pair = [](const std::string& off) {
+        return "O9001\nIF[#7EQ1]GOTO1\nG91\nG41D1\nN1G1X1.F#9\n" + off + "N2M99\n";
+    };
+    for (const char* rule : {"MAC501", "MAC502"}) {
+        EXPECT_THAT(lines_raised(rule, pair("IF[#7EQ1]GOTO2\nG40G90\n")), IsEmpty()) << rule;
+        EXPECT_THAT(lines_raised(rule, pair("IF[#7NE1]THENGOTO3\nGOTO2\nN3G40G90\n")), IsEmpty()) << rule;
+        EXPECT_EQ(lines_raised(rule, pair("IF[#7EQ2]GOTO2\nG40G90\n")).size(), 1) << rule;
+        EXPECT_EQ(lines_raised(rule, pair("#7=#8\nIF[#7EQ1]GOTO2\nG40G90\n")).size(), 1) << rule;
+    }
+    EXPECT_THAT(lines_raised("MAC502", "O9001\nG1F#9\n/G41D1X1.\nX2.\n/G40X3.\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC502", "O9001\nG1F#9\n/G41D1X1.\nX2.\n/2G40X3.\nM99\n"), ElementsAre(3));
+}
+
 TEST(ModalState, LeftByACalledProgramIsThatPrograms) {
     EXPECT_THAT(lines_raised("MAC501", "O9001\nG65 P9002\nM99\nO9002\nG91\nG0 X1\nM99\n"), ElementsAre(5));
 }

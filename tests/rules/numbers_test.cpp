@@ -350,6 +350,34 @@ TEST(ConstantCondition, OfWhatIsMadeOfASettingInFewStepsIsMeant) {
     EXPECT_EQ(steps(8), 1U);
 }
 
+TEST(ConstantCondition, OnlyATestThatDecidesItIsItsReason) {
+    const auto message = [](const std::string& text) {
+        const auto messages = messages_raised("MAC718", "O9001\n" + text + "N9M99\n");
+        return messages.size() == 1 ? messages.front() : "";
+    };
+    // Whether #2 was 5 or not, it is not 12.
+    EXPECT_THAT(
+        message("#2=0\nWHILE[#2LT9]DO1\n#2=#2+1\nIF[#2EQ5]THEN#3=1\nIF[#2EQ12]THEN#4=1\nEND1\nX#3Y#4\n"),
+        HasSubstr("because of the test '[#2LT9]' in line 3"));
+    EXPECT_THAT(message("WHILE[#2GT3]DO1\n#2=#2-1\nEND1\nIF[#2GT3]THEN#4=1\nX#4\n"),
+                HasSubstr("because of the test '[#2GT3]' in line 2"));
+    EXPECT_THAT(message("IF[#2LE3]GOTO1\nX1.\nIF[#2LT2]THEN#4=1\nX#4\nN1\n"),
+                HasSubstr("because of the test '[#2LE3]' in line 2"));
+    EXPECT_THAT(
+        message("#1=10\n#2=0\nWHILE[#2LT#1]DO1\n#2=#2+1\nIF[#2EQ5]THEN#3=1\nIF[#2EQ12]THEN#4=1\nEND1\n"
+                "X#3Y#4\n"),
+        AllOf(HasSubstr("never true: '[#2EQ12]'"), Not(HasSubstr("#2EQ5"))));
+}
+
+TEST(ConstantCondition, AGuardAgainstTheLastDigitIsMeant) {
+    const auto raised = [](const std::string& condition) {
+        return lines_raised("MAC718", "O9001\n#1=0\nWHILE[#1LE30]DO1\n#2=1-#1*#1/900\n#4=0\nIF[" + condition +
+                                          "]THEN#4=1\nX#2Y#4\n#1=#1+1\nEND1\nM99\n");
+    };
+    EXPECT_THAT(raised("#2LT0"), IsEmpty());
+    EXPECT_THAT(raised("#2LT-1"), ElementsAre(6));
+}
+
 TEST(ConstantCondition, OfWhatATestHasFoundOutIsNone) {
     EXPECT_THAT(messages_raised("MAC718",
                                 "O9001\n#33=#1\nIF[#33NE5]GOTO9\nG0X1.\nIF[#33GT5]GOTO8\nG0X2.\nN8G0X3.\n"

@@ -57,6 +57,7 @@ struct Symbol {
         machine,     ///< a: family and number, b, c: nodes since which it stands; on one path only
         joined,      ///< a: key, b: node where paths with different values meet
         result,      ///< a: operation, b, c: operand symbols
+        skip_switch, ///< a: level; on one path only
         if_set,      ///< of a word: a, or what was in force before where that is vacant; b: effect, c: node
     } kind;
     std::uint64_t a = 0;
