@@ -103,7 +103,8 @@ class LeftState {
                 continue;
             const bool fault = is_fault_(analysis_.control().groups[group_], group_, exit, part);
             elsewhere_right_ |= !fault;
-            if (fault && lasts(part, exit, value.unknown) && comes_later(part))
+            const bool is_all = value.parts.size() == 1 && !value.unknown;
+            if (fault && comes_later(part) && (is_all || lasts(part, exit, value.unknown)))
                 last_ = ModalLeak{group_, part, &exit, true, {.matters = true}};
         }
     }
