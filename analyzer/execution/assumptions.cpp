@@ -15,6 +15,8 @@ using dataflow::SymbolId;
 using dataflow::Value;
 
 constexpr unsigned below = 1, same = 2, above = 4;
+/// So many lists of alternatives that speak of a value are asked, the last ones.
+constexpr std::size_t most_lists = 16;
 
 /// Where the left side can lie beside the right one.
 unsigned places(Operation operation) {
@@ -97,31 +99,75 @@ class Numbers {
 
 } // namespace
 
+std::optional<Assumptions::Made> Assumptions::make(Id known, Operation operation, const Value& left,
+                                                   const Value& right) {
+    Made made{{left.symbol, left.symbol, operation, 0, false, known}, &left};
+    if (semantics::is_vacancy_test(operation)) return made;
+    Assumption& now = made.assumption;
+    now.other = right.symbol;
+    if (is_number(left)) {
+        if (is_number(right)) return std::nullopt; // decided without any assumption
+        made.subject = &right;
+        now = {right.symbol, left.symbol, dataflow::mirrored(operation), 0, false, known};
+    }
+    const auto number = (made.subject == &left ? right : left).constant();
+    now.with_number = number.has_value();
+    now.number = number.value_or(0);
+    if (now.subject == 0 || now.other == 0) return std::nullopt; // values of which nothing is said
+    if (!number && now.subject > now.other) {
+        std::swap(now.subject, now.other);
+        now.operation = dataflow::mirrored(now.operation);
+    }
+    return made;
+}
+
 std::optional<Assumptions::Id> Assumptions::add(Id known, Operation operation, const Value& left,
                                                 const Value& right) {
-    Assumption now{left.symbol, left.symbol, operation, 0, false, known};
-    const Value* subject = &left;
-    if (!semantics::is_vacancy_test(operation)) {
-        if (is_number(left)) {
-            if (is_number(right)) return known; // decided without any assumption
-            std::swap(now.subject, now.other);
-            subject = &right;
-            now = {right.symbol, left.symbol, dataflow::mirrored(operation), 0, false, known};
-        } else {
-            now.other = right.symbol;
-        }
-        const auto number = (subject == &left ? right : left).constant();
-        now.with_number = number.has_value();
-        now.number = number.value_or(0);
-        if (now.subject == 0 || now.other == 0) return known; // values of which nothing is said
-        if (!number && now.subject > now.other) {
-            std::swap(now.subject, now.other);
-            now.operation = dataflow::mirrored(now.operation);
-        }
+    const auto made = make(known, operation, left, right);
+    if (!made) return known;
+    if (contradicts(made->assumption, *made->subject)) return std::nullopt;
+    all_.push_back(made->assumption);
+    const auto added = static_cast<Id>(all_.size());
+    return leaves_alternatives(added) ? std::optional(added) : std::nullopt;
+}
+
+Assumptions::Id Assumptions::add_one_of(Id known, std::vector<Found> alternatives) {
+    OneOf one_of{std::move(alternatives), {}};
+    for (const Found& found : one_of.found) {
+        const auto made = make(known, found.operation, found.left, found.right);
+        if (!made) return known; // nothing can make it false
+        one_of.said.push_back(made->assumption);
     }
-    if (contradicts(now, *subject)) return std::nullopt;
-    all_.push_back(now);
+    one_of_.push_back(std::move(one_of));
+    all_.push_back({0, 0, Operation::any_of, 0, false, known, static_cast<std::uint32_t>(one_of_.size())});
     return static_cast<Id>(all_.size());
+}
+
+std::span<const Assumptions::Assumption> Assumptions::alternatives(const Assumption& assumption) const {
+    if (assumption.one_of == 0) return {};
+    return one_of_[assumption.one_of - 1].said;
+}
+
+/// Whether of each earlier list that speaks of the same value some comparison can still be true.
+bool Assumptions::leaves_alternatives(Id last) const {
+    const SymbolId subject = (*this)[last].subject;
+    const SymbolId other = (*this)[last].other;
+    std::size_t lists = 0;
+    for (Id id = (*this)[last].earlier; id != none && lists < most_lists; id = (*this)[id].earlier) {
+        const auto said = alternatives((*this)[id]);
+        const bool same_value = std::ranges::any_of(said, [&](const Assumption& each) {
+            return each.subject == subject || (!each.with_number && each.other == other);
+        });
+        if (!same_value) continue;
+        ++lists;
+        const auto& found = one_of_[(*this)[id].one_of - 1].found;
+        const bool one_is_left = std::ranges::any_of(found, [&](const Found& each) {
+            const auto made = make(last, each.operation, each.left, each.right);
+            return !made || !contradicts(made->assumption, *made->subject);
+        });
+        if (!one_is_left) return false;
+    }
+    return true;
 }
 
 bool Assumptions::contradicts(const Assumption& now, const Value& subject) const {

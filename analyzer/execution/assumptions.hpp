@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_set>
 #include <vector>
 
@@ -28,6 +29,14 @@ class Assumptions {
     [[nodiscard]] std::optional<Id> add(Id known, Operation operation, const dataflow::Value& left,
                                         const dataflow::Value& right);
 
+    /// A comparison that turned out true; for a vacancy test `right` is not looked at.
+    struct Found {
+        Operation operation;
+        dataflow::Value left, right;
+    };
+    /// All of `known`, and that one at least of these is true. No later decision makes all of them false.
+    [[nodiscard]] Id add_one_of(Id known, std::vector<Found> alternatives);
+
     void may_be_fraction(dataflow::SymbolId value) { fractions_.insert(value); }
 
     /// A value that something is assumed of.
@@ -38,16 +47,34 @@ class Assumptions {
         double number; ///< of the other side, where that is a constant
         bool with_number;
         Id earlier;
+        std::uint32_t one_of =
+            0; ///< one more than a place in a list of alternatives: it says that, and no more
     };
     [[nodiscard]] const Assumption& operator[](Id id) const { return all_[id - 1]; }
+    /// Those of which the assumption says that one is true; empty: it says something else.
+    [[nodiscard]] std::span<const Assumption> alternatives(const Assumption& assumption) const;
 
   private:
+    /// What the comparison says, of which value; nothing where it is decided, or nothing is known of a side.
+    struct Made {
+        Assumption assumption;
+        const dataflow::Value* subject;
+    };
+    [[nodiscard]] static std::optional<Made> make(Id known, Operation operation, const dataflow::Value& left,
+                                                  const dataflow::Value& right);
+    [[nodiscard]] bool leaves_alternatives(Id last) const;
     [[nodiscard]] bool contradicts(const Assumption& now, const dataflow::Value& subject) const;
     [[nodiscard]] bool shows_set(const Assumption& last, dataflow::SymbolId subject) const;
     [[nodiscard]] bool leaves_no_number(const Assumption& now, const dataflow::Value& subject) const;
 
     bool vacant_equals_zero_;
     std::vector<Assumption> all_;
+    /// Values of which one comparison at least is true, and what each of these says.
+    struct OneOf {
+        std::vector<Found> found;
+        std::vector<Assumption> said;
+    };
+    std::vector<OneOf> one_of_;
     std::unordered_set<dataflow::SymbolId> fractions_;
 };
 

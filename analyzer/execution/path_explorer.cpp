@@ -59,6 +59,7 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     ways_.clear();
     failed_.clear();
     visits_ = 0;
+    rounds_.forget_left_out();
     PathFound found;
     flow::NodeId from = 0;
     for (std::size_t each = 0; each < legs.size(); from = legs[each++].to)
@@ -87,6 +88,7 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     }
     work_ += visits_ * work_of_a_visit;
     if (arrived) found = path_gone();
+    found.may_miss = !arrived && rounds_.left_out();
     found.visits = visits_;
     return found;
 }

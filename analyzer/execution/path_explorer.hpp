@@ -25,7 +25,8 @@ struct PathFound {
     std::optional<std::vector<flow::EdgeId>> path; ///< from the program's start
     std::vector<std::size_t> ends;                 ///< of each leg: how many edges of the path lead there
     std::size_t visits = 0;                        ///< of nodes, that it took
-    bool gave_up = false; ///< none was found among as many as were tried; there may be one
+    bool gave_up = false;  ///< none was found among as many as were tried; there may be one
+    bool may_miss = false; ///< rounds of loops that can be gone were left out: there may be one
 };
 
 /// What it learns of the program serves the next search, which finds the same as a new explorer would.

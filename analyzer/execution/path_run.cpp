@@ -89,12 +89,15 @@ PathRun::Point PathRun::run_now(flow::NodeId node, Point point) {
     return point;
 }
 
+/// Or may: a program that it calls, a block that waits for the machine (G10), one that nobody can read.
 bool PathRun::stores_in_machine(const flow::Node& node) const {
-    for (Id i = node.effects.first; i < node.effects.first + node.effects.count; ++i)
-        if (const auto* assign = std::get_if<Assign>(&program_.effects[i].what);
-            assign != nullptr && !std::holds_alternative<Variable>(assign->target))
-            return true;
-    return false;
+    return std::ranges::any_of(program_.effects_in(node.effects), [](const Effect& effect) {
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        if (assign != nullptr) return !std::holds_alternative<Variable>(assign->target);
+        return std::holds_alternative<Call>(effect.what) ||
+               std::holds_alternative<Synchronise>(effect.what) ||
+               std::holds_alternative<UnreadableBlock>(effect.what);
+    });
 }
 
 // ---- decisions
@@ -116,6 +119,7 @@ std::optional<PathRun::Point> PathRun::along_now(flow::EdgeId id, const Point& a
 }
 
 bool PathRun::assume_switches(Point& point, const Switches& switches) {
+    if ((switches.on & switches.off) != 0) return false; // past one block of a level into another
     for (std::uint32_t level = 0; level < std::numeric_limits<std::uint16_t>::digits; ++level) {
         const bool on = (switches.on >> level & 1U) != 0;
         if (!on && (switches.off >> level & 1U) == 0) continue;
@@ -153,38 +157,54 @@ bool PathRun::assume(Point& point, const dataflow::State& before, ExpressionId c
     if (apply->operation == Operation::not_of) return assume(point, before, operands.front(), !holds);
     if (apply->operation == (holds ? Operation::any_of : Operation::all_of))
         return assume_some(point, before, operands, holds);
-    if (apply->operation != (holds ? Operation::all_of : Operation::any_of))
-        return assume_one(point, before, *apply, holds);
-    return std::ranges::all_of(operands,
-                               [&](ExpressionId operand) { return assume(point, before, operand, holds); });
+    if (apply->operation == (holds ? Operation::all_of : Operation::any_of))
+        return std::ranges::all_of(
+            operands, [&](ExpressionId operand) { return assume(point, before, operand, holds); });
+    const auto found = comparison_in(before, condition, holds);
+    return !found || assume_one(point, *found);
 }
 
 /// One of them at least turned out like this: where all others cannot, the last one did.
 bool PathRun::assume_some(Point& point, const dataflow::State& before, std::span<const ExpressionId> operands,
                           bool holds) {
+    constexpr std::size_t most = 8;
+    const bool few = operands.size() <= most;
     std::optional<Point> only;
+    std::size_t possible = 0;
+    std::vector<Assumptions::Found> alternatives;
     for (const ExpressionId operand : operands) {
         Point with = point;
         if (!assume(with, before, operand, holds)) continue;
-        if (only) return true; // nobody knows which
+        if (++possible > 1 && !few) return true;
         only = with;
+        if (auto found = comparison_in(before, operand, holds)) alternatives.push_back(*std::move(found));
     }
-    if (only) point = *only;
-    return only.has_value();
+    if (possible == 1) point = *only;
+    if (possible > 1 && alternatives.size() == possible)
+        point.assumed = assumptions_.add_one_of(point.assumed, std::move(alternatives));
+    return possible > 0;
 }
 
-bool PathRun::assume_one(Point& point, const dataflow::State& before, const Apply& apply, bool holds) {
-    const auto operands = program_.operands_of(apply);
-    const bool test = semantics::is_vacancy_test(apply.operation);
-    if (!test && !(dataflow::is_comparison(apply.operation) && operands.size() == 2)) return true;
-    const Operation operation = holds ? apply.operation : dataflow::opposite(apply.operation);
+std::optional<Assumptions::Found> PathRun::comparison_in(const dataflow::State& before,
+                                                         ExpressionId condition, bool holds) {
+    const auto* apply = std::get_if<Apply>(&program_.expressions[condition].node);
+    if (apply == nullptr) return std::nullopt;
+    const auto operands = program_.operands_of(*apply);
+    if (apply->operation == Operation::not_of) return comparison_in(before, operands.front(), !holds);
+    const bool test = semantics::is_vacancy_test(apply->operation);
+    if (!test && !(dataflow::is_comparison(apply->operation) && operands.size() == 2)) return std::nullopt;
     const Value left = transfer_.value_in(before, operands.front());
-    const Value right = test ? left : transfer_.value_in(before, operands.back());
-    const semantics::Truth truth =
-        test ? semantics::test_vacancy(operation, left)
-             : dataflow::compare(operation, left, right, program_.control->vacant_equals_zero);
+    return Assumptions::Found{holds ? apply->operation : dataflow::opposite(apply->operation), left,
+                              test ? left : transfer_.value_in(before, operands.back())};
+}
+
+bool PathRun::assume_one(Point& point, const Assumptions::Found& found) {
+    const semantics::Truth truth = semantics::is_vacancy_test(found.operation)
+                                       ? semantics::test_vacancy(found.operation, found.left)
+                                       : dataflow::compare(found.operation, found.left, found.right,
+                                                           program_.control->vacant_equals_zero);
     if (!truth.can_hold) return false;
-    const auto assumed = assumptions_.add(point.assumed, operation, left, right);
+    const auto assumed = assumptions_.add(point.assumed, found.operation, found.left, found.right);
     if (assumed) point.assumed = *assumed;
     return assumed.has_value();
 }
@@ -249,14 +269,15 @@ bool PathRun::can_be_seen(SymbolId id) const {
     return id == 0 || is_seen(id);
 }
 
-/// How large it is and whether it is vacant; which value it is counts only where something is assumed of it,
-/// or another variable has the same.
+/// How large it is, whether it is exact or vacant; which value it is counts only where something is assumed
+/// of it, or another variable has the same.
 std::uint64_t PathRun::print_of(std::uint32_t value) {
     if (value >= prints_.size()) prints_.resize(std::max<std::size_t>(value + 1, 2 * prints_.size()), 0);
     std::uint64_t& print = prints_[value];
     if (print != 0) return print;
     const Value& of = states_.table().values[value];
-    print = dataflow::mix(static_cast<std::uint64_t>(of.vacancy), std::bit_cast<std::uint64_t>(of.low));
+    print = dataflow::mix(static_cast<std::uint64_t>(of.vacancy), static_cast<std::uint64_t>(of.exactness));
+    print = dataflow::mix(print, std::bit_cast<std::uint64_t>(of.low));
     return print = dataflow::mix(print, std::bit_cast<std::uint64_t>(of.high)) | 1U;
 }
 
@@ -296,12 +317,28 @@ std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable>
         });
     for (Assumptions::Id id = point.assumed; id != Assumptions::none; id = assumptions_[id].earlier) {
         const Assumptions::Assumption& assumption = assumptions_[id];
-        if (!can_be_seen(assumption.subject) || !can_be_seen(assumption.other)) continue;
-        print = dataflow::mix(print, dataflow::side_by_side(assumption.subject, assumption.other));
-        print = dataflow::mix(print, std::bit_cast<std::uint64_t>(assumption.number));
-        print = dataflow::mix(print, static_cast<std::uint64_t>(assumption.operation));
+        const auto alternatives = assumptions_.alternatives(assumption);
+        // One that cannot be seen again stays possible, and the others may be false.
+        if (!std::ranges::all_of(alternatives, [&](const auto& each) { return counts(each); })) continue;
+        if (alternatives.empty()) print_assumption(print, assumption);
+        for (const Assumptions::Assumption& each : alternatives) {
+            print = dataflow::mix(print, alternatives.size()); // not as if each were true
+            print_assumption(print, each);
+        }
     }
     return print;
+}
+
+/// Whether a later decision may contradict it.
+bool PathRun::counts(const Assumptions::Assumption& assumption) const {
+    return can_be_seen(assumption.subject) && can_be_seen(assumption.other);
+}
+
+void PathRun::print_assumption(std::uint64_t& print, const Assumptions::Assumption& assumption) const {
+    if (!counts(assumption)) return;
+    print = dataflow::mix(print, dataflow::side_by_side(assumption.subject, assumption.other));
+    print = dataflow::mix(print, std::bit_cast<std::uint64_t>(assumption.number));
+    print = dataflow::mix(print, static_cast<std::uint64_t>(assumption.operation));
 }
 
 } // namespace maclint::execution

@@ -88,8 +88,10 @@ class PathRun {
                               bool holds);
     [[nodiscard]] bool assume_some(Point& point, const dataflow::State& before,
                                    std::span<const ExpressionId> operands, bool holds);
-    [[nodiscard]] bool assume_one(Point& point, const dataflow::State& before, const Apply& apply,
-                                  bool holds);
+    [[nodiscard]] bool assume_one(Point& point, const Assumptions::Found& found);
+    /// The comparison or vacancy test that a condition is, where that turned out so; NOT is looked through.
+    [[nodiscard]] std::optional<Assumptions::Found> comparison_in(const dataflow::State& before,
+                                                                  ExpressionId condition, bool holds);
     /// What a decision can ask of the value with this number in the table.
     [[nodiscard]] std::uint64_t print_of(std::uint32_t value);
     /// As the value of the variable at that place of a list; returns the place where it was seen first.
@@ -98,6 +100,8 @@ class PathRun {
         return id < seen_.size() && seen_[id].in == fingerprints_;
     }
     [[nodiscard]] bool can_be_seen(dataflow::SymbolId id) const;
+    [[nodiscard]] bool counts(const Assumptions::Assumption& assumption) const;
+    void print_assumption(std::uint64_t& print, const Assumptions::Assumption& assumption) const;
 
     const Program& program_;
     const flow::Graph& graph_;

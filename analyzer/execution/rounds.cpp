@@ -114,6 +114,7 @@ const Rounds::Cycle& Rounds::through(flow::NodeId node) {
 
 bool Rounds::entered_aside(flow::NodeId node) {
     const std::vector<bool>& aside = nesting().entered_aside;
+    left_out_ = left_out_ || nesting_->too_many;
     return !aside.empty() && aside[node];
 }
 
@@ -126,7 +127,10 @@ const Rounds::Nesting& Rounds::nesting() {
     if (!nesting_) {
         nesting_ = find_nesting();
         const auto count = static_cast<std::size_t>(std::ranges::count(nesting_->entered_aside, true));
-        if (count * graph_.nodes.size() > most_asked) nesting_->entered_aside.clear();
+        if (count * graph_.nodes.size() > most_asked) {
+            nesting_->entered_aside.clear();
+            nesting_->too_many = true;
+        }
     }
     return *nesting_;
 }
@@ -184,7 +188,10 @@ bool Rounds::is_entered_aside(const Loop& loop, const flow::Components& componen
 const Changes* Rounds::changes_of(const Cycle& cycle, std::span<const flow::NodeId> barred) {
     const auto is_barred = [&](flow::NodeId node) { return std::ranges::binary_search(barred, node); };
     if (!barred.empty()) measured_ += cycle.nodes.size();
-    return cycle.nodes.empty() || std::ranges::any_of(cycle.nodes, is_barred) ? nullptr : &cycle.changes;
+    if (cycle.nodes.empty()) return nullptr;
+    if (std::ranges::none_of(cycle.nodes, is_barred)) return &cycle.changes;
+    left_out_ = true;
+    return nullptr;
 }
 
 void Rounds::find_changes(Cycle& cycle, flow::NodeId at) {

@@ -48,6 +48,10 @@ class Rounds {
     [[nodiscard]] const std::vector<flow::NodeId>* not_passed() const { return not_passed_; }
     /// Whether all paths from the program's start to the node pass the heads of all loops around it.
     [[nodiscard]] bool heads_are_passed(flow::NodeId node) { return !entered_aside(node); }
+    /// Whether rounds that can be gone were left out of an answer, so that paths may be missed: a barred node
+    /// stands in their cycle, or loops are too many.
+    [[nodiscard]] bool left_out() const { return left_out_; }
+    void forget_left_out() { left_out_ = false; }
     /// How many nodes were looked at so far.
     [[nodiscard]] std::size_t measured() const { return measured_; }
 
@@ -99,9 +103,10 @@ class Rounds {
     /// Whether a path may come to the node inside a loop whose head it has not passed.
     [[nodiscard]] bool entered_aside(flow::NodeId node);
     struct Nesting {
-        std::vector<bool> entered_aside; ///< of every node; empty: none is
+        std::vector<bool> entered_aside; ///< of every node; empty: none is, or nobody asks
         /// Of every node, see head_around; empty: there are no loops.
         std::vector<std::optional<flow::NodeId>> head_around;
+        bool too_many = false; ///< to ask of each node on each path whether it is entered aside
     };
     [[nodiscard]] const Nesting& nesting();
     [[nodiscard]] Nesting find_nesting() const;
@@ -123,6 +128,7 @@ class Rounds {
     std::vector<bool> passed_;                              ///< kept for its memory
     std::vector<flow::NodeId> in_the_way_;                  ///< see there
     const std::vector<flow::NodeId>* not_passed_ = nullptr; ///< see there
+    bool left_out_ = false;                                 ///< see there
     std::size_t measured_ = 0;
 };
 

@@ -32,7 +32,9 @@ bool is_part_of(const flow::Node& node, const flow::Node& of) {
 /// Whether the edge leads on in the text, past nothing but skipped blocks if past any; adds their levels.
 bool passes_by(const Program& program, const flow::Graph& graph, const flow::Edge& edge,
                std::uint16_t& levels) {
-    if (edge.jump || edge.to <= edge.from || is_mark(program, graph.nodes[edge.from])) return false;
+    const bool leads_on = edge.kind == flow::EdgeKind::next || edge.kind == flow::EdgeKind::skip ||
+                          edge.kind == flow::EdgeKind::branch;
+    if (!leads_on || edge.to <= edge.from || is_mark(program, graph.nodes[edge.from])) return false;
     for (flow::NodeId node = edge.from + 1; node < edge.to; ++node) {
         if (is_part_of(graph.nodes[node], graph.nodes[edge.from])) continue;
         const std::uint16_t skipped = levels_of(program, graph.nodes[node]);

@@ -14,6 +14,8 @@ namespace {
 
 /// So many tests before a condition are looked at for what decides it.
 constexpr std::size_t most_tests_before = 1000;
+/// And so many nodes on the paths from these to the condition, in all.
+constexpr std::size_t most_nodes_before = 2500;
 
 const Guarded* guarded_by(const Program& program, EffectId effect) {
     return std::get_if<Guarded>(&program.effects[effect].what);
@@ -152,9 +154,10 @@ Reason reason_for(const ProgramAnalysis& analysis, const dataflow::Condition& co
     }
     const auto comparisons = analysis.facts().all<dataflow::Comparison>();
     auto other = std::ranges::lower_bound(comparisons, condition.node, {}, &dataflow::Comparison::node);
-    for (std::size_t i = 0; i < most_tests_before && other != comparisons.begin(); ++i) {
+    std::size_t nodes_left = most_nodes_before;
+    for (std::size_t i = 0; i < most_tests_before && nodes_left > 0 && other != comparisons.begin(); ++i) {
         --other;
-        if (decides(analysis, *other, condition)) return tested(other->expression);
+        if (decides(analysis, *other, condition, nodes_left)) return tested(other->expression);
     }
     return {Reason::Kind::unknown, {}, 0, {}, {}};
 }

@@ -23,7 +23,6 @@ using semantics::AbstractValue;
 using semantics::Truth;
 
 constexpr int most_nodes = 64; ///< of a row of guards
-constexpr std::size_t most_nodes_on_the_way = 10'000;
 
 /// A number of the text.
 bool has_number_on_right(const Program& program, const Comparison& comparison) {
@@ -57,14 +56,14 @@ std::optional<bool> outcome_after(const ProgramAnalysis& analysis, const Compari
 }
 
 /// How the comparison turned out on every path from it to the node; nothing where it may be either, is but a
-/// part of a condition, or where that is a long way.
+/// part of a condition, or where `nodes_left` to look at are too few.
 std::optional<bool> outcome_on_the_way(const ProgramAnalysis& analysis, const Comparison& comparison,
-                                       flow::NodeId node) {
+                                       flow::NodeId node, std::size_t& nodes_left) {
     const WorkLimit::Pause pause; // it has a bound of its own
-    std::size_t met = 0;
     Truth outcome{false, false};
     flow::walk<flow::Direction::backward>(analysis.graph(), {node}, [&](flow::EdgeId id, flow::NodeId from) {
-        if (!analysis.data().passable(id) || ++met > most_nodes_on_the_way) return flow::Step::refuse;
+        if (nodes_left == 0 || !analysis.data().passable(id)) return flow::Step::refuse;
+        --nodes_left;
         if (from != comparison.node) return flow::Step::go_on;
         const flow::Edge& edge = analysis.graph().edges[id];
         const bool is_all = edge.condition == comparison.expression;
@@ -72,7 +71,7 @@ std::optional<bool> outcome_on_the_way(const ProgramAnalysis& analysis, const Co
         outcome.can_fail |= !is_all || !edge.holds;
         return flow::Step::refuse; // the other edge may lead here, too
     });
-    if (met > most_nodes_on_the_way || outcome.can_hold == outcome.can_fail) return std::nullopt;
+    if (nodes_left == 0 || outcome.can_hold == outcome.can_fail) return std::nullopt;
     return outcome.can_hold;
 }
 
@@ -201,8 +200,8 @@ std::optional<GuardBefore> guard_that_decides(const ProgramAnalysis& analysis,
     return Row(analysis, condition).find();
 }
 
-bool decides(const ProgramAnalysis& analysis, const Comparison& earlier,
-             const dataflow::Condition& condition) {
+bool decides(const ProgramAnalysis& analysis, const Comparison& earlier, const dataflow::Condition& condition,
+             std::size_t& nodes_left) {
     if (!has_number_on_right(analysis.program(), earlier)) return false;
     std::optional<std::optional<bool>> outcome; // nothing: nobody has asked
     for (const Comparison& later : analysis.facts().at<Comparison>(condition.effect)) {
@@ -210,7 +209,7 @@ bool decides(const ProgramAnalysis& analysis, const Comparison& earlier,
             continue;
         for (const bool holds : {true, false}) {
             if (outcome_after(analysis, earlier, holds, later) != later.truth.can_hold) continue;
-            if (!outcome) outcome = outcome_on_the_way(analysis, earlier, condition.node);
+            if (!outcome) outcome = outcome_on_the_way(analysis, earlier, condition.node, nodes_left);
             if (*outcome == holds) return true;
         }
     }

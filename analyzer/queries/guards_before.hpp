@@ -24,9 +24,10 @@ struct GuardBefore {
                                                             const dataflow::Condition& condition);
 
 /// Whether the earlier comparison with a number turned out the same on every path from it to the condition,
-/// and what it says of the value makes a comparison of the condition what it always is.
+/// and what it says of the value makes a comparison of the condition what it always is. Looks at no more than
+/// `nodes_left` nodes, and takes those off.
 [[nodiscard]] bool decides(const ProgramAnalysis& analysis, const dataflow::Comparison& earlier,
-                           const dataflow::Condition& condition);
+                           const dataflow::Condition& condition, std::size_t& nodes_left);
 
 /// Arguments that the program uses as the call gives them, and that none of its conditions asks for; in the
 /// order of their numbers.

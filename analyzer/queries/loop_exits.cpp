@@ -30,7 +30,7 @@ bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return true;
 }
 
-/// By a return or a program end under a condition.
+/// By a return, a program end or whatever else a condition in it leads to.
 bool is_left_in_its_body(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return std::ranges::any_of(loop.exit_edges, [&](flow::EdgeId id) {
         return analysis.graph().edges[id].from != loop.head && analysis.data().passable(id);

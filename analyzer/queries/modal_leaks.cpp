@@ -34,8 +34,31 @@ bool may_set(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write,
     return set == nullptr || set->letter == analysis.control().groups[group].letter;
 }
 
-/// The nodes after which the group may be something else, sorted: words that set it, or may, and calls.
-std::vector<flow::NodeId> changes_of(const ProgramAnalysis& analysis, GroupId group) {
+/// A word whose value is a number: one that is vacant would be ignored.
+bool surely_sets(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write) {
+    const auto* set = std::get_if<SetModal>(&analysis.program().effects[write.effect].what);
+    return write.group && set != nullptr &&
+           std::holds_alternative<Literal>(analysis.program().expressions[set->value].node);
+}
+
+enum class Change : std::uint8_t { sure, possible };
+
+/// Whether the call changes the group, or may.
+bool changes_group(const ProgramAnalysis& analysis, const dataflow::CallMade& made, GroupId group,
+                   Change wanted) {
+    const CallSite* site = analysis.call_at(made.effect);
+    const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(analysis, *site);
+    if (!made.known || callee == nullptr) return wanted == Change::possible;
+    const auto& changes = callee->summary().groups;
+    const auto change = std::ranges::find(changes, group, &dataflow::GroupChange::group);
+    if (change == changes.end() || wanted == Change::possible) return change != changes.end();
+    const auto* call = std::get_if<Call>(&analysis.program().effects[made.effect].what);
+    return call != nullptr && !change->may_keep && flow::surely_runs(analysis.program(), *call) &&
+           analysis.control().calls[call->kind].trigger == CallTrigger::once;
+}
+
+/// The nodes after which the group is something else, or may be, sorted: words that set it and calls.
+std::vector<flow::NodeId> changes_of(const ProgramAnalysis& analysis, GroupId group, Change wanted) {
     const flow::Graph& graph = analysis.graph();
     std::vector<flow::NodeId> nodes;
     for (flow::NodeId node = 0; node < graph.nodes.size(); ++node)
@@ -45,15 +68,10 @@ std::vector<flow::NodeId> changes_of(const ProgramAnalysis& analysis, GroupId gr
                                       if (setting.group == group) nodes.push_back(node);
                                   });
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>())
-        if (may_set(analysis, write, group)) nodes.push_back(write.node);
-    for (const dataflow::CallMade& call : analysis.facts().all<dataflow::CallMade>()) {
-        const CallSite* site = analysis.call_at(call.effect);
-        const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(analysis, *site);
-        if (!call.known || callee == nullptr ||
-            std::ranges::find(callee->summary().groups, group, &dataflow::GroupChange::group) !=
-                callee->summary().groups.end())
-            nodes.push_back(call.node);
-    }
+        if (may_set(analysis, write, group) && (wanted == Change::possible || surely_sets(analysis, write)))
+            nodes.push_back(write.node);
+    for (const dataflow::CallMade& call : analysis.facts().all<dataflow::CallMade>())
+        if (changes_group(analysis, call, group, wanted)) nodes.push_back(call.node);
     std::ranges::sort(nodes);
     return nodes;
 }
@@ -119,27 +137,33 @@ class LeftState {
         return place(last_->part) < place(part);
     }
 
-    /// Whether a path leads from there to the exit on which nothing changes the group, or may. Where
-    /// something unknown may have changed it, a search that gives up tells nothing, and of a feed or speed
-    /// that is asked only where the program keeps its callers' state.
+    /// Whether a path leads from there to the exit on which nothing changes the group. Where something
+    /// unknown may have changed it, the path must lead around that, too, a search that gives up tells
+    /// nothing, and of a feed or speed that is asked only where the program keeps its callers' state.
     [[nodiscard]] bool lasts(const dataflow::ModalPart& part, const dataflow::ExitState& exit,
                              bool may_be_changed) {
         if (analysis_.program().has_several_channels()) return !may_be_changed;
         if (may_be_changed && is_value_ && !answers_for_calls_) return false;
-        if (!changes_) changes_ = changes_of(analysis_, group_);
+        const auto& changes = changes_around(may_be_changed ? Change::possible : Change::sure);
         const flow::NodeId set = node_of_origin(analysis_, part.origin);
         const flow::NodeId end = exit.exit.node;
-        if (set != end && std::ranges::binary_search(*changes_, end)) return !may_be_changed;
+        if (set != end && std::ranges::binary_search(changes, end)) return !may_be_changed;
         const auto found = execution::PathSearch(analysis_).find(
-            std::array{execution::Leg{set, {}}, execution::Leg{end, *changes_}});
-        return found.path || (found.gave_up && !may_be_changed);
+            std::array{execution::Leg{set, {}}, execution::Leg{end, changes}});
+        return found.path || (!may_be_changed && (found.gave_up || found.may_miss));
+    }
+
+    const std::vector<flow::NodeId>& changes_around(Change wanted) {
+        auto& changes = wanted == Change::sure ? sure_changes_ : possible_changes_;
+        if (!changes) changes = changes_of(analysis_, group_, wanted);
+        return *changes;
     }
 
     const ProgramAnalysis& analysis_;
     GroupId group_;
     const IsFault& is_fault_;
     bool is_value_, answers_for_calls_;
-    std::optional<std::vector<flow::NodeId>> changes_;
+    std::optional<std::vector<flow::NodeId>> sure_changes_, possible_changes_;
     std::optional<ModalLeak> last_;
     bool elsewhere_right_ = false;
 };

@@ -69,7 +69,7 @@ bool is_shared_and_uninitialised(const ProgramAnalysis& analysis, Variable varia
     return space.scope == Scope::shared && space.initial_value == InitialValue::undefined;
 }
 
-/// Whether the program has found out by DEF or NDEF that it holds a value.
+/// Whether it holds a value when the loop tests it, as DEF and NDEF find out.
 bool is_known_to_be_set(const ProgramAnalysis& analysis, const queries::Counter& counter) {
     const dataflow::Comparison& test = *counter.tests.front().comparison;
     const bool on_left =

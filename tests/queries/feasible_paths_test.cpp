@@ -363,6 +363,18 @@ TEST(FeasiblePaths, SeveralComparisonsTurnOutTheSameWhenTheyAreAskedAgain) {
     EXPECT_TRUE(reads("[#501EQ1]OR[#502EQ2]", "[#501EQ1]AND[#502EQ2]"));
 }
 
+TEST(FeasiblePaths, WhatTheMachineHoldsMayBeAnotherAfterACallAndAfterG10) {
+    const auto reads = [](const std::string& between) {
+        const std::string both = "[#5221EQ1]AND[#502EQ#503]";
+        return reaches_uninitialised(
+            "IF[" + both + "]GOTO10\n#5=1\nN10\n" + between + "IF[" + both + "]GOTO20\nG0Z#5\nN20", 5);
+    };
+    EXPECT_FALSE(reads("G0X1.\n"));
+    EXPECT_TRUE(reads("G10L2P1X1.\n"));
+    EXPECT_TRUE(reads("G65P7777\n"));
+    EXPECT_TRUE(reads("#5221=2\n"));
+}
+
 TEST(FeasiblePaths, TheOppositeOfSeveralComparisonsTurnsOutOtherwise) {
     const auto reads = [](const std::string& first, const std::string& opposite) {
         return reaches_uninitialised("IF[" + first + "]GOTO10\n#5=1\nN10 G0X1.\nIF[" + opposite +
@@ -386,6 +398,28 @@ TEST(FeasiblePaths, OfSeveralComparisonsTheOneThatIsLeftDecides) {
     EXPECT_TRUE(reaches_uninitialised(both + "IF[#502GT#503]GOTO15\nGOTO20\nN15G0Z#5\nN20", 5));
 }
 
+TEST(FeasiblePaths, SeveralComparisonsAreNotAllDecidedAgainstLaterOneByOne) {
+    const auto reads = [](const std::string& first, const std::string& later,
+                          const std::string& between = "") {
+        return reaches_uninitialised(
+            "IF[" + first + "]GOTO10\n#5=1\nN10G0X1.\n" + between + later + "G0Z#5\nN20", 5);
+    };
+    const std::string both_set = "IF[#501EQ#0]GOTO20\nIF[#502EQ#0]GOTO20\n";
+    EXPECT_FALSE(reads("[#501EQ#0]OR[#502EQ#0]", both_set));
+    EXPECT_FALSE(reads("[#501EQ1]OR[#502GT#503]", "IF[#502GT#503]GOTO20\nIF[#501EQ1]GOTO20\n"));
+    EXPECT_FALSE(reads("[#501LT5]OR[#501GE10]", "IF[#501LT3]GOTO20\nIF[#501GT12]GOTO20\nIF[#501LT5]GOTO20\n"
+                                                "IF[#501GE10]GOTO20\n"));
+    EXPECT_TRUE(reads("[#501EQ#0]OR[#502EQ#0]", "IF[#501EQ#0]GOTO20\n"));
+    EXPECT_TRUE(reads("[#501EQ#0]OR[#502EQ#0]", both_set, "#502=1\n"));
+    EXPECT_TRUE(reads("[#501EQ1]OR[#502EQ2]", "IF[#501EQ1]GOTO20\nIF[#502EQ3]GOTO20\n"));
+    EXPECT_TRUE(reads("[#501EQ#0]OR[#502EQ#0]OR[#503EQ#0]", both_set));
+    // What fails with both set is tried again where one may be vacant.
+    EXPECT_TRUE(reaches_uninitialised("IF[#504EQ1]GOTO5\nIF[[#501EQ#0]OR[#502EQ#0]]GOTO8\nGOTO20\nN5G0X1.\n"
+                                      "N8G0X2.\n" +
+                                          both_set + "G0Z#5\nN20",
+                                      5));
+}
+
 TEST(FeasiblePaths, TheSwitchOfALevelStaysAsItIs) {
     // Passed by here is passed by there; each of two levels has a switch of its own.
     EXPECT_FALSE(reaches_uninitialised("G0X1.\n/#5=1\nG0X2.\n/G0Z#5\n", 5));
@@ -397,6 +431,9 @@ TEST(FeasiblePaths, TheSwitchOfALevelStaysAsItIs) {
     EXPECT_FALSE(reaches_uninitialised("G0X1.\n/GOTO2\n#5=1\nN2\n/GOTO3\nG0Z#5\nN3\n", 5));
     EXPECT_TRUE(reaches_uninitialised("G0X1.\n/IF[#501EQ1]GOTO2\n#5=1\nN2\n/G0X2.\nG0Z#5\n", 5));
     EXPECT_TRUE(reaches_uninitialised("IF[#501EQ1]GOTO3\n/#5=1\nN3G0Z#5\n", 5));
+    EXPECT_TRUE(reaches_uninitialised("IF[#501EQ1GOTO3\n/#5=1\nN3G0X1.\n/G0Z#5\n", 5)); // nobody can read it
+    EXPECT_FALSE(reaches_uninitialised("/#5=1\n/G0Z#5\n", 5));
+    EXPECT_FALSE(reaches_uninitialised("G0X1.\n/#5=1\n/IF[#501EQ1]GOTO3\n/G0Z#5\nN3\n", 5));
 }
 
 TEST(FeasiblePaths, WhatRoundsChangeByAFractionIsComparedAsAFraction) {

@@ -102,6 +102,29 @@ TEST(ModalState, SwitchedOnAndOffUnderOneConditionIsNotLeft) {
     EXPECT_THAT(lines_raised("MAC502", "O9001\nG1F#9\n/G41D1X1.\nX2.\n/2G40X3.\nM99\n"), ElementsAre(3));
 }
 
+TEST(ModalState, ThatNoSearchCanFollowThroughALoopIsLeft) {
+    // The head of the loop sets it, and the rounds come over it.
+    EXPECT_THAT(lines_raised("MAC501", "O9001\n#24=0\nN13G91X1.\n#24=#24+1\nIF[#24LT3]GOTO13\nM99\n"),
+                ElementsAre(3));
+    // A block of the loop may put it back, and may be passed by in each round.
+    EXPECT_THAT(lines_raised("MAC501", "O9001\n#1=0\nG91\nWHILE[#1LT5]DO1\nIF[#7NE1]GOTO2\nG90\nN2G0X1.\n"
+                                       "#1=#1+1\nEND1\nM99\n"),
+                ElementsAre(3));
+}
+
+TEST(ModalState, ThatACalledProgramOnlyMayPutBackIsLeft) {
+    const auto raised = [](const std::string& call, const std::string& callee) {
+        return lines_raised("MAC501", "O9001\nG91\n" + call + "G0X1.\nM99\nO9002\n" + callee + "N1M99\n");
+    };
+    EXPECT_THAT(raised("M98P9002\n", "IF[#500EQ1]GOTO1\nG90\n"), ElementsAre(2));
+    EXPECT_THAT(raised("M98P9002L#7\n", "G90\n"), ElementsAre(2));
+    EXPECT_THAT(raised("M98P9002\n", "G90\n"), IsEmpty());
+    // Paired: what the caller sets, the called program puts back under the same condition.
+    EXPECT_THAT(lines_raised("MAC501", "O9001\nIF[#500EQ1]GOTO1\nG91\nN1G0X1.\nIF[#500EQ1]GOTO2\nM98P9002\n"
+                                       "N2M99\nO9002\nG90\nM99\n"),
+                IsEmpty());
+}
+
 TEST(ModalState, LeftByACalledProgramIsThatPrograms) {
     EXPECT_THAT(lines_raised("MAC501", "O9001\nG65 P9002\nM99\nO9002\nG91\nG0 X1\nM99\n"), ElementsAre(5));
 }

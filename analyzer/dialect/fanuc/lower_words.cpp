@@ -271,12 +271,16 @@ void BlockLowering::lower_subprogram_call(CallKindId kind, const NcWord& code, s
 
 /// At the P, where one stands there without its number.
 void BlockLowering::report_missing_program(const NcWord& code, std::span<const NcWord> words) {
-    const auto names_one = [&](const Node& node) { return is_remark(node) && names_a_file(text(node)); };
-    if (std::ranges::any_of(tree_->nodes, names_one)) return;
+    const auto names_one = [&](const Node& node) {
+        return is_remark(node) && node.span.begin > code.node->span.begin && names_a_file(text(node));
+    };
     const auto empty = std::ranges::find_if(
         words, [](const NcWord& word) { return word.letter == 'P' && !word.comma && !word.value; });
     Span place = span(*code.node);
-    if (empty != words.end()) place = {span(*empty->node).begin, span(*empty->node).begin + 1};
+    if (empty != words.end())
+        place = {span(*empty->node).begin, span(*empty->node).begin + 1};
+    else if (std::ranges::any_of(tree_->nodes, names_one))
+        return;
     syntax_errors_.push_back(
         {SyntaxErrorKind::call_without_program, place, std::string(text(*code.node)), "P"});
 }
