@@ -27,11 +27,14 @@ std::vector<double> starts_of(const ProgramAnalysis& analysis, const dataflow::L
     return starts;
 }
 
-/// The bound stands between two steps, so that no error can reach it: WHILE[#1LT1.05] with steps of 0.1.
+/// The bound stands between two steps, so that no error can reach it: WHILE[#1LT1.05] with steps of 0.1, and
+/// 9.9999 as well, as long as they are not too many.
 bool has_room(double bound, double start, double step) {
     const double steps = (bound - start) / step;
-    constexpr double room = 0.005; // 10.001 with steps of 0.1 has twice as much
-    return std::abs(steps - std::round(steps)) > room;
+    constexpr double rounding = 5e-8; // of one sum, times its size: half of the last of eight digits
+    constexpr double most_room = 0.25;
+    const double error = std::abs(steps) * rounding * std::max(std::abs(bound), std::abs(start));
+    return std::abs(steps - std::round(steps)) > std::min(error / std::abs(step), most_room);
 }
 
 /// [#2+0.001]: somebody thought of it. What is no part of a step is no tolerance.

@@ -67,6 +67,16 @@ const std::vector<flow::NodeId>& Lasting::setting(GroupId group, Channels channe
     return known->second;
 }
 
+namespace {
+
+/// Of a program in one channel find_modal_leaks asks for a path.
+bool lasts_in_its_channels(const ProgramAnalysis& analysis, Lasting& lasting, const dataflow::ExitState& exit,
+                           GroupId group, const dataflow::ModalPart& part) {
+    return !analysis.program().has_several_channels() || lasting.until(exit.exit.node, group, part);
+}
+
+} // namespace
+
 std::vector<ModalLeak> left_at_return(const ProgramAnalysis& analysis) {
     if (analysis.is_main()) return {};
     Lasting lasting(analysis);
@@ -74,7 +84,8 @@ std::vector<ModalLeak> left_at_return(const ProgramAnalysis& analysis) {
         analysis, RestorePolicy::own_rule,
         [&](const ModalGroup& group, GroupId id, const dataflow::ExitState& exit, const auto& part) {
             return group.cancel && returns(analysis, exit.exit.kind) &&
-                   is_switched_on(analysis, group, part) && lasting.until(exit.exit.node, id, part) &&
+                   is_switched_on(analysis, group, part) &&
+                   lasts_in_its_channels(analysis, lasting, exit, id, part) &&
                    (!group.for_callers || is_left_by_a_caller(analysis, id));
         });
 }
@@ -85,7 +96,8 @@ std::optional<ModalLeak> left_at_end(const ProgramAnalysis& analysis, ModalRole 
         analysis, RestorePolicy::own_rule,
         [&](const ModalGroup& group, GroupId id, const dataflow::ExitState& exit, const auto& part) {
             return group.role == role && group.cancel && ends(analysis, exit.exit.kind) &&
-                   is_switched_on(analysis, group, part) && lasting.until(exit.exit.node, id, part);
+                   is_switched_on(analysis, group, part) &&
+                   lasts_in_its_channels(analysis, lasting, exit, id, part);
         });
     if (leaks.empty()) return std::nullopt;
     return leaks.front();

@@ -8,12 +8,24 @@
 
 namespace maclint::queries {
 
+namespace {
+
+/// Another test ends the loop at a number: a search through a table, which asks whether it is at its end.
+bool ends_at_a_number(const Counter& counter) {
+    return std::ranges::any_of(counter.tests, [](const CounterTest& test) {
+        return test.bound_value->constant() && test.stays != Operation::equal &&
+               test.stays != Operation::not_equal;
+    });
+}
+
+} // namespace
+
 std::vector<UncheckedBound> unchecked_bounds(const ProgramAnalysis& analysis) {
     std::vector<UncheckedBound> found;
     std::optional<OperandRisks> risks;
     for (const dataflow::Loop& loop : analysis.loops()) {
         const auto counter = counter_of(analysis, loop);
-        if (!counter) continue;
+        if (!counter || ends_at_a_number(*counter)) continue;
         for (const CounterTest& test : counter->tests) {
             const auto reads = analysis.facts().at<dataflow::Read>(test.comparison->effect);
             const auto read = std::ranges::find(reads, test.bound, &dataflow::Read::expression);

@@ -77,6 +77,20 @@ bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& 
     });
 }
 
+std::optional<ExpressionId> condition_never_met(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    const bool is_closed = any_within_limit(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
+        return cycle.head == loop.head && !cycle.exit_edges.empty();
+    });
+    if (!is_closed || loop.exit_edges.empty()) return std::nullopt;
+    const auto& condition = analysis.graph().edges[loop.exit_edges.front()].condition;
+    if (!condition || !waits(analysis, loop)) return condition;
+    const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), *condition);
+    const bool own = std::ranges::all_of(set.variables, [&](Variable variable) {
+        return analysis.control().spaces[variable.space].scope == Scope::frame;
+    });
+    return own ? condition : std::nullopt;
+}
+
 std::optional<std::vector<Variable>> unchanging_deciders(const ProgramAnalysis& analysis,
                                                          const dataflow::Loop& loop) {
     std::vector<Variable> deciders;

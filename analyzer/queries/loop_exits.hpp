@@ -38,6 +38,12 @@ namespace maclint::queries {
 [[nodiscard]] std::optional<std::vector<Variable>> unchanging_deciders(const ProgramAnalysis& analysis,
                                                                        const dataflow::Loop& loop);
 
+/// The first condition that would lead out of the loop, where none ever does though the loop changes what
+/// they ask: #1=0 stands in the loop that counts #1. Nothing where a stop may end it, or somebody else for
+/// whom it waits.
+[[nodiscard]] std::optional<ExpressionId> condition_never_met(const ProgramAnalysis& analysis,
+                                                              const dataflow::Loop& loop);
+
 /// Whether it is the condition of a loop of the text, and not of an IF.
 [[nodiscard]] bool is_loop_condition(const ProgramAnalysis& analysis, const dataflow::Condition& condition);
 

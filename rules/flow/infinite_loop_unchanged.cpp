@@ -1,14 +1,15 @@
 //! MAC319: nothing that decides whether a loop ends changes in it.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/loop_exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/listed.hpp"
+#include "rules/flow/endless_loop_words.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace maclint::rules {
 
@@ -20,13 +21,14 @@ extern const Rule infinite_loop_unchanged{
     .code = "MAC319",
     .name = "infinite-loop-unchanged",
     .aliases = "DIN406",
-    .summary = "Nothing that decides whether a loop ends changes in its body: once entered, it never ends",
+    .summary = "Nothing that decides whether a loop ends changes in its body, or never so that it ends",
     .why = "The control repeats the same moves until somebody presses reset, or stands still without an "
            "alarm when "
            "nothing in the loop moves.",
     .severity = Severity::error,
     .severity_elsewhere = {{"dinplus", Severity::warning}},
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::Store, dataflow::Comparison>(),
     .data_flow = true,
     .messages = {{"unchanged", "Endless loop: once '{0}' is entered, nothing in it changes {1}.",
                   "Change the variable in the loop, or leave the loop."},
@@ -34,6 +36,9 @@ extern const Rule infinite_loop_unchanged{
                   "Endless loop: '{0}' jumps to its own block, and nothing changes {1} there: the control "
                   "hangs without an alarm.",
                   "Correct the number of the jump, or change the variable."},
+                 {"never-met",
+                  "Endless loop: '{0}' never ends, because '{1}' turns out the same in every pass.",
+                  "Check what the loop sets its variables to."},
                  {"no-exit", "Endless loop: nothing leads out of '{0}'.",
                   "Count in a variable that its condition asks, or leave it."}},
     .bad = {{"fanuc", R"nc(
@@ -85,38 +90,16 @@ END
 
 namespace {
 
-std::string list(const Program& program, const std::vector<Variable>& variables) {
-    std::vector<std::string> names;
-    for (const Variable variable : variables) names.push_back(program.spell(variable));
-    return listed(names, " or ");
-}
-
-bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
-    const flow::Region* region = queries::region_of(analysis, loop);
-    return region != nullptr && region->region_kind == RegionKind::endless_loop;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const dataflow::Loop& loop : analysis.loops()) {
-        if (loop.can_stop) continue;
-        // A jump back without a condition and an exit repeats a program on purpose, as M99 does.
-        if (queries::is_endless_by_jumps(loop)) continue;
-        if (has_no_condition(analysis, loop)) continue; // MAC318 owns DO without WHILE
-        // MAC336 tells of cycles of jumps that nothing leaves, once for all paths back.
-        if (queries::is_in_endless_jumps(analysis, loop)) continue;
-        const auto deciders = queries::unchanging_deciders(analysis, loop);
-        if (!deciders) continue;
-        // MAC718 tells of a condition without variables, where nothing but the condition can end a loop.
-        if (deciders->empty() && !analysis.control().loops_left_by_jump) continue;
+        auto words = endless_loop_words(analysis, loop);
+        if (!words) continue;
         const auto by = queries::repeated_by(analysis, loop);
         const Span span = queries::span_of_repetition(analysis, loop);
-        const Cause cause = by ? Cause{analysis, *by} : Cause{analysis, span};
-        std::vector<std::string> words{quoted(analysis.program(), span)};
-        if (!deciders->empty()) words.push_back(list(analysis.program(), *deciders));
-        const bool own_block = !loop.region && loop.body.size() <= 2;
-        const std::string_view id = deciders->empty() ? "no-exit" : own_block ? "own-block" : "unchanged";
-        Finding& finding = reporter.report(cause, span, id, std::move(words));
-        trace_round(finding, analysis, loop, "and nothing has changed");
+        words->more.insert(words->more.begin(), quoted(analysis.program(), span));
+        Finding& finding = reporter.report(by ? Cause{analysis, *by} : Cause{analysis, span}, span, words->id,
+                                           std::move(words->more));
+        trace_round(finding, analysis, loop, words->again);
     }
 }
 

@@ -27,6 +27,20 @@ TEST(UnchangedLoop, EndsWhenItsBodyCanLeaveIt) {
     EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1LT5]DO1\nG0 X1\n/GOTO9\nEND1\nN9 M99\n"), IsEmpty());
 }
 
+TEST(InfiniteLoop, ThatSetsItsCounterBackInEachPassIsOne) {
+    EXPECT_THAT(messages_raised("MAC319", "O9001\n#1=0\nWHILE[#1LT5]DO1\n#1=0\nG0X1.\n#1=#1+1\nEND1\nM99\n"),
+                ElementsAre(HasSubstr("'[#1LT5]' turns out the same in every pass")));
+    EXPECT_THAT(lines_raised("MAC319", "O9001\n#1=0\nWHILE[#1LT5]DO1\nG0X1.\n#1=#1+1\nEND1\nM99\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC319", "O9001\n#1=0\nWHILE[#1LT5]DO1\n#1=#2\nG0X1.\n#1=#1+1\nEND1\nM99\n"),
+                IsEmpty());
+    // Somebody else may set #500 while the loop waits.
+    EXPECT_THAT(lines_raised("MAC319", "O9001\n#500=0\nWHILE[#500LT5]DO1\nG4P100\nEND1\nM99\n"), IsEmpty());
+    // Steps away from the end are MAC320's.
+    EXPECT_THAT(lines_raised("MAC319", "O9001\n#1=3\nWHILE[#1GT0]DO1\nG0X1.\n#1=#1+1\nEND1\nM99\n"),
+                IsEmpty());
+}
+
 TEST(UnchangedLoop, MayWaitForTheMachineOrForSomebodyElse) {
     EXPECT_THAT(lines_raised("MAC319", "O9001\nWHILE[#1004EQ0]DO1\nEND1\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC319", "O9001\nN1 IF[#890EQ3]GOTO2\nG04 P1000\nGOTO1\nN2 M99\n"), IsEmpty());
@@ -97,6 +111,11 @@ TEST(InexactCounter, IsHarmlessWhenExactClampedOrWithRoomAtItsEnd) {
                 IsEmpty());
     EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE10.001]DO1\n#33=#33+0.1\nEND1\nM99\n"),
                 IsEmpty());
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LT9.9999]DO1\n#33=#33+0.1\nEND1\nM99\n"),
+                IsEmpty());
+    // A thousand times as many steps add up to more than that.
+    EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LT9999.9999]DO1\n#33=#33+0.1\nEND1\nM99\n"),
+                ElementsAre(4));
     EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE1.05]DO1\n#33=#33+0.1\nEND1\nM99\n"),
                 IsEmpty());
     EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LE[#1+0.001]]DO1\n#33=#33+0.1\nEND1\nM99\n"),
@@ -148,7 +167,8 @@ TEST(InexactCounter, HasRoomWhereItsBoundIsBetweenTwoSteps) {
     EXPECT_EQ(of("1", "GT0.05", "-0.1"), 0U);
     EXPECT_EQ(of("0.5", "LE1.05", "+0.1"), 0U);
     EXPECT_EQ(of("0.55", "LE1.05", "+0.1"), 1U);
-    EXPECT_EQ(of("0", "LE1.0005", "+0.1"), 1U); // half a hundredth of a step is no room
+    EXPECT_EQ(of("0", "LE1.0005", "+0.1"), 0U);
+    EXPECT_EQ(of("0", "LE1.0000001", "+0.1"), 1U); // as much as the last digits of ten sums may make
     EXPECT_EQ(of("0", "LE1.002", "+0.1"), 0U);
     EXPECT_EQ(of("1", "GT[#1-0.05]", "-0.1"), 0U);
     EXPECT_EQ(of("1", "GT[#1-0.5]", "-0.1"), 1U);

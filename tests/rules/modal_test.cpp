@@ -240,6 +240,10 @@ TEST(Restore, FromAnotherKindOfWordIsReported) {
     EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4019\nG1 X1 F#9\nF#3\nM99\n"), ElementsAre(4));
     EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4107\nG1 X1 F#9\nF#3\nM99\n"), ElementsAre(4));
     EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4109\nG1 X1 F#9\nG#3\nM99\n"), ElementsAre(4));
+    // What the interrupted program had: the body of an interruption puts it back.
+    EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4403\n#4=#4509\nG91 G1 X1 F#9\nG#3 F#4\nM99\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC505", "O9001\n#4=#4519\nG1 X1 F#9\nF#4\nM99\n"), ElementsAre(4));
     EXPECT_THAT(lines_raised("MAC505", "O9001\n#3=#4109\n#4=#4003\nG91 G1 X1 F#9\nG#4 F#3\nM99\n"),
                 IsEmpty());
 }

@@ -369,6 +369,12 @@ TEST(TestOfAnOverwrittenVariable, IsNoneOfAVariableThatNoTableKnows) {
 TEST(MissingArgumentValidation, IsToldOfABoundThatNothingElseIsHeldAgainst) {
     const std::string loop = "#33=0\nWHILE[#33LT#3]DO1\n#33=#33+1.\nG1X#33\nEND1\nM99\n";
     EXPECT_THAT(judged("MAC604", "O9001\n" + loop), ElementsAre("note 3"));
+    // A search through 24 pockets ends there, whatever is looked for.
+    EXPECT_THAT(judged("MAC604", "O9001\n#1=1\nWHILE[#1LE24]DO1\nIF[#1EQ#20]GOTO2\n#1=#1+1\nEND1\n"
+                                 "#3000=1\nN2#149=#[600+#1]\nM99\n"),
+                IsEmpty());
+    EXPECT_THAT(judged("MAC604", "O9001\n#1=1\nWHILE[#1NE24]DO1\nIF[#1GE#20]GOTO2\n#1=#1+2\nEND1\nN2M99\n"),
+                ElementsAre("note 4"));
     EXPECT_THAT(judged("MAC604", "O9001\nIF[#3GT99]THEN#3000=1\n" + loop), IsEmpty());
     EXPECT_THAT(judged("MAC604", "O9001\nIF[#3EQ#0]THEN#3=9\n" + loop), IsEmpty());
     EXPECT_THAT(judged("MAC604", "O9001\nIF[#4EQ#0]THEN#3000=1\n" + loop), ElementsAre("note 4"));

@@ -108,7 +108,14 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 4309,   4309,  modal,   here,             feed,         forbidden, false, "feed F of the block being executed",      "T; MITSU-331"});
     add({ 4310,   4318,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
     add({ 4319,   4319,  modal,   here,             speed,        forbidden, false, "speed S of the block being executed",     "T; MITSU-331"});
-    add({ 4320,   4999,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-389"});
+    add({ 4320,   4400,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
+    append_modal(ranges, 4401, "modal G code of the interrupted program", group_twelve);
+    add({ 4423,   4430,  machine, here,             0,            forbidden, false, "modal G code of the interrupted program", "MITSU-389; T", false, true});
+    add({ 4431,   4508,  machine, here,             0,            forbidden, false, "modal value",                             "MITSU-389; T"});
+    add({ 4509,   4509,  modal,   here,             feed,         forbidden, false, "feed F of the interrupted program",       "MITSU-389; T"});
+    add({ 4510,   4518,  machine, here,             0,            forbidden, false, "modal value",                             "MITSU-389; T"});
+    add({ 4519,   4519,  modal,   here,             speed,        forbidden, false, "speed S of the interrupted program",      "MITSU-389; T"});
+    add({ 4520,   4999,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
     add({ 5000,   5020,  machine, here,             0,            forbidden, true,  "block end position",                      "SEED-001:1373"});
     add({ 5021,   5040,  machine, here,             0,            forbidden, true,  "machine position",                        "SEED-001:1374; MAN-AINANO", false, false, false, {}, axes});
     add({ 5041,   5060,  machine, here,             0,            forbidden, true,  "work position",                           "SEED-001:1375; MAN-AINANO", false, false, false, {}, axes});

@@ -1,0 +1,46 @@
+//! Chooses the message for a loop that never ends.
+#include "rules/flow/endless_loop_words.hpp"
+
+#include "analyzer/queries/loop_counter.hpp"
+#include "analyzer/queries/loop_exits.hpp"
+#include "rules/listed.hpp"
+#include "rules/path.hpp"
+
+namespace maclint::rules {
+namespace {
+
+std::string list(const Program& program, const std::vector<Variable>& variables) {
+    std::vector<std::string> names;
+    for (const Variable variable : variables) names.push_back(program.spell(variable));
+    return listed(names, " or ");
+}
+
+bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    const flow::Region* region = queries::region_of(analysis, loop);
+    return region != nullptr && region->region_kind == RegionKind::endless_loop;
+}
+
+} // namespace
+
+std::optional<EndlessLoopWords> endless_loop_words(const ProgramAnalysis& analysis,
+                                                   const dataflow::Loop& loop) {
+    if (loop.can_stop || queries::is_endless_by_jumps(loop) || has_no_condition(analysis, loop) ||
+        queries::is_in_endless_jumps(analysis, loop))
+        return std::nullopt;
+    const Program& program = analysis.program();
+    const auto deciders = queries::unchanging_deciders(analysis, loop);
+    if (!deciders) {
+        const auto condition = queries::condition_never_met(analysis, loop);
+        const auto counter = queries::counter_of(analysis, loop);
+        if (!condition || (counter && counter->clamps.empty())) return std::nullopt;
+        return EndlessLoopWords{
+            "never-met", {quoted(program, program.expressions[*condition].span)}, "and it is as before"};
+    }
+    if (deciders->empty() && !analysis.control().loops_left_by_jump) return std::nullopt;
+    const std::string again = "and nothing has changed";
+    if (deciders->empty()) return EndlessLoopWords{"no-exit", {}, again};
+    const bool own_block = !loop.region && loop.body.size() <= 2;
+    return EndlessLoopWords{own_block ? "own-block" : "unchanged", {list(program, *deciders)}, again};
+}
+
+} // namespace maclint::rules
