@@ -35,8 +35,10 @@ PathRun::PathRun(const ProgramAnalysis& analysis)
     , transfer_(program_, graph_, states_, analysis.data().callees())
     , assumptions_(program_.control->vacant_equals_zero)
     , skips_(program_, graph_) {
-    for (const Expression& expression : program_.expressions)
+    for (const Expression& expression : program_.expressions) {
         if (const auto* load = std::get_if<LoadModal>(&expression.node)) asked_groups_.push_back(load->group);
+        reads_by_index_ = reads_by_index_ || std::holds_alternative<LoadAt>(expression.node);
+    }
     std::ranges::sort(asked_groups_);
     asked_groups_.erase(std::ranges::unique(asked_groups_).begin(), asked_groups_.end());
     transfer_.follow_one_path();
@@ -84,16 +86,17 @@ PathRun::Point PathRun::run_now(flow::NodeId node, Point point) {
     point.state = transfer_.run(node, point.state);
     const flow::Node& n = graph_.nodes[node];
     if (acts(program_, n)) point.time.acted = node;
-    if (stores_in_machine(n)) point.time.stored = node;
+    if (may_store_in_machine(n)) point.time.stored = node;
     transfer_.set_machine_time(point.time);
     return point;
 }
 
-/// Or may: a program that it calls, a block that waits for the machine (G10), one that nobody can read.
-bool PathRun::stores_in_machine(const flow::Node& node) const {
-    return std::ranges::any_of(program_.effects_in(node.effects), [](const Effect& effect) {
+/// Or may: a program that it calls, a block that waits for the machine (G10), one that nobody can read; and
+/// any assignment in what an index reads.
+bool PathRun::may_store_in_machine(const flow::Node& node) const {
+    return std::ranges::any_of(program_.effects_in(node.effects), [this](const Effect& effect) {
         const auto* assign = std::get_if<Assign>(&effect.what);
-        if (assign != nullptr) return !std::holds_alternative<Variable>(assign->target);
+        if (assign != nullptr) return reads_by_index_ || !std::holds_alternative<Variable>(assign->target);
         return std::holds_alternative<Call>(effect.what) ||
                std::holds_alternative<Synchronise>(effect.what) ||
                std::holds_alternative<UnreadableBlock>(effect.what);

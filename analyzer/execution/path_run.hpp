@@ -79,7 +79,7 @@ class PathRun {
     [[nodiscard]] std::optional<Point> along_now(flow::EdgeId id, const Point& after);
     [[nodiscard]] dataflow::Root unknown_after(const Changes& changes);
     [[nodiscard]] Point change(const Changes& changes, Point point);
-    [[nodiscard]] bool stores_in_machine(const flow::Node& node) const;
+    [[nodiscard]] bool may_store_in_machine(const flow::Node& node) const;
     [[nodiscard]] bool assume_is(Point& point, dataflow::SymbolId subject, bool holds);
     [[nodiscard]] bool assume_switches(Point& point, const Switches& switches);
     [[nodiscard]] bool assume_outcome(Point& point, const dataflow::State& before, ExpressionId condition,
@@ -113,6 +113,7 @@ class PathRun {
     std::vector<std::optional<Point>> after_;                   ///< of each step
     std::unordered_map<std::uint32_t, dataflow::Root> unknown_; ///< by id of changes, see unknown_after
     std::vector<GroupId> asked_groups_;                         ///< that the program reads somewhere
+    bool reads_by_index_ = false;                               ///< #[#1]
     std::vector<std::uint64_t> prints_;                         ///< of values, see print_of; 0: not asked for
     /// The last fingerprint that counts a symbol, and the place of its first variable there.
     struct Seen {

@@ -375,6 +375,15 @@ TEST(FeasiblePaths, WhatTheMachineHoldsMayBeAnotherAfterACallAndAfterG10) {
     EXPECT_TRUE(reads("#5221=2\n"));
 }
 
+TEST(FeasiblePaths, WhatAnIndexReadsMayBeAnotherAfterAnyAssignment) {
+    const auto reads = [](const std::string& between) {
+        const std::string both = "IF[[#[#600]EQ1]AND[#501EQ2]]GOTO";
+        return reaches_uninitialised(both + "5\n" + between + both + "10\nN5#5=1\nN10G0Z#5\n", 5);
+    };
+    EXPECT_FALSE(reads(""));
+    EXPECT_TRUE(reads("#100=1\n")); // #600 may be 100
+}
+
 TEST(FeasiblePaths, TheOppositeOfSeveralComparisonsTurnsOutOtherwise) {
     const auto reads = [](const std::string& first, const std::string& opposite) {
         return reaches_uninitialised("IF[" + first + "]GOTO10\n#5=1\nN10 G0X1.\nIF[" + opposite +
