@@ -80,6 +80,7 @@ const Rounds::Cycle& Rounds::headed_by(flow::NodeId head) {
         cycle.nodes.push_back(from);
         return from == head ? flow::Step::end : flow::Step::go_on;
     });
+    std::ranges::sort(cycle.nodes);
     find_changes(cycle, head);
     return cycle;
 }
@@ -190,8 +191,22 @@ const Changes* Rounds::changes_of(const Cycle& cycle, std::span<const flow::Node
     if (!barred.empty()) measured_ += cycle.nodes.size();
     if (cycle.nodes.empty()) return nullptr;
     if (std::ranges::none_of(cycle.nodes, is_barred)) return &cycle.changes;
-    left_out_ = true;
+    left_out_ = left_out_ || is_barred(cycle.changes.at) || leads_around(cycle, barred);
     return nullptr;
+}
+
+/// Whether a round passes none of the barred nodes.
+bool Rounds::leads_around(const Cycle& cycle, std::span<const flow::NodeId> barred) const {
+    const flow::NodeId at = cycle.changes.at;
+    bool leads = false;
+    flow::walk<flow::Direction::backward>(graph_, {at}, [&](flow::EdgeId edge, flow::NodeId from) {
+        if (leads || !analysis_.data().passable(edge) || !std::ranges::binary_search(cycle.nodes, from) ||
+            std::ranges::binary_search(barred, from))
+            return flow::Step::refuse;
+        leads = from == at;
+        return leads ? flow::Step::end : flow::Step::go_on;
+    });
+    return leads;
 }
 
 void Rounds::find_changes(Cycle& cycle, flow::NodeId at) {

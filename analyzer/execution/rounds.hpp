@@ -48,8 +48,8 @@ class Rounds {
     [[nodiscard]] const std::vector<flow::NodeId>* not_passed() const { return not_passed_; }
     /// Whether all paths from the program's start to the node pass the heads of all loops around it.
     [[nodiscard]] bool heads_are_passed(flow::NodeId node) { return !entered_aside(node); }
-    /// Whether rounds that can be gone were left out of an answer, so that paths may be missed: a barred node
-    /// stands in their cycle, or loops are too many.
+    /// Whether rounds that can be gone were left out of an answer, so that paths may be missed: they lead
+    /// around a barred node of their cycle or over one where the path stands, or loops are too many.
     [[nodiscard]] bool left_out() const { return left_out_; }
     void forget_left_out() { left_out_ = false; }
     /// How many nodes were looked at so far.
@@ -57,7 +57,7 @@ class Rounds {
 
   private:
     struct Cycle {
-        std::vector<flow::NodeId> nodes; ///< empty: no edge leads back
+        std::vector<flow::NodeId> nodes; ///< sorted; empty: no edge leads back
         Changes changes;
     };
 
@@ -117,6 +117,7 @@ class Rounds {
     [[nodiscard]] std::vector<Loop> loops_of(const dataflow::Cycles& cycles) const;
     [[nodiscard]] bool is_entered_aside(const Loop& loop, const flow::Components& components) const;
     [[nodiscard]] const Changes* changes_of(const Cycle& cycle, std::span<const flow::NodeId> barred);
+    [[nodiscard]] bool leads_around(const Cycle& cycle, std::span<const flow::NodeId> barred) const;
     void find_changes(Cycle& cycle, flow::NodeId at);
 
     const ProgramAnalysis& analysis_;

@@ -64,9 +64,11 @@ const Caller* find_reached_caller(const ProgramAnalysis& analysis) {
     });
 }
 
-const Caller* find_caller_without(const ProgramAnalysis& analysis, Variable formal) {
-    return find_caller(
-        analysis, [&](const Caller& caller) { return argument_for(analysis, caller, formal) == nullptr; });
+const Caller* find_caller_without(const ProgramAnalysis& analysis, Variable formal,
+                                  const std::function<bool(const Caller&)>& also) {
+    return find_caller(analysis, [&](const Caller& caller) {
+        return argument_for(analysis, caller, formal) == nullptr && (!also || also(caller));
+    });
 }
 
 std::vector<const Caller*> first_callers(const ProgramAnalysis& analysis) {

@@ -4,6 +4,7 @@
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -40,9 +41,10 @@ struct KnownCallers {
 /// known.
 [[nodiscard]] const Caller* find_reached_caller(const ProgramAnalysis& analysis);
 
-/// The first known call that does not pass a value for the variable; nullptr when each does, or none is
-/// known.
-[[nodiscard]] const Caller* find_caller_without(const ProgramAnalysis& analysis, Variable formal);
+/// The first known call that does not pass a value for the variable, and of which `also` says so where it is
+/// asked; nullptr when there is none.
+[[nodiscard]] const Caller* find_caller_without(const ProgramAnalysis& analysis, Variable formal,
+                                                const std::function<bool(const Caller&)>& also = {});
 
 /// The first known call from each program that calls this one.
 [[nodiscard]] std::vector<const Caller*> first_callers(const ProgramAnalysis& analysis);

@@ -3,12 +3,14 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/missing_arguments.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace maclint::rules {
@@ -109,13 +111,15 @@ void report(const ProgramAnalysis& analysis, const dataflow::Read& read, const C
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     // What an IF without its ENDIF guards is unknown.
-    const flow::Regions& regions = analysis.regions();
-    if (regions.balance_unknown || !regions.faults.empty()) return;
+    if (analysis.regions().balance_unknown || !analysis.regions().faults.empty()) return;
     std::vector<Variable> reported;
+    std::optional<execution::PathSearch> search; // most programs have no such read
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         if (!is_unchecked(analysis, read) || std::ranges::find(reported, read.variable) != reported.end())
             continue;
-        const Caller* caller = queries::find_caller_without(analysis, read.variable);
+        if (!search) search.emplace(analysis);
+        const queries::ComesTo comes_to(*search, analysis, read);
+        const Caller* caller = queries::find_caller_without(analysis, read.variable, comes_to);
         if (caller == nullptr) continue;
         reported.push_back(read.variable);
         report(analysis, read, *caller, reporter);

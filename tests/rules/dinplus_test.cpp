@@ -222,6 +222,21 @@ TEST(UninitialisedLocal, MayBeTheCounterOfALoop) {
                 ElementsAre(2));
 }
 
+TEST(TransferValue, IsLeftOutOnlyWhereACallThatLeavesItOutComesToIt) {
+    const auto raised = [](const std::string& calls, const std::string& body) {
+        return lines("DIN330", "MACHINING\n" + calls + "M30\nSUBPROGRAM \"S\"\n" + body + "RETURN\nEND\n");
+    };
+    const std::string calls = "L\"S\" LH1 LA10\nL\"S\" LH2 LB20\n";
+    const std::string body = "IF #__lh==1\nTHEN\nG0 X#__la\nELSE\nG0 Z#__lb\nENDIF\n";
+    EXPECT_THAT(raised(calls, body), IsEmpty()); // the letter H decides
+    EXPECT_THAT(raised(calls + "L\"S\" LH1\n", body), ElementsAre(9));
+    EXPECT_THAT(raised("L\"S\" LA10 LH1\nL\"S\" LH2 LA10\n", body), ElementsAre(10));
+    // Both or none are passed.
+    const std::string pair = "IF DEF(__lb)\nTHEN\nG1 Zi-#__lb Xi#__lc\nENDIF\n";
+    EXPECT_THAT(raised("L\"S\"\nL\"S\" LB1 LC3\n", pair), IsEmpty());
+    EXPECT_THAT(raised("L\"S\" LB2\nL\"S\" LB1 LC3\n", pair), ElementsAre(8));
+}
+
 TEST(LoopVariable, MustBeSetOnEveryWayToTheLoop) {
     const std::string loop = "WHILE #c4<10\nG0 X10\n#c4=#c4+1\nENDWHILE\nM30\nEND\n";
     EXPECT_THAT(lines("DIN407", "MACHINING\nIF #g1==1\nTHEN\n#c4=0\nENDIF\n" + loop), ElementsAre(6));
