@@ -39,7 +39,8 @@ TEST(Suppression, TheTestProgramHasOneFinding) {
 }
 
 TEST(OneCause, OfTwoRulesOnlyTheOwnerIsHeard) {
-    const std::string forgotten = "O9001(UP)\n#5=#24\nG91 G1 Z#26 F#9\nM99\n";
+    const std::string forgotten = "O1\nG65 P9001 X1. Z1. F5.\nG1 X9.\nM30\n"
+                                  "O9001(UP)\n#5=#24\nG91 G1 Z#26 F#9\nM99\n";
     EXPECT_THAT(codes_of(forgotten), ElementsAre("MAC501"));
     EXPECT_THAT(under_select(forgotten, "MAC503"), ElementsAre("MAC503"));
     EXPECT_THAT(codes_of("O9001(UP)\n#5=#24\nG91 G1 Z5. F100\nM99\n"),

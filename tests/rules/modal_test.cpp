@@ -203,10 +203,13 @@ TEST(Speed, OfASpindleThatStandsMattersToNobody) {
     EXPECT_THAT(lines_raised("MAC503", "O1\nG65 P9001 S9.\nM3\nG1 X1 F5\nM30\n" + sub), ElementsAre(9));
 }
 
+/// Four lines of a caller that moves under whatever feed O9001 leaves, and with its spindle.
+const std::string relying = "O1\nG65 P9001 Z1. S9.\nG1 X9.\nM30\n";
+
 TEST(Feed, SetByManyWordsFromOneArgumentIsStillThatOne) {
-    std::string text = "O9001\n";
+    std::string text = relying + "O9001\n";
     for (int i = 0; i < 20; ++i) text += "G1 X" + std::to_string(i) + " F#9\n";
-    EXPECT_THAT(lines_raised("MAC503", text + "M99\n"), ElementsAre(21));
+    EXPECT_THAT(lines_raised("MAC503", text + "M99\n"), ElementsAre(25));
 }
 
 TEST(Compensation, LeftActiveIsReportedAtEveryEnd) {
@@ -225,7 +228,7 @@ TEST(Compensation, OfTheCallerIsNotTheMacros) {
 }
 
 TEST(Feed, OfAMacroIsPutBackOrReported) {
-    EXPECT_THAT(lines_raised("MAC503", "O9001\nG1 Z#26 F#9\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC503", relying + "O9001\nG1 Z#26 F#9\nM99\n"), ElementsAre(6));
     EXPECT_THAT(lines_raised("MAC503", "O9001\n#33=#4109\nG1 Z#26 F#9\nF#33\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC503", "O9001\nG1 X10 F100\nM99\n"),
                 IsEmpty()); // no macro: it reads no argument
@@ -233,7 +236,7 @@ TEST(Feed, OfAMacroIsPutBackOrReported) {
 
 TEST(Feed, SpeedThatTheCallerPassesIsWhatItWants) {
     EXPECT_THAT(lines_raised("MAC503", "O9001\nS#19 M3\nG0 X#24\nM99\n"), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC503", "O9001\nS[#19*2] M3\nG0 X#24\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC503", relying + "O9001\nS[#19*2] M3\nG0 X#24\nM99\n"), ElementsAre(6));
 }
 
 TEST(Restore, FromAnotherKindOfWordIsReported) {
@@ -264,7 +267,7 @@ TEST(SavedValue, IsFollowedFromWhereItWasSaved) {
 }
 
 TEST(PlainBlock, IsNotQuotedWhereOneOfItsWordsIsMeant) {
-    EXPECT_THAT(messages_raised("MAC503", "O9001\nG0 X#24\nG1 X5. Y6. F200.5\nM99\n"),
+    EXPECT_THAT(messages_raised("MAC503", relying + "O9001\nG0 X#24\nG1 X5. Y6. F200.5\nM99\n"),
                 ElementsAre(HasSubstr("'F200.5'")));
     EXPECT_THAT(messages_raised("MAC517", "O9001\nG0 X#24\nG91 G1 X5.\n#1=#4003\nG0 X1.\nG#1\nM99\n"),
                 ElementsAre(HasSubstr("after 'G91' has")));
@@ -342,7 +345,7 @@ TEST(ModalCode, IsNotFeedOrSpeed) {
 
 TEST(FeedLeak, OfAVariableThatMayBeVacantIsReportedAsWell) {
     // Nothing says whether #514 is set; where it is, its value stays in force.
-    EXPECT_THAT(lines_raised("MAC503", "O9001\nG1 X#24 F#514\nM99\n"), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC503", relying + "O9001\nG1 X#24 F#514\nM99\n"), ElementsAre(6));
 }
 
 TEST(FeedLeak, IsAWarningWhereACallerLosesItsOwn) {
@@ -356,7 +359,8 @@ TEST(FeedLeak, IsAWarningWhereACallerLosesItsOwn) {
                 ElementsAre("note 8"));
     EXPECT_THAT(judged("MAC503", "O1\nG1 X1. F900\nG65 P9001 Z-1.\nX9.\nM30\n" + fast),
                 ElementsAre("warning 8"));
-    EXPECT_THAT(judged("MAC503", macro), ElementsAre("note 2"));
+    // Whoever calls it writes its feed again, as everybody does behind a macro that cuts.
+    EXPECT_THAT(judged("MAC503", macro), IsEmpty());
 }
 
 TEST(FeedLeak, IsAWarningWhereTheMacroKeepsOtherState) {
@@ -368,10 +372,10 @@ TEST(FeedLeak, IsAWarningWhereTheMacroKeepsOtherState) {
     EXPECT_THAT(judged("MAC503", "O9001\n#2=#4109\nG31 Z#26 F#514\nIF[#1EQ1]GOTO9\nF#2\nN9 M99\n"),
                 ElementsAre("warning 3"));
     // What is only asked for is not kept: units, a mode that decides a branch, a work offset's number.
-    EXPECT_THAT(judged("MAC503", "O9001\n#2=#4006\nG31 Z#26 F#514\nM99\n"), ElementsAre("note 3"));
-    EXPECT_THAT(judged("MAC503", "O9001\n#2=#4003\nIF[#2EQ91]GOTO9\nG31 Z#26 F#514\nN9 M99\n"),
-                ElementsAre("note 4"));
-    EXPECT_THAT(judged("MAC503", "O9001\n#2=#4012\nG31 Z#26 F#514\nM99\n"), ElementsAre("note 3"));
+    EXPECT_THAT(judged("MAC503", relying + "O9001\n#2=#4006\nG31 Z#26 F#514\nM99\n"), ElementsAre("note 7"));
+    EXPECT_THAT(judged("MAC503", relying + "O9001\n#2=#4003\nIF[#2EQ91]GOTO9\nG31 Z#26 F#514\nN9 M99\n"),
+                ElementsAre("note 8"));
+    EXPECT_THAT(judged("MAC503", relying + "O9001\n#2=#4012\nG31 Z#26 F#514\nM99\n"), ElementsAre("note 7"));
 }
 
 TEST(FeedLeak, OfAHelperIsItsCallersThatKeepsOtherState) {
@@ -380,7 +384,9 @@ TEST(FeedLeak, OfAHelperIsItsCallersThatKeepsOtherState) {
                 ElementsAre("warning 4"));
     EXPECT_THAT(judged("MAC503", "O9301\n#1=#4001\nG65 P9390 Z#26\nG1 X#24 F#9\nG#1\nM99\n" + helper),
                 ElementsAre("warning 4"));
-    EXPECT_THAT(judged("MAC503", "O9301\nG0 X#24\nG65 P9390 Z#26\nM99\n" + helper), ElementsAre("note 6"));
+    EXPECT_THAT(judged("MAC503", "O9301\nG0 X#24\nG65 P9390 Z#26\nG1 X0\nM99\n" + helper),
+                ElementsAre("note 7"));
+    EXPECT_THAT(judged("MAC503", "O9301\nG0 X#24\nG65 P9390 Z#26\nM99\n" + helper), IsEmpty());
 }
 
 TEST(FeedLeak, OfACalledProgramIsToldWithTheCall) {
@@ -395,8 +401,8 @@ TEST(FeedLeak, IsNotPutBackByAGWord) {
                 ElementsAre("warning 4"));
 }
 
-TEST(FeedLeak, ThatNobodyReliesOnIsOneNoteForFeedAndSpeed) {
-    EXPECT_THAT(messages_raised("MAC503", "O9001\nS[#1*2] M3\nG1 Z#26 F#9\nM99\n"),
+TEST(FeedLeak, UnderWhichACallerMovesIsOneNoteForFeedAndSpeed) {
+    EXPECT_THAT(messages_raised("MAC503", relying + "O9001\nS[#1*2] M3\nG1 Z#26 F#9\nM99\n"),
                 ElementsAre(HasSubstr("Left to the caller: 'F#9' and 'S[#1*2]'.")));
 }
 
@@ -445,20 +451,20 @@ TEST(SpeedLeak, OfASpindleThatOnePathStopsDependsOnTheWayThere) {
 
 TEST(SpeedLeak, OfAParkedSpindleHarmsOnlyWhoStartsItWithout) {
     const std::string parked = "O9001\nG0 X#24\nM05\nS35\nM99\n";
-    EXPECT_THAT(judged("MAC503", parked), IsEmpty());
+    EXPECT_THAT(judged("MAC503", relying + parked), IsEmpty());
     EXPECT_THAT(judged("MAC503", "O1\nS900 M3\nG65 P9001 X1.\nM3\nG1 X5. F9\nM30\n" + parked),
                 ElementsAre("warning 10"));
     EXPECT_THAT(judged("MAC503", "O1\nS900 M3\nG65 P9001 X1.\nG1 X5. F9\nM3\nM30\n" + parked), IsEmpty());
     // On another path the spindle runs on.
-    EXPECT_THAT(judged("MAC503", "O9001\nIF[#1EQ1]GOTO9\nM05\nS35\nN9 G0 X#24\nM99\n"), IsEmpty());
-    EXPECT_THAT(judged("MAC503", "O9001\nG0 X#24\nM05\nS35\nM03\nM99\n"), ElementsAre("note 4"));
+    EXPECT_THAT(judged("MAC503", relying + "O9001\nIF[#1EQ1]GOTO9\nM05\nS35\nN9 G0 X#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC503", relying + "O9001\nG0 X#24\nM05\nS35\nM03\nM99\n"), ElementsAre("note 8"));
 }
 
 TEST(SpeedLeak, BesideAnOrientationMayBeAnAngle) {
     EXPECT_THAT(judged("MAC503", "O1\nS900 M3\nG65 P9001 X1.\nM3\nG1 X5. F9\nM30\nO9001\nM19 S90\n"
                                  "G0 X#24\nM99\n"),
                 IsEmpty());
-    EXPECT_THAT(judged("MAC503", "O9001\nM19 S[#1*2]\nG0 X#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC503", relying + "O9001\nM19 S[#1*2]\nG0 X#24\nM99\n"), IsEmpty());
 }
 
 TEST(OffsetLeft, ToACallerThatHasSetItsOwnAndMovesOn) {

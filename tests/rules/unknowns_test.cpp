@@ -19,7 +19,8 @@ TEST(StoreThroughAnIndex, OfAToolOffsetChangesNoVariable) {
     const std::string store = "#11=#4111\n#[10000+#11]=#5063\n";
     EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after("#11=#4111\n#[10000+#11]=#5063")),
                 ElementsAre(6));
-    EXPECT_THAT(lines_raised("MAC503", "O9001\n" + store + "G1X#24F#514\nM99\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC503", "O9001\n#6=#4003\n" + store + "G91G1X#24F#514\nG#6\nM99\n"),
+                ElementsAre(5));
     EXPECT_THAT(lines_raised("MAC505", "O9001\n#6=#4003\n" + store + "G1X#24F#6\nM99\n"), ElementsAre(5));
 }
 
@@ -131,8 +132,9 @@ TEST(ComputedJump, ToWhatIsUnknownOnOnePathGoesAnywhere) {
 }
 
 TEST(GCodeOfTheShop, TakesItsWordsAsArguments) {
-    EXPECT_THAT(lines_raised("MAC503", "O9001\nG180A#1F#9X#24\nM99\n"), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC503", "O9001\nG1A#1F#9X#24\nM99\n"), ElementsAre(2));
+    const std::string caller = "O1\nG65P9001\nG1X1.\nM30\n";
+    EXPECT_THAT(lines_raised("MAC503", caller + "O9001\nG180A#1F#9X#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC503", caller + "O9001\nG1A#1F#9X#24\nM99\n"), ElementsAre(6));
 }
 
 TEST(GCodeOfTheShop, MaySetTheLocalThatAWordNames) {
