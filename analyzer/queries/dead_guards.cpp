@@ -20,6 +20,11 @@ bool only_sets(const Program& program, const Guarded& guarded, Variable variable
     });
 }
 
+bool is_zero(const Program& program, ExpressionId expression) {
+    const auto* literal = std::get_if<Literal>(&program.expressions[expression].node);
+    return literal != nullptr && literal->value == 0;
+}
+
 /// #100=#400 after a test of #400: nothing was calculated, and yet it is known to be set.
 bool is_tested_copy(const ProgramAnalysis& analysis, const dataflow::Value& value) {
     using Kind = dataflow::Symbol::Kind;
@@ -33,6 +38,15 @@ bool is_harmless_guard(const ProgramAnalysis& analysis, const dataflow::Comparis
     if (is_tested_copy(analysis, test.left)) return true;
     const Guarded* guarded = guarded_by(analysis.program(), test);
     return guarded != nullptr && only_sets(analysis.program(), *guarded, variable);
+}
+
+bool sets_zero(const ProgramAnalysis& analysis, const dataflow::Comparison& test, Variable variable) {
+    const Program& program = analysis.program();
+    const Guarded* guarded = guarded_by(program, test);
+    return guarded != nullptr && only_sets(program, *guarded, variable) &&
+           std::ranges::all_of(program.effects_in(guarded->effects), [&](const Effect& effect) {
+               return is_zero(program, std::get<Assign>(effect.what).value);
+           });
 }
 
 const dataflow::Store* last_store_before(const ProgramAnalysis& analysis, Variable variable,

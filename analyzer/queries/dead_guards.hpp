@@ -15,6 +15,11 @@ namespace maclint::queries {
 [[nodiscard]] bool is_harmless_guard(const ProgramAnalysis& analysis, const dataflow::Comparison& test,
                                      Variable variable);
 
+/// Whether what the test guards only sets the variable to 0, which a calculation makes of a vacant value
+/// anyway.
+[[nodiscard]] bool sets_zero(const ProgramAnalysis& analysis, const dataflow::Comparison& test,
+                             Variable variable);
+
 /// The last assignment to the variable before the node, in the order of the text; nullptr when there is none.
 [[nodiscard]] const dataflow::Store* last_store_before(const ProgramAnalysis& analysis, Variable variable,
                                                        flow::NodeId node);

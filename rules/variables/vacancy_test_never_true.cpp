@@ -116,12 +116,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     queries::WithoutAssignment unset(analysis);
     queries::KeptArguments kept(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
-        if (comparison.operation != Operation::is_vacant && comparison.operation != Operation::is_set)
-            continue;
+        if (!semantics::is_vacancy_test(comparison.operation)) continue;
         if (comparison.left.vacancy != dataflow::Vacancy::set) continue;
         const auto variable = queries::plain_variable(analysis.program(), comparison.left_expression);
         if (variable && queries::may_hold_vacant(analysis.program(), *variable) &&
-            !unset.leads_to(*variable, comparison.node))
+            !unset.leads_to(*variable, comparison.node) &&
+            !queries::sets_zero(analysis, comparison, *variable))
             report(analysis, reporter, comparison, *variable, kept);
     }
 }

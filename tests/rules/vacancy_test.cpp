@@ -126,6 +126,13 @@ TEST(VacancyTest, MayHoldForACopyOfAnArgumentAndForWhatOthersSet) {
     EXPECT_THAT(judged("MAC228", tested + "*2\nIF[#5EQ#0]GOTO9\nN9 M99\n"), ElementsAre("warning 4"));
 }
 
+TEST(VacancyTest, ThatSetsWhatItIsAlreadyIsFine) {
+    EXPECT_THAT(judged("MAC228", "O9001\n#5=FUP[#6]\nIF[#5EQ#0]THEN#5=0\nX#5\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC228", "O9001\n#5=FUP[#6]\nIF[#5EQ#0]THEN#5=2\nX#5\nM99\n"), ElementsAre("note 3"));
+    EXPECT_THAT(judged("MAC228", "O9001\n#5=FUP[#6]\nIF[#5EQ#0]THEN#7=0\nX#5\nM99\n"),
+                ElementsAre("warning 3"));
+}
+
 TEST(UninitialisedLocal, ATestOfAnotherVariableOnTheWayIsHeeded) {
     // #31 and #32 are set under the same tests: where #31 is not vacant, #32 is not either.
     const std::string program = "O9001\nIF[#1EQ1]GOTO1\nIF[#1EQ2]GOTO2\nGOTO3\n"
