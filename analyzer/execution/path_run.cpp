@@ -180,7 +180,7 @@ bool PathRun::assume_some(Point& point, const dataflow::State& before, std::span
         if (!assume(with, before, operand, holds)) continue;
         if (++possible > 1 && !few) return true;
         only = with;
-        if (auto found = comparison_in(before, operand, holds)) alternatives.push_back(*std::move(found));
+        if (const auto found = comparison_in(before, operand, holds)) alternatives.push_back(*found);
     }
     if (possible == 1) point = *only;
     if (possible > 1 && alternatives.size() == possible)
