@@ -1,6 +1,7 @@
 //! Compares what a program reads with what its callers pass.
 #include "analyzer/queries/missing_arguments.hpp"
 
+#include "analyzer/execution/path_search.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/provoking_calls.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace maclint::queries {
@@ -35,28 +37,29 @@ bool is_asked_for(const ProgramAnalysis& analysis, const dataflow::Read& wanted)
     });
 }
 
-} // namespace
-
-ComesTo::ComesTo(execution::PathSearch& search, const ProgramAnalysis& analysis, const dataflow::Read& read)
-    : search_(search)
-    , analysis_(analysis)
-    , read_(read)
-    , changing_(nodes_that_may_change(analysis, read.variable, read.node)) {}
-
-bool ComesTo::operator()(const Caller& caller) {
-    const bool changes_at_once = read_.node != 0 && std::ranges::binary_search(changing_, flow::NodeId{0});
-    if (changes_at_once || !WorkLimit::allows()) return false;
-    const std::vector<bool> reached = nodes_reached_by(analysis_, caller, changing_);
-    if (!reached[read_.node]) return false;
-    std::vector<flow::NodeId> barred = changing_;
-    for (flow::NodeId node = 0; node < reached.size(); ++node)
-        if (!reached[node]) barred.push_back(node);
-    std::ranges::sort(barred);
-    const auto [asked, fresh] = known_.try_emplace(std::move(barred), false);
-    if (fresh)
-        asked->second = search_.find(std::array{execution::Leg{read_.node, asked->first}}).path.has_value();
-    return asked->second;
+/// The first call that comes to the read with the variable as it has left it. What it passes decides where it
+/// goes: another call's path may be closed to it, and another way open.
+const Caller* call_that_comes_to(execution::PathSearch& search, const ProgramAnalysis& analysis,
+                                 const dataflow::Read& read) {
+    const auto changing = nodes_that_may_change(analysis, read.variable, read.node);
+    if (read.node != 0 && std::ranges::binary_search(changing, flow::NodeId{0})) return nullptr;
+    std::set<std::vector<flow::NodeId>> in_vain; // calls that go the same ways
+    for (const Caller& caller : analysis.callers()) {
+        if (!WorkLimit::allows()) return nullptr;
+        const std::vector<bool> reached = nodes_reached_by(analysis, caller, changing);
+        if (!reached[read.node]) continue;
+        std::vector<flow::NodeId> barred = changing;
+        for (flow::NodeId node = 0; node < reached.size(); ++node)
+            if (!reached[node]) barred.push_back(node);
+        std::ranges::sort(barred);
+        if (in_vain.contains(barred)) continue;
+        if (search.find(std::array{execution::Leg{read.node, barred}}).path) return &caller;
+        in_vain.insert(std::move(barred));
+    }
+    return nullptr;
 }
+
+} // namespace
 
 std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analysis) {
     std::vector<MissingArgument> found;
@@ -77,8 +80,8 @@ std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analy
             }))
             continue;
         if (!search) search.emplace(analysis);
-        const auto call = std::ranges::find_if(callers, ComesTo(*search, analysis, read));
-        if (call != callers.end()) found.push_back({&read, &*call});
+        const Caller* call = call_that_comes_to(*search, analysis, read);
+        if (call != nullptr) found.push_back({&read, call});
     }
     return found;
 }

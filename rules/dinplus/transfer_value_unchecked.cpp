@@ -3,14 +3,14 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
-#include "analyzer/queries/missing_arguments.hpp"
+#include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/provoking_calls.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
 namespace maclint::rules {
@@ -113,13 +113,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     // What an IF without its ENDIF guards is unknown.
     if (analysis.regions().balance_unknown || !analysis.regions().faults.empty()) return;
     std::vector<Variable> reported;
-    std::optional<execution::PathSearch> search; // most programs have no such read
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         if (!is_unchecked(analysis, read) || std::ranges::find(reported, read.variable) != reported.end())
             continue;
-        if (!search) search.emplace(analysis);
-        const queries::ComesTo comes_to(*search, analysis, read);
-        const Caller* caller = queries::find_caller_without(analysis, read.variable, comes_to);
+        const auto changing = queries::nodes_that_may_change(analysis, read.variable, read.node);
+        const Caller* caller = queries::find_caller_without(analysis, read.variable, [&](const Caller& each) {
+            return bool{queries::nodes_reached_by(analysis, each, changing)[read.node]};
+        });
         if (caller == nullptr) continue;
         reported.push_back(read.variable);
         report(analysis, read, *caller, reporter);

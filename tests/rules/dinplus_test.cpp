@@ -231,6 +231,10 @@ TEST(TransferValue, IsLeftOutOnlyWhereACallThatLeavesItOutComesToIt) {
     EXPECT_THAT(raised(calls, body), IsEmpty()); // the letter H decides
     EXPECT_THAT(raised(calls + "L\"S\" LH1\n", body), ElementsAre(9));
     EXPECT_THAT(raised("L\"S\" LA10 LH1\nL\"S\" LH2 LA10\n", body), ElementsAre(10));
+    // A loop in front, with a branch that this call does not take.
+    EXPECT_THAT(raised("L\"S\" LH1 LA10\n", "#l1=0\nWHILE #l1<3\nIF #__lh==2\nTHEN\nG0 X1\nENDIF\n#l1=#l1+1\n"
+                                            "ENDWHILE\nG0 Z#__lb\n"),
+                ElementsAre(13));
     // Both or none are passed.
     const std::string pair = "IF DEF(__lb)\nTHEN\nG1 Zi-#__lb Xi#__lc\nENDIF\n";
     EXPECT_THAT(raised("L\"S\"\nL\"S\" LB1 LC3\n", pair), IsEmpty());
