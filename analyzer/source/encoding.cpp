@@ -96,7 +96,8 @@ struct Range {
     char32_t first, last;
 };
 
-/// Characters that steer a terminal, reorder the text around them or cannot be seen.
+/// Characters that steer a terminal, reorder the text around them, cannot be seen or are none (Unicode 15,
+/// section 23.7).
 constexpr std::array escaped_ranges = {
     Range{0x0000, 0x0008},   // C0 controls; the tab stays
     Range{0x000A, 0x001F},   // C0 controls
@@ -105,13 +106,18 @@ constexpr std::array escaped_ranges = {
     Range{0x200B, 0x200F},   // zero width, left-to-right and right-to-left marks
     Range{0x2028, 0x202E},   // line and paragraph separators, bidirectional embeddings and overrides
     Range{0x2060, 0x206F},   // invisible operators, bidirectional isolates
+    Range{0xFDD0, 0xFDEF},   // noncharacters
     Range{0xFEFF, 0xFEFF},   // byte order mark
     Range{0xFFF9, 0xFFFB},   // interlinear annotation
     Range{0xE0000, 0xE007F}, // tags
 };
 
+/// The last two of each plane are noncharacters, too.
+bool ends_plane(char32_t character) { return (character & 0xFFFEU) == 0xFFFEU; }
+
 bool needs_escape(char32_t character) {
-    return std::any_of(escaped_ranges.begin(), escaped_ranges.end(),
+    return ends_plane(character) ||
+           std::any_of(escaped_ranges.begin(), escaped_ranges.end(),
                        [=](Range range) { return range.first <= character && character <= range.last; });
 }
 

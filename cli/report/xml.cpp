@@ -1,41 +1,37 @@
 //! Escapes for XML 1.0 (fifth edition), sections 2.2 and 2.4.
 #include "cli/report/xml.hpp"
 
+#include "analyzer/source/encoding.hpp"
+
 namespace maclint::cli {
 namespace {
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD";
-/// U+FFFE and U+FFFF, the only characters beyond the controls that XML does not take, differ in their last
-/// byte.
-constexpr std::string_view no_characters = "\xEF\xBF";
-
-bool is_no_character(std::string_view text) {
-    return text.starts_with(no_characters) && text.size() > 2 && (text[2] == '\xBE' || text[2] == '\xBF');
+/// The production Char, without the tab and the line ends. Bytes that are no UTF-8, surrogates among them, do
+/// not get here.
+bool is_char(char32_t character) {
+    return (character >= 0x20 && character <= 0xD7FF) || (character >= 0xE000 && character <= 0xFFFD) ||
+           (character >= 0x10000 && character <= 0x10FFFF);
 }
 
 } // namespace
 
-std::string xml_escaped(std::string_view utf8) {
+std::string xml_escaped(std::string_view text) {
+    const std::string utf8 = to_utf8(text, Encoding::utf8);
     std::string out;
     out.reserve(utf8.size());
-    for (std::size_t at = 0; at < utf8.size(); ++at) {
-        const char c = utf8[at];
-        switch (c) {
-        case '&': out += "&amp;"; break;
-        case '<': out += "&lt;"; break;
-        case '>': out += "&gt;"; break;
-        case '"': out += "&quot;"; break;
-        case '\t': out += "&#9;"; break; // in an attribute it would become a blank
-        case '\n': out += c; break;
-        default:
-            if (static_cast<unsigned char>(c) < 0x20) {
-                out += replacement;
-            } else if (is_no_character(utf8.substr(at))) {
-                out += replacement;
-                at += 2;
-            } else {
-                out += c;
-            }
+    for (std::string_view rest = utf8; !rest.empty();) {
+        const auto [character, length] = first_character(rest);
+        const std::string_view bytes = rest.substr(0, length);
+        rest.remove_prefix(length);
+        switch (character) {
+        case U'&': out += "&amp;"; break;
+        case U'<': out += "&lt;"; break;
+        case U'>': out += "&gt;"; break;
+        case U'"': out += "&quot;"; break;
+        case U'\t': out += "&#9;"; break; // in an attribute it would become a blank
+        case U'\n': out += '\n'; break;
+        case U'\r': out += "&#13;"; break; // it would become a line feed
+        default: out += is_char(character) ? std::string(bytes) : printable(bytes);
         }
     }
     return out;

@@ -59,9 +59,55 @@ void expect_clean(const std::string& text) {
 
 TEST(Xml, EscapesAndLeavesOutWhatItHasNoPlaceFor) {
     EXPECT_EQ(xml_escaped("a<b>&\"c\"\tx\ny"), "a&lt;b&gt;&amp;&quot;c&quot;&#9;x\ny");
-    EXPECT_EQ(xml_escaped(std::string("\0\x1B", 2)), "\xEF\xBF\xBD\xEF\xBF\xBD");
-    EXPECT_EQ(xml_escaped("\xEF\xBF\xBE\xEF\xBF\xBF\xEF\xBF\xBD"), "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
+    EXPECT_EQ(xml_escaped(std::string("\0\x1B", 2)), "\\x00\\x1B");
+    EXPECT_EQ(xml_escaped("a\r\nb"), "a&#13;\nb");
+    EXPECT_EQ(xml_escaped("\uFFFD\uFFFE\uFFFF"), "\uFFFD\\u{FFFE}\\u{FFFF}");
+    EXPECT_EQ(xml_escaped("\xED\xA0\x80 \xC0\xAF"),
+              "\uFFFD\uFFFD\uFFFD \uFFFD\uFFFD");                           // a surrogate, overlong
+    EXPECT_EQ(xml_escaped("\xF4\x90\x80\x80"), "\uFFFD\uFFFD\uFFFD\uFFFD"); // above U+10FFFF
     EXPECT_EQ(xml_attribute("name", "a\"b"), " name=\"a&quot;b\"");
+}
+
+/// "Char" of XML 1.0 (fifth edition), production 2.
+bool is_xml_char(char32_t c) {
+    return c == 0x9 || c == 0xA || c == 0xD || (c >= 0x20 && c <= 0xD7FF) || (c >= 0xE000 && c <= 0xFFFD) ||
+           (c >= 0x10000 && c <= 0x10FFFF);
+}
+
+std::string utf8_of(char32_t c) {
+    const auto byte = [](char32_t value) { return static_cast<char>(value); };
+    const auto tail = [&](unsigned shift) { return byte(0x80U | ((c >> shift) & 0x3FU)); };
+    if (c < 0x80) return {byte(c)};
+    if (c < 0x800) return {byte(0xC0U | (c >> 6U)), tail(0)};
+    if (c < 0x10000) return {byte(0xE0U | (c >> 12U)), tail(6), tail(0)};
+    return {byte(0xF0U | (c >> 18U)), tail(12), tail(6), tail(0)};
+}
+
+TEST(Xml, HoldsNoCharacterThatItHasNoPlaceForWhateverThePrograms) {
+    for (char32_t c = 0; c <= 0x10FFFF; ++c) {
+        const std::string escaped = xml_escaped(utf8_of(c));
+        for (std::string_view rest = escaped; !rest.empty();) {
+            const auto [character, length] = first_character(rest);
+            ASSERT_TRUE(is_xml_char(character)) << std::hex << static_cast<std::uint32_t>(c);
+            rest.remove_prefix(length);
+        }
+        const bool is_markup = c == '&' || c == '<' || c == '>' || c == '"' || c == '\t' || c == '\r';
+        const bool is_surrogate = c >= 0xD800 && c <= 0xDFFF;
+        if (is_xml_char(c) && !is_markup && !is_surrogate) {
+            ASSERT_EQ(escaped, utf8_of(c));
+        }
+    }
+}
+
+TEST(XmlReports, ShowNoncharactersAsEscapes) {
+    HandMade made("O\uFFFF.nc", "O1\nGOTO9(\uFFFE)\nM30\n");
+    made.add("GOTO9(\uFFFE)", Severity::error).arguments = {"\uFFFE \U0001FFFF \uFDD0 \xED\xA0\x80"};
+    for (const std::string& xml : {write_junit(made.report(), {}), write_checkstyle(made.report())}) {
+        EXPECT_THAT(xml, HasSubstr("O\\u{FFFF}.nc"));
+        EXPECT_THAT(xml, HasSubstr("'\\u{FFFE} \\u{1FFFF} \\u{FDD0} \uFFFD\uFFFD\uFFFD'"));
+        EXPECT_THAT(xml, Not(HasSubstr("\xEF\xBF\xBE")));
+        EXPECT_THAT(xml, Not(HasSubstr("\xEF\xBF\xBF")));
+    }
 }
 
 TEST(Github, WritesACommandForEachFinding) {

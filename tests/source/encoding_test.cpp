@@ -92,6 +92,12 @@ TEST(Printable, EscapesBidirectionalControls) {
     EXPECT_EQ(printable("\u202EM30\u2069"), "\\u{202E}M30\\u{2069}");
 }
 
+TEST(Printable, EscapesNoncharacters) {
+    EXPECT_EQ(printable("\uFFFD \uFFFE \uFFFF \uFDD0 \uFDEF \uFDF0"),
+              "\uFFFD \\u{FFFE} \\u{FFFF} \\u{FDD0} \\u{FDEF} \uFDF0");
+    EXPECT_EQ(printable("\U0001FFFD \U0001FFFE \U0010FFFF"), "\U0001FFFD \\u{1FFFE} \\u{10FFFF}");
+}
+
 TEST(Printable, EscapesInvisibleTags) { EXPECT_EQ(printable("\U000E0041"), "\\u{E0041}"); }
 
 TEST(Printable, EscapesNul) { EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00"); }
