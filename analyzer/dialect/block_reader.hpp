@@ -179,22 +179,41 @@ class BlockReader {
         std::optional<bool> alone; // the same for all of them
         for (const Span comment : raw_.comments) {
             if (!addresses_maclint(text_.substr(comment.begin, comment.length()))) continue;
-            if (!alone) alone = holds_no_code();
-            file_.comments.push_back({comment, *alone, raw_.span, {}});
+            if (!alone) alone = does_nothing();
+            file_.comments.push_back({comment, block_beside(comment), {}});
         }
+        if (raw_.code != 0 && alone == false) waiting_ = file_.comments.size(); // for this block alone
     }
 
-    /// Whether the block has nothing but its number beside its comments.
-    [[nodiscard]] bool holds_no_code() const {
+    /// Whether the block has nothing but marks and its number beside its comments: `/2 $1 N5`.
+    [[nodiscard]] bool does_nothing() const {
         std::string code;
         take_out_comments(text_, raw_.span, raw_.comments, code);
-        return code.empty() ||
-               ((code[0] == 'N' || code[0] == 'n') &&
-                std::all_of(code.begin() + 1, code.end(), [](char c) { return c >= '0' && c <= '9'; }));
+        std::string_view rest = code;
+        const auto pass_digits = [&] {
+            rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of("0123456789")));
+        };
+        while (!rest.empty() && (rest.front() == '/' || rest.front() == '$')) {
+            rest.remove_prefix(1);
+            pass_digits();
+        }
+        if (!rest.empty() && (rest.front() == 'N' || rest.front() == 'n')) {
+            rest.remove_prefix(1);
+            pass_digits();
+        }
+        return rest.empty();
+    }
+
+    /// The block that holds the comment, or the one that ends before it in its line: `G91; (…)`.
+    [[nodiscard]] Span block_beside(Span comment) const {
+        if (raw_.code != 0) return raw_.span;
+        const std::string_view between = text_.substr(last_.end, comment.begin - last_.end);
+        return between.find_first_of("\r\n") == std::string_view::npos ? last_ : Span{};
     }
 
     /// `block` is the next one for every comment that still waits for it.
     void precede_comments(Span block) {
+        last_ = block;
         for (; waiting_ < file_.comments.size(); ++waiting_) file_.comments[waiting_].next_block = block;
     }
 
@@ -205,6 +224,7 @@ class BlockReader {
     RawBlock raw_{};
     std::string key_; ///< of the block, for the cache
     ErrorThrottle throttle_;
+    Span last_ = {};          ///< block with code
     std::size_t waiting_ = 0; ///< first comment without a next block
 };
 

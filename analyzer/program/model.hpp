@@ -429,9 +429,8 @@ class Program {
 /// A comment that speaks to maclint.
 struct DirectiveComment {
     Span span;       ///< brackets included
-    bool alone;      ///< nothing but a sequence number stands in its block beside it
-    Span block;      ///< the block that holds it
-    Span next_block; ///< the next block that is no comment; empty at the end of the file
+    Span block;      ///< beside which it stands; empty: it has its line for itself
+    Span next_block; ///< that is no comment; empty: its own block does something, or the file ends
 };
 
 /// A block number that words of other sections name.

@@ -71,13 +71,14 @@ class Suppressions {
         const Allowance& allowance = allowances_[index];
         const DirectiveComment& comment = *allowance.directive->comment;
         switch (allowance.directive->verb) {
-        case Verb::allow: {
-            const Span block = comment.alone ? comment.next_block : comment.block;
-            blocks_.push_back(block);
-            for (const Rule* rule : allowance.token->rules)
-                of_block_.insert_or_assign({block.begin, rule}, index);
+        case Verb::allow:
+            for (const Span block : {comment.block, comment.next_block}) {
+                if (block.empty()) continue;
+                blocks_.push_back(block);
+                for (const Rule* rule : allowance.token->rules)
+                    of_block_.insert_or_assign({block.begin, rule}, index);
+            }
             break;
-        }
         case Verb::allow_file:
             for (const Rule* rule : allowance.token->rules) of_file_.emplace(rule, index);
             break;

@@ -58,6 +58,24 @@ TEST(Suppression, AloneIsForTheNextBlock) {
     EXPECT_THAT(codes_of(program("", "", "(MACLINT ALLOW MAC301)")), ElementsAre("MAC301", "MAC001"));
 }
 
+TEST(Suppression, BesideANumberAloneIsForThatBlockAndTheNext) {
+    // Two blocks have the number that is jumped to: MAC462 stands on the second.
+    const auto twice = [](const std::string& second) {
+        return "O1\nIF[#500EQ1]GOTO5\nN5\nX1.\n" + second + "\nX2.\nM30\n";
+    };
+    ASSERT_THAT(codes_of(twice("N5")), ElementsAre("MAC462"));
+    EXPECT_THAT(codes_of(twice("N5 (MACLINT ALLOW MAC462 - T)")), IsEmpty());
+    EXPECT_THAT(codes_of(twice("(MACLINT ALLOW MAC462 - T) N5")), IsEmpty());
+    EXPECT_THAT(codes_of(twice("N5; (MACLINT ALLOW MAC462 - T)")), IsEmpty());
+    EXPECT_THAT(codes_of(program("N1 (MACLINT ALLOW MAC301)", "", "")), IsEmpty());
+    EXPECT_THAT(codes_of(program("N1 (MACLINT ALLOW MAC303)", "", "")), ElementsAre("MAC001", "MAC301"));
+}
+
+TEST(Suppression, AfterTheLastBlockTakesNothingFromTheFirst) {
+    EXPECT_THAT(codes_of("GOTO99 (MACLINT ALLOW MAC301)\nM30\n(MACLINT ALLOW MAC301)\n"),
+                ElementsAre("MAC001"));
+}
+
 TEST(Suppression, LeavesTheOtherPlacesOfTheSameCause) {
     const auto lines_told = [](const std::string& comment) {
         const auto result = lint_text("O1\nQQ" + comment + "\nX1\nQQ\nX2\nQQ\nM30\n");

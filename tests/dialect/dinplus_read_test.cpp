@@ -189,11 +189,12 @@ TEST(DinPrograms, ASecondProgramLineBeginsASecondProgram) {
 TEST(DinComments, ThoseForMaclintKnowTheirBlocks) {
     const auto file = read_din("MACHINING\n[maclint: a]\nN1 [MACLINT b]\nN2 G0 X1 [maclint c]\n");
     ASSERT_EQ(file.comments.size(), 3U);
-    EXPECT_TRUE(file.comments[0].alone);
-    EXPECT_TRUE(file.comments[1].alone);
-    EXPECT_FALSE(file.comments[2].alone);
     const Program& program = file.programs.at(0);
+    EXPECT_TRUE(file.comments[0].block.empty());
+    EXPECT_EQ(program.slice(file.comments[0].next_block), "N1 [MACLINT b]");
+    EXPECT_EQ(program.slice(file.comments[1].block), "N1 [MACLINT b]");
     EXPECT_EQ(program.slice(file.comments[1].next_block), "N2 G0 X1 [maclint c]");
+    EXPECT_EQ(program.slice(file.comments[2].block), "N2 G0 X1 [maclint c]");
     EXPECT_TRUE(file.comments[2].next_block.empty());
 }
 

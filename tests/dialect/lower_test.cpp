@@ -305,11 +305,38 @@ TEST(FanucComment, ThatSpeaksToMaclintIsRecordedWithItsSurroundings) {
     const ProgramFile file = read(text);
     ASSERT_EQ(file.comments.size(), 2U);
     const auto at = [&](Span span) { return text.substr(span.begin, span.length()); };
-    EXPECT_FALSE(file.comments[0].alone);
     EXPECT_EQ(at(file.comments[0].block), "G0X1. (maclint allow MAC301)");
-    EXPECT_TRUE(file.comments[1].alone);
+    EXPECT_TRUE(file.comments[0].next_block.empty());
     EXPECT_EQ(at(file.comments[1].span), "(MACLINT OFF)");
+    EXPECT_EQ(at(file.comments[1].block), "N5 (MACLINT OFF)");
     EXPECT_EQ(at(file.comments[1].next_block), "X2.");
+}
+
+/// The block beside the only comment, a bar, and the block after it.
+std::string blocks_around_comment(const std::string& text) {
+    const ProgramFile file = read(text);
+    if (file.comments.size() != 1) return "no comment";
+    const auto at = [&](Span span) { return text.substr(span.begin, span.length()); };
+    return at(file.comments[0].block) + "|" + at(file.comments[0].next_block);
+}
+
+TEST(FanucComment, BesideABlockThatDoesNothingIsForTheNextOneToo) {
+    for (const char* block : {"N5 (MACLINT)", "n 05(MACLINT)", "/ (MACLINT)", "/2 N5 (MACLINT)",
+                              "(MACLINT) N5", "N5 (A) (MACLINT) (B)"})
+        EXPECT_EQ(blocks_around_comment("O1\nG0X1.\n" + std::string(block) + "\n(B)\nX2.\nX3.\n"),
+                  std::string(block) + "|X2.");
+    for (const char* block : {"N5 X1. (MACLINT)", "(MACLINT) G0", "/ M1 (MACLINT)", "O2 (MACLINT)"})
+        EXPECT_EQ(blocks_around_comment("O1\nG0X1.\n" + std::string(block) + "\nX2.\n"),
+                  std::string(block) + "|");
+}
+
+TEST(FanucComment, BehindTheEndOfABlockIsForThatBlockToo) {
+    EXPECT_EQ(blocks_around_comment("O1;\nX1.; (MACLINT)\nX2.;\n"), "X1.|X2.");
+    EXPECT_EQ(blocks_around_comment("O1\nGOTO5; (A) (MACLINT)\nX2.\n"), "GOTO5|X2.");
+    EXPECT_EQ(blocks_around_comment("O1\nX1.;\n(MACLINT)\nX2.;\n"), "|X2.");
+    EXPECT_EQ(blocks_around_comment("(MACLINT)\nO1\nX2.;\n"), "|O1");
+    EXPECT_EQ(blocks_around_comment("O1\nM30;\n(MACLINT)\n"), "|");
+    EXPECT_EQ(blocks_around_comment("O1\nM30; (MACLINT)\n%\n"), "M30|");
 }
 
 } // namespace
