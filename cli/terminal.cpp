@@ -84,9 +84,7 @@ bool output_is_terminal() {
 std::size_t output_width() {
     const auto columns = platform::terminal_columns();
     if (!columns) return usual_width;
-    constexpr std::size_t least = 40;
-    constexpr std::size_t most = 120; // longer lines are hard to read
-    return std::clamp(*columns, least, most);
+    return std::clamp(*columns, least_width, most_width);
 }
 
 bool error_shows_progress() {

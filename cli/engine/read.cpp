@@ -86,9 +86,11 @@ ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> sou
     ReadFile read{.source = std::move(source),
                   .dialect = named ? file.settings.dialect : detection.dialect,
                   .dialect_reason = named ? file.settings.dialect_reason : detection.reason};
-    if (is_own_report(read.source->bytes())) {
+    const bool is_report = is_own_report(read.source->bytes());
+    const std::string what_it_is = is_report ? "a report of maclint" : detection.reason;
+    if (is_report && !reaches_the_control(file)) {
         read.dialect = nullptr;
-        if (file.input.named) read.notice = no_program(file, "a report of maclint");
+        read.notice = no_program(file, what_it_is);
         return read;
     }
     if (!named && !detection.not_nc_text && is_named_like_other(file.input.path)) {
@@ -96,11 +98,11 @@ ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> sou
         read.notice = foreign(file, "its name is none of an NC program");
         return read;
     }
-    const bool not_nc = detection.not_nc_text && (!named || is_no_text(*read.source));
+    const bool not_nc = is_report || (detection.not_nc_text && (!named || is_no_text(*read.source)));
     if (not_nc && reaches_the_control(file)) {
         if (read.dialect == nullptr) read.dialect = &dialects().front();
         read.control = &control_of(file, *read.dialect, {});
-        read.not_nc = detection.reason;
+        read.not_nc = what_it_is;
         read.file = empty_file(read);
         return read;
     }

@@ -1,68 +1,159 @@
-//! Looks at the first line only: what the programs say that a report quotes is no sign.
+//! Reads a text as the writers of reports write it: findings of several lines, tables, and single lines.
 #include "cli/input/own_report.hpp"
 
+#include "analyzer/source/encoding.hpp"
+#include "cli/input/report_lines.hpp"
+#include "cli/report/columns.hpp"
+#include "cli/report/report.hpp"
+
 #include <algorithm>
-#include <array>
-#include <cctype>
+#include <string>
 
 namespace maclint::cli {
 namespace {
 
-constexpr std::array<std::string_view, 3> severities = {"error", "warning", "note"};
+/// The lines of a text, without line ends and colours. Reports escape what cannot be seen: a text that has it
+/// is none.
+class Lines {
+  public:
+    explicit Lines(std::string_view text)
+        : rest_(text) {
+        next();
+    }
+    [[nodiscard]] bool at_end() const { return at_end_; }
+    [[nodiscard]] bool are_printable() const { return are_printable_; }
+    [[nodiscard]] const std::string& line() const { return line_; }
+    void next() {
+        at_end_ = rest_.empty();
+        const std::string_view line = rest_.substr(0, rest_.find_first_of("\r\n"));
+        rest_.remove_prefix(line.size());
+        if (!rest_.empty()) rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : 1);
+        line_ = without_colours(line);
+        are_printable_ = are_printable_ && printable(line_) == line_;
+    }
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+  private:
+    std::string_view rest_;
+    std::string line_;
+    bool at_end_ = false;
+    bool are_printable_ = true;
+};
 
-/// "[MAC303]"
-bool begins_with_code(std::string_view text) {
-    constexpr std::size_t length = 8;
-    return text.size() >= length && text[0] == '[' && text[length - 1] == ']' &&
-           std::ranges::all_of(text.substr(4, 3), is_digit);
+/// Lines that one text of a report is wrapped to: a line ends where the next word has no room.
+class WrappedText {
+  public:
+    /// The next line, in which `indent` columns stand before the words. Whether there is a width for all
+    /// lines up to it.
+    bool take(std::string_view line, std::size_t indent) {
+        const std::string_view words = line.substr(std::min(indent, line.size()));
+        if (words.starts_with(' ') || words.ends_with(' ') || words.find("  ") != std::string_view::npos)
+            return false;
+        const std::size_t columns = indent + columns_of(words);
+        const std::size_t first_word = columns_of(words.substr(0, words.find(' ')));
+        if (before_ > 0) most_ = std::min(most_, before_ + first_word);
+        if (words.find(' ') != std::string_view::npos) least_ = std::max(least_, columns);
+        before_ = columns;
+        return least_ <= most_;
+    }
+
+  private:
+    std::size_t least_ = least_width, most_ = most_width; ///< columns that the report may have
+    std::size_t before_ = 0;                              ///< columns of the line before
+};
+
+constexpr std::string_view rules_title = "findings by rule:";
+constexpr std::string_view files_title = "findings by file:";
+
+bool is_single_line(std::string_view line) {
+    return is_concise_finding(line) || is_workflow_command(line) || is_message(line) || is_summary(line) ||
+           is_not_shown(line) || is_timing(line);
 }
 
-/// "error[MAC303]", at the head of the line or behind the place.
-bool holds_finding(std::string_view line) {
-    return std::ranges::any_of(severities, [&](std::string_view severity) {
-        for (std::size_t at = line.find(severity); at != std::string_view::npos;
-             at = line.find(severity, at + 1))
-            if ((at == 0 || line.substr(0, at).ends_with(": ")) &&
-                begins_with_code(line.substr(at + severity.size())))
-                return true;
-        return false;
-    });
-}
+class ReportReader {
+  public:
+    explicit ReportReader(std::string_view text)
+        : lines_(text) {}
 
-/// "::error file=O1.nc,line=4"
-bool is_workflow_command(std::string_view line) {
-    constexpr std::array<std::string_view, 4> heads = {
-        "::error file=", "::warning file=", "::notice file=", "::error title=maclint"};
-    return std::ranges::any_of(heads, [&](std::string_view head) { return line.starts_with(head); });
-}
+    /// Whether the text begins like a report, which few programs do.
+    [[nodiscard]] bool begins() const {
+        return is_headline(lines_.line()) || lines_.line() == rules_title || is_single_line(lines_.line());
+    }
 
-/// "maclint: note: O1.txt: this is not linted", where what goes to standard error went into the file, too.
-bool is_message(std::string_view line) {
-    constexpr std::array<std::string_view, 2> heads = {"maclint: error: ", "maclint: note: "};
-    return std::ranges::any_of(heads, [&](std::string_view head) { return line.starts_with(head); });
-}
+    bool read() {
+        while (!lines_.at_end())
+            if (!lines_.are_printable() || !read_part()) return false;
+        return lines_.are_printable();
+    }
 
-/// "no findings (3 checked)", "no new findings (3 checked)", "1 error in 1 file (3 checked, 1 allowed by
-/// comments)"
-bool is_summary(std::string_view line) {
-    const std::size_t bracket = line.find(" (");
-    if (bracket == std::string_view::npos) return false;
-    std::string_view rest = line.substr(bracket + 2);
-    if (rest.empty() || !is_digit(rest.front())) return false;
-    rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of("0123456789")));
-    const std::string_view counts = line.substr(0, bracket);
-    return rest.starts_with(" checked") && (counts == "no findings" || counts == "no new findings" ||
-                                            counts.ends_with(" file") || counts.ends_with(" files"));
-}
+  private:
+    bool read_part() {
+        const std::string& line = lines_.line();
+        if (is_headline(line)) return read_finding();
+        if (line == rules_title || line == files_title) {
+            do lines_.next();
+            while (is_count(lines_.line()) && !is_like_tape_mark(lines_.line()));
+            return true;
+        }
+        if (!line.empty() && (!is_single_line(line) || is_like_tape_mark(line))) return false;
+        lines_.next();
+        return true;
+    }
+
+    bool read_finding() {
+        constexpr std::size_t indent = 4;
+        if (!read_wrapped(lines_.line().find(": ") + 2, indent)) return false;
+        if (lines_.at_end()) return true;
+        const std::size_t margin = margin_of_place(lines_.line(), "-->");
+        if (margin == 0) return false;
+        do {
+            if (holds_tape_mark_as_block(lines_.line())) return false;
+            lines_.next();
+        } while (is_row(lines_.line(), margin) || margin_of_place(lines_.line(), ":::") == margin);
+        return read_end(std::string(margin, ' ') + " = ");
+    }
+
+    /// The cure and where to read more.
+    bool read_end(const std::string& before) {
+        const std::string cure = before + "cure: ";
+        if (lines_.line().starts_with(cure) && !read_wrapped(cure.size(), cure.size())) return false;
+        if (lines_.line().starts_with(before) && is_reference(lines_.line().substr(before.size())))
+            lines_.next();
+        return lines_.line().empty();
+    }
+
+    /// A text with `first` columns before it, and its further lines behind `indent` blanks.
+    bool read_wrapped(std::size_t first, std::size_t indent) {
+        const std::string blanks(indent, ' ');
+        WrappedText text;
+        std::size_t before = first;
+        do {
+            if (is_like_tape_mark(lines_.line()) || !text.take(without_reference(lines_.line()), before))
+                return false;
+            before = indent;
+            lines_.next();
+        } while (lines_.line().starts_with(blanks) && margin_of_place(lines_.line(), "-->") == 0);
+        return true;
+    }
+
+    /// The reference stands at the end of a cure's last line where there is room.
+    static std::string_view without_reference(std::string_view line) {
+        constexpr std::string_view gap = "   ";
+        const std::size_t at = line.rfind(gap);
+        if (at == std::string_view::npos || !is_reference(line.substr(at + gap.size()))) return line;
+        line = line.substr(0, at);
+        return line.substr(0, line.find_last_not_of(' ') + 1);
+    }
+
+    Lines lines_;
+};
 
 } // namespace
 
 bool is_own_report(std::string_view text) {
-    const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
-    return holds_finding(line) || is_workflow_command(line) || is_summary(line) || is_message(line) ||
-           line == "findings by rule:";
+    text.remove_prefix(byte_order_mark_length(text));
+    const std::string_view first = text.substr(0, text.find_first_of("\r\n"));
+    return ReportReader(first).begins() && detect_encoding(text) == Encoding::utf8 &&
+           ReportReader(text).read();
 }
 
 } // namespace maclint::cli

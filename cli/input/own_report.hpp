@@ -5,8 +5,9 @@
 
 namespace maclint::cli {
 
-/// Whether a text begins like a text, concise or GitHub report: with a finding, the summary or
-/// a message. The other formats are JSON and XML.
+/// Whether the whole text is what text, concise and GitHub reports and standard error consist of; it may be
+/// cut off. The other formats are JSON and XML. A program is none, whatever stands before, behind or within
+/// it.
 [[nodiscard]] bool is_own_report(std::string_view text);
 
 } // namespace maclint::cli

@@ -53,6 +53,9 @@ enum class Summary : std::uint8_t { left_out, at_the_end };
 enum class PathDetail : std::uint8_t { none, shortened, full };
 /// Columns of a text report that does not go to a terminal.
 inline constexpr std::size_t usual_width = 80;
+/// The least and the most columns of one that does.
+inline constexpr std::size_t least_width = 40;
+inline constexpr std::size_t most_width = 120; // longer lines are hard to read
 
 struct TextStyle {
     Colour colour = Colour::plain;

@@ -1,0 +1,176 @@
+//! Reports are told by their whole text; what only looks like one is a program.
+#include "analyzer/dialect/dialect.hpp"
+#include "cli/input/own_report.hpp"
+#include "cli/report/report.hpp"
+#include "cli/report/statistics.hpp"
+#include "cli/report/timing.hpp"
+#include "rules/rule.hpp"
+#include "tests/cli/reports.hpp"
+#include "tests/support/in_repository.hpp"
+#include "tests/support/lines.hpp"
+#include "tests/support/linted.hpp"
+
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::cli {
+namespace {
+
+using test::HandMade;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/// What is found in one text, as the command has it before it writes.
+Report report_on(std::string_view dialect, const std::string& text) {
+    Overrides overrides;
+    overrides.dialect = find_dialect(dialect);
+    Result result = test::lint_texts({{"mill/O1 (2).nc", text}}, overrides);
+    Report report;
+    report.findings = std::move(result.findings);
+    report.notices = std::move(result.notices);
+    report.files = std::move(result.sources);
+    return report;
+}
+
+/// All that the formats for people and for GitHub make of it.
+std::vector<std::string> written(Report report) {
+    std::vector<std::string> texts;
+    for (const bool statistics : {false, true}) {
+        report.statistics = statistics;
+        for (const Summary summary : {Summary::at_the_end, Summary::left_out})
+            for (const Colour colour : {Colour::plain, Colour::coloured})
+                for (const PathDetail path : {PathDetail::none, PathDetail::shortened, PathDetail::full}) {
+                    for (const std::size_t width : {least_width, std::size_t{67}, usual_width, most_width})
+                        texts.push_back(write_text(report, {colour, summary, path, width}));
+                    texts.push_back(write_concise(report, {colour, summary, path, usual_width}));
+                    texts.push_back(write_github(report, {colour, summary, path, usual_width}));
+                }
+    }
+    std::erase(texts, "");
+    return texts;
+}
+
+TEST(OwnReport, IsKnownWhateverTheFinding) {
+    for (const Rule* rule : all_rules())
+        for (const Example& example : rule->bad)
+            for (const std::string& text : written(report_on(example.dialect, std::string(example.text))))
+                ASSERT_TRUE(is_own_report(text)) << rule->code << "\n" << text;
+}
+
+/// Every form that a report has, once.
+std::string text_report() {
+    HandMade made("O1.nc", "%\nO1\nS200\nIF[#1EQ1]GOTO4\nGOTO 4\n" + std::string(120, '\n') + "N4 M99\n%\n");
+    Finding& finding = made.add("GOTO 4", Severity::warning);
+    finding.arguments = {std::string("words that go on ") + std::string(60, 'a') +
+                         " and on over three lines " + std::string(50, 'b')};
+    finding.path = {{made.source(), made.place_of("S200"), "S is set here"},
+                    {made.source(), finding.span, "it is here"}};
+    finding.related = {{made.source(), made.place_of("M99"), "the macro returns"}};
+    const HandMade other("O2.nc", "O2\nG65 P1\n");
+    made.add("%", Severity::error).related = {{other.source(), other.place_of("G65"), "called from here"}};
+    made.report().statistics = true;
+    return write_text(made.report(), {.path = PathDetail::none}) +
+           write_text(made.report(), {.path = PathDetail::full, .width = least_width});
+}
+
+TEST(OwnReport, IsKnownWhenItsEndIsMissing) {
+    const std::string report = text_report();
+    ASSERT_TRUE(is_own_report(report));
+    for (std::size_t at = report.find('\n'); at + 1 < report.size(); at = report.find('\n', at + 1))
+        EXPECT_TRUE(is_own_report(report.substr(0, at + 1))) << report.substr(0, at + 1);
+}
+
+TEST(OwnReport, IsKnownAfterWhatToolsDoToTextFiles) {
+    std::string windows = "\xEF\xBB\xBF";
+    for (const char c : text_report()) windows += c == '\n' ? "\r\n" : std::string(1, c);
+    EXPECT_TRUE(is_own_report(windows));
+    EXPECT_TRUE(is_own_report(text_report() + "\n" + text_report())); // appended
+}
+
+TEST(OwnReport, IsKnownWithWhatWentToStandardError) {
+    EXPECT_TRUE(is_own_report("maclint: note: part.mpf: this is not linted.\n"));
+    EXPECT_TRUE(
+        is_own_report("maclint: error: O1.nc: cannot be read.\n" + text_report() + write_timing({}, {})));
+    EXPECT_TRUE(is_own_report("no new findings (1 checked, 2 files with other names passed over)\n"
+                              "12 known findings of base.json not shown\n"));
+}
+
+TEST(OwnReport, IsNoneWithALineOfAProgramAnywhere) {
+    const std::vector<std::string> lines = test::lines_of(text_report());
+    for (const char* line : {"%", "O1", "GOTO 99", "N10 G0 X1. (error[MAC301])", "(O1)", " %", "    %", "/M1",
+                             "#1=2", "1 | GOTO 99", "N1 | X1."}) {
+        for (std::size_t at = 0; at <= lines.size(); ++at) {
+            std::string text;
+            for (std::size_t i = 0; i <= lines.size(); ++i) {
+                if (i == at) text += std::string(line) + "\n";
+                if (i < lines.size()) text += lines[i] + "\n";
+            }
+            EXPECT_FALSE(is_own_report(text)) << text;
+        }
+    }
+}
+
+TEST(OwnReport, IsNoneThatAControlCouldRun) {
+    const std::string finding = "O1.nc:4:1: error[MAC301] Missing.";
+    const std::vector<std::string> texts = {
+        "\n", " ", "%\nO1\nGOTO7\nM30\n%\n", finding + "\n%\nO1\nGOTO7\nM30\n%\n",
+        "maclint: note: x\n%\nO1\nGOTO7\nM30\n%\n", "no findings (3 checked)\n%\nO1\nGOTO7\nM30\n%\n",
+        "%\nO1\nGOTO7\nM30\n%\n" + finding + "\n", "O1\n" + finding + "\nGOTO7\nM30\n",
+        // line ends of other kinds, and blocks that a line end is not wanted for
+        finding + "\rO1\rGOTO7\rM30\r", finding + "\x0B%\x0BO1", finding + ";%;O1;GOTO7;M30", finding + " %",
+        // every line is a finding to whoever does not know comments
+        "%(" + finding + ")\nO1(" + finding + ")\nGOTO7(" + finding + ")\n",
+        "GOTO7 (" + finding + ")\nM30 (" + finding + ")\n", "N1 M30 [" + finding + "]\n",
+        // a message is not wrapped before there is need to
+        "error[MAC301]: Missing.\n    %\n    O1\n    GOTO7\n    M30\n    %\n",
+        "error[MAC301]: Missing.\n    O1\n    GOTO7\n  --> a.nc:1:1\n",
+        "error[MAC301]: " + std::string(70, 'a') + "\n    % " + std::string(70, 'a') + "\n    O1\n",
+        // a row is one of a finding
+        " 1 | GOTO7\n", "error[MAC301]: a\n  --> a:1:1\n 1 | G0;%;O1;GOTO7;M30;\n   | ^\n",
+        finding + "\n 1 | GOTO7\n", "  3  GOTO7\n", "(BORES) (4 checked)\nO3\n"};
+    for (const std::string& text : texts) EXPECT_FALSE(is_own_report(text)) << text;
+}
+
+class OwnReports : public test::InRepository {};
+
+TEST_F(OwnReports, ThatArePassedOverAreNoted) {
+    folder.write("O1.nc", test::with_defect);
+    ASSERT_EQ(run({"O1.nc", "--output", "text:report.txt"}).status, 1);
+    ASSERT_EQ(run({"O1.nc", "--output", "concise:sub/report"}).status, 2); // there is no such folder
+    folder.write("sub/O2.nc", "maclint: note: x\n");
+    for (const char* path : {".", "report.txt"})
+        EXPECT_THAT(run({path}).err,
+                    HasSubstr("maclint: note: report.txt: this is not linted: a report of maclint."))
+            << path;
+    EXPECT_THAT(run({"sub"}).err, HasSubstr("O2.nc: this is not linted: a report of maclint."));
+}
+
+TEST_F(OwnReports, ThatAreNamedAsProgramsAreFindings) {
+    folder.write("O2.nc", "O1.nc:4:1: error[MAC301] Missing.\n");
+    const test::Finished finished = run({"O2.nc", "--format", "concise"});
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_THAT(finished.out, HasSubstr("error[MAC003] Not an NC program but a report of maclint."));
+}
+
+TEST_F(OwnReports, OfWhichAProgramHasOnlyALineAreLintedAsPrograms) {
+    const std::string program(test::with_defect);
+    const std::string line = "a.nc:1:1: error[MAC301] Missing: x\n";
+    for (const std::string& text : {line + program, program + line, "maclint: note: x\n" + program}) {
+        folder.write("O1.nc", text);
+        for (const char* path : {".", "O1.nc"}) {
+            const test::Finished finished = run({path, "--format", "concise"});
+            EXPECT_EQ(finished.status, 1) << text;
+            EXPECT_THAT(finished.out, AllOf(HasSubstr("error[MAC301]"), HasSubstr("(1 checked)"))) << text;
+        }
+        EXPECT_EQ(run({".", "--output", "json:O1.nc"}).status, 2) << text; // no report goes over it
+    }
+}
+
+} // namespace
+} // namespace maclint::cli
