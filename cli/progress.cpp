@@ -23,13 +23,18 @@ void write_line(const std::string& text) {
 
 Progress::Progress(Shown shown) {
     if (shown == Shown::never) return;
-    ticker_ = std::jthread([this](const std::stop_token& stop) { show_until_stopped(stop); });
+    if (auto thread = platform::Thread::start([this] { show_until_stopped(); }))
+        ticker_.emplace(*std::move(thread));
 }
 
 Progress::~Progress() {
-    if (!ticker_.joinable()) return;
-    ticker_.request_stop();
-    ticker_.join();
+    if (!ticker_) return;
+    {
+        const std::lock_guard lock(mutex_);
+        is_stopped_ = true;
+    }
+    stopped_.notify_all();
+    ticker_.reset();
     if (visible_) write_line("");
 }
 
@@ -40,16 +45,16 @@ void Progress::begin(std::string_view phase, std::size_t steps) {
     done_ = 0;
 }
 
-void Progress::show_until_stopped(const std::stop_token& stop) {
+void Progress::show_until_stopped() {
     std::unique_lock lock(mutex_);
-    const auto wait = [&](auto time) { return stopped_.wait_for(lock, stop, time, [] { return false; }); };
-    wait(patience);
-    while (!stop.stop_requested()) {
+    const auto is_stopped_after = [&](auto time) {
+        return stopped_.wait_for(lock, time, [this] { return is_stopped_; });
+    };
+    for (bool stopped = is_stopped_after(patience); !stopped; stopped = is_stopped_after(interval)) {
         const std::string count =
             steps_ == 0 ? "" : " " + std::to_string(done_) + " of " + std::to_string(steps_) + " files";
         write_line("maclint: " + std::string(phase_) + count + " …");
         visible_ = true;
-        wait(interval);
     }
 }
 

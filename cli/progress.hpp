@@ -1,12 +1,14 @@
 //! One line on a terminal's stderr that says how far a long run is.
 #pragma once
 
+#include "analyzer/source/platform/threads.hpp"
+
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <string_view>
-#include <thread>
 
 namespace maclint::cli {
 
@@ -25,15 +27,16 @@ class Progress {
     void step() { ++done_; }
 
   private:
-    void show_until_stopped(const std::stop_token& stop);
+    void show_until_stopped();
 
     std::mutex mutex_;
-    std::condition_variable_any stopped_;
+    std::condition_variable stopped_;
+    bool is_stopped_ = false;
     std::string_view phase_;
     std::size_t steps_ = 0;
     std::atomic<std::size_t> done_{0};
     bool visible_ = false;
-    std::jthread ticker_;
+    std::optional<platform::Thread> ticker_; ///< none: nothing is shown
 };
 
 } // namespace maclint::cli

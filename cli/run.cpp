@@ -4,6 +4,7 @@
 #include "analyzer/program/overloaded.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/out_of_memory.hpp"
 #include "cli/terminal.hpp"
 
 #include <cstdio>
@@ -31,7 +32,7 @@ int run(const std::vector<std::string>& arguments) noexcept {
     try {
         return do_request(read_command_line(arguments));
     } catch (const std::bad_alloc&) {
-        std::fputs("maclint: error: there is not enough memory. Lint fewer files at a time.\n", stderr);
+        end_out_of_memory();
     } catch (const std::exception& error) {
         std::fprintf(stderr, "maclint: error: something went wrong inside maclint (%s). Please report it.\n",
                      error.what());

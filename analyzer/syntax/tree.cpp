@@ -4,12 +4,31 @@
 #include "analyzer/source/platform/kept_by_thread.hpp"
 
 #include <cassert>
+#include <cstdlib>
 #include <memory>
 
 #include <tree_sitter/api.h>
 
 namespace maclint::syntax {
 namespace {
+
+// ---- memory
+
+void (*end_without_memory)() noexcept = nullptr;
+
+/// Of no bytes there may be no memory.
+void* there(void* memory, std::size_t size) {
+    if (memory == nullptr && size > 0) end_without_memory();
+    return memory;
+}
+
+void* allocate(std::size_t size) { return there(std::malloc(size), size); }
+void* allocate_zeros(std::size_t count, std::size_t size) {
+    return there(std::calloc(count, size), count * size);
+}
+void* reallocate(void* memory, std::size_t size) { return there(std::realloc(memory, size), size); }
+
+// ---- trees
 
 class Parser {
   public:
@@ -109,6 +128,11 @@ void print(Grammar grammar, const Tree& tree, NodeIndex index, std::string& out)
 }
 
 } // namespace
+
+void set_out_of_memory(void (*end)() noexcept) {
+    end_without_memory = end;
+    ts_set_allocator(&allocate, &allocate_zeros, &reallocate, &std::free);
+}
 
 void parse(Grammar grammar, std::string_view text, Tree& tree) {
     TSParser* parser = platform::KeptByThread<Parser>::get().get();

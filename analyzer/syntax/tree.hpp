@@ -38,6 +38,10 @@ struct Tree {
     bool has_error = false; ///< some node is ERROR or missing
 };
 
+/// Says what is called, on any thread, when tree-sitter gets no memory. It must end the process: C cannot be
+/// left by an exception. Without it tree-sitter calls exit(1). To be called before the first parse.
+void set_out_of_memory(void (*end)() noexcept);
+
 /// Parses `text` into `tree`, whose memory is used again. Every thread has its own parser.
 /// The text must be short (a block): nodes of more than 65,000 children crash the runtime 0.20.7.
 void parse(Grammar grammar, std::string_view text, Tree& tree);

@@ -2,13 +2,12 @@
 #include "analyzer/workspace/parallel.hpp"
 
 #include "analyzer/source/platform/kept_by_thread.hpp"
+#include "analyzer/source/platform/threads.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
-#include <thread>
 #include <vector>
 
 namespace maclint {
@@ -27,16 +26,21 @@ void for_each_parallel(std::size_t count, unsigned jobs, const std::function<voi
         }
     };
     {
-        std::vector<std::jthread> crew;
-        try {
-            for (std::size_t i = 1; i < threads; ++i)
-                crew.emplace_back([&] {
-                    const platform::ThreadWork with_what_it_keeps;
-                    take();
-                });
-        } catch (const std::system_error&) {
-            // The system gives no more threads: those that run do the work.
+        // Nobody begins before all have been started: they would take the memory that others start with.
+        std::atomic<bool> begun{false};
+        std::vector<platform::Thread> crew;
+        crew.reserve(threads);
+        for (std::size_t i = 1; i < threads; ++i) {
+            auto thread = platform::Thread::start([&] {
+                const platform::ThreadWork with_what_it_keeps;
+                begun.wait(false);
+                take();
+            });
+            if (!thread) break; // the system gives no more: those that run do the work
+            crew.push_back(*std::move(thread));
         }
+        begun = true;
+        begun.notify_all();
         take();
     }
     if (failure) std::rethrow_exception(failure);

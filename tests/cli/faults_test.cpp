@@ -1,5 +1,7 @@
 //! What goes wrong around maclint: full disks, pipes, files that are gone, names that nobody meant.
 #include "tests/support/in_repository.hpp"
+#include "tests/support/lines.hpp"
+#include "tests/support/sanitized.hpp"
 
 #include <csignal>
 #include <filesystem>
@@ -13,23 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::ElementsAre;
+using testing::ElementsAreArray;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
-
-/// Whether the tests, and so the executable, are compiled with a sanitizer, which takes terabytes of
-/// addresses.
-constexpr bool sanitized() {
-#if defined(__SANITIZE_ADDRESS__)
-    return true;
-#elif defined(__has_feature)
-    return __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-    return false;
-#endif
-}
 
 class Faults : public InRepository {
   protected:
@@ -213,6 +204,105 @@ TEST_F(Faults, AGroupTooLargeForMemoryDoesNotEndTheRunForOthers) {
     EXPECT_EQ(finished.status, 2);
     EXPECT_THAT(finished.err, StartsWith("maclint: error: large.nc: cannot be analysed: "));
     EXPECT_THAT(finished.out, HasSubstr("O1001.nc:4:1: error[MAC301]"));
+}
+
+/// Programs that take some memory to analyse, and more of it on several threads.
+std::string wide_program(int number) {
+    std::string text = "%\nO" + std::to_string(number) + "\n";
+    for (int i = 1; i < 400; ++i)
+        text += "N" + std::to_string(i) + "#" + std::to_string(i % 900 + 1) + "=#" +
+                std::to_string(i * 7 % 900 + 1) + "+" + std::to_string(i) + "\nIF[#" +
+                std::to_string(i % 33 + 1) + "EQ" + std::to_string(i) + "]GOTO" + std::to_string(i + 1) +
+                "\n";
+    return text + "N400M30\n%\n";
+}
+
+/// A program that the parser and the reader of expressions go deep into.
+std::string deep_program() {
+    constexpr std::size_t depth = 1300;
+    std::string sum = "#2";
+    for (std::size_t i = 0; i < depth; ++i) sum += "+#2";
+    return "%\nO2000\n#1=" + copies_of("[", depth) + "#2" + copies_of("]", depth) +
+           "\n#1=" + copies_of("SIN[", depth / 2) + "#2" + copies_of("]", depth / 2) + "\n#1=" + sum +
+           "\nGOTO 99\nM30\n%\n";
+}
+
+/// Runs under limits, compared with one that has none.
+class LimitedRuns : public Faults {
+  protected:
+    [[nodiscard]] Finished lint(const std::string& limits, const std::string& jobs) const {
+        folder.write("report.json", "old");
+        return shell(limits +
+                     "; $maclint --format concise --no-timestamps --output json:report.json --jobs " + jobs +
+                     " .");
+    }
+    [[nodiscard]] std::string report() const { return read_file(folder.path() / "report.json"); }
+
+    /// The whole report, or errors: then there may be a report that tells of them, or the old one.
+    void expect_whole_or_refused(const std::string& limits, const std::string& jobs) {
+        const Finished finished = lint(limits, jobs);
+        SCOPED_TRACE(limits + " jobs " + jobs + " status " + std::to_string(finished.status) + "\n" +
+                     finished.err);
+        EXPECT_THAT(names(), ElementsAreArray(names_));
+        if (finished.status == whole_.status) {
+            EXPECT_EQ(finished.out, whole_.out);
+            EXPECT_EQ(finished.err, whole_.err);
+            EXPECT_EQ(report(), whole_report_);
+            ++whole_runs_;
+            return;
+        }
+        EXPECT_EQ(finished.status, 2);
+        for (const std::string& line : lines_of(finished.err))
+            EXPECT_THAT(line, StartsWith("maclint: error: "));
+        EXPECT_THAT(finished.err, Not(IsEmpty()));
+        if (finished.out.empty())
+            EXPECT_EQ(report(), "old");
+        else
+            EXPECT_THAT(report(), AllOf(HasSubstr("cannot be analysed"), EndsWith("}\n")));
+    }
+
+    void lint_without_limits() {
+        whole_ = lint("true", "8");
+        ASSERT_EQ(whole_.status, 1);
+        whole_report_ = report();
+        names_ = names();
+    }
+
+    std::size_t whole_runs_ = 0;
+
+  private:
+    Finished whole_;
+    std::string whole_report_;
+    std::vector<std::string> names_;
+};
+
+TEST_F(LimitedRuns, OfMemoryEndWithTheWholeReportOrAnError) {
+    if (sanitized()) GTEST_SKIP() << "a sanitizer takes more memory than may be given";
+    for (int i = 1; i <= 12; ++i) folder.write("O" + std::to_string(i) + ".nc", wide_program(i));
+    lint_without_limits();
+    for (const int megabytes : {20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80, 100, 120, 200, 300}) {
+        const std::string limit = "ulimit -v " + std::to_string(megabytes * 1000);
+        if (shell(limit + "; $maclint --version").status == 127) continue; // the system cannot even load it
+        for (const char* jobs : {"1", "8"}) expect_whole_or_refused(limit, jobs);
+    }
+    EXPECT_GE(whole_runs_, 8U);
+}
+
+TEST_F(LimitedRuns, OfTheStackAreWhole) {
+    folder.write("O2000.nc", deep_program());
+    folder.write("O2001.ncs", "%O2001.ncs\nMACHINING\nN1 #l1=" + copies_of("(", 1500) + "1" +
+                                  copies_of(")", 1500) + "\nM30\nEND\n");
+    lint_without_limits();
+    for (const char* limit : {"ulimit -s 32", "ulimit -s 64", "ulimit -s 128"})
+        for (const char* jobs : {"1", "8"}) expect_whole_or_refused(limit, jobs);
+    EXPECT_EQ(whole_runs_, 6U);
+}
+
+TEST_F(LimitedRuns, OfTheStackWithoutMemoryForAnotherAreRefused) {
+    if (sanitized()) GTEST_SKIP() << "a sanitizer takes more memory than may be given";
+    lint_without_limits();
+    for (const int megabytes : {20, 24, 28, 32, 36, 40, 50})
+        expect_whole_or_refused("ulimit -s 64; ulimit -v " + std::to_string(megabytes * 1000), "8");
 }
 
 TEST_F(Faults, FilesThatGoWhileTheyAreLintedAreErrorsNotDefects) {

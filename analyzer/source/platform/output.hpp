@@ -17,6 +17,9 @@ inline constexpr std::chrono::seconds patience_with_readers{10};
 /// old file as it was.
 [[nodiscard]] int replace_file(const std::string& path, std::string_view text);
 
+/// Takes away the new file of `replace_file`, if there is one just now: the run is about to end at once.
+void remove_unfinished() noexcept;
+
 /// Writes to a pipe or a device. ENXIO: nobody came to read the pipe.
 [[nodiscard]] int write_in_place(const std::string& path, std::string_view text);
 

@@ -35,8 +35,8 @@ using File = std::unique_ptr<std::FILE, Closer>;
 /// What a signal handler may look at: the name of the file that is being written.
 std::atomic<const char*> unfinished = nullptr;
 
-extern "C" void remove_unfinished(int signal) {
-    if (const char* name = unfinished.load()) unlink(name);
+extern "C" void end_by_signal(int signal) {
+    remove_unfinished();
     std::signal(signal, SIG_DFL); // NOLINT(cert-err33-c): there is nobody to tell
     raise(signal);
 }
@@ -50,7 +50,7 @@ class Unfinished {
             struct sigaction action {};
             sigaction(ends[i], nullptr, &before_[i]);
             if (before_[i].sa_handler != SIG_DFL) continue; // who ignores a signal still does
-            action.sa_handler = &remove_unfinished;
+            action.sa_handler = &end_by_signal;
             sigaction(ends[i], &action, nullptr);
         }
     }
@@ -125,6 +125,10 @@ int replace_file(const std::string& path, std::string_view text) {
     const int error = errno;
     unlink(temporary.c_str());
     return error;
+}
+
+void remove_unfinished() noexcept {
+    if (const char* name = unfinished.load()) unlink(name);
 }
 
 int write_in_place(const std::string& path, std::string_view text) {

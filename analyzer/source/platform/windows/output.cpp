@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 /// What the handler of Ctrl-C, which runs on a thread of its own, may look at.
 std::atomic<const wchar_t*> unfinished = nullptr;
 
-BOOL WINAPI remove_unfinished(DWORD) {
-    if (const wchar_t* name = unfinished.load()) DeleteFileW(name);
+BOOL WINAPI end_by_console(DWORD) {
+    remove_unfinished();
     return FALSE; // and the run ends as it would have
 }
 
@@ -26,12 +26,12 @@ class Unfinished {
   public:
     explicit Unfinished(const std::wstring& name) {
         unfinished = name.c_str();
-        SetConsoleCtrlHandler(remove_unfinished, TRUE);
+        SetConsoleCtrlHandler(end_by_console, TRUE);
     }
     Unfinished(const Unfinished&) = delete;
     Unfinished& operator=(const Unfinished&) = delete;
     ~Unfinished() {
-        SetConsoleCtrlHandler(remove_unfinished, FALSE);
+        SetConsoleCtrlHandler(end_by_console, FALSE);
         unfinished = nullptr;
     }
 };
@@ -81,6 +81,10 @@ int replace_file(const std::string& path, std::string_view text) {
         error = last_error();
     if (error != 0) DeleteFileW(temporary.c_str());
     return error;
+}
+
+void remove_unfinished() noexcept {
+    if (const wchar_t* name = unfinished.load()) DeleteFileW(name);
 }
 
 int write_in_place(const std::string& path, std::string_view text) {
