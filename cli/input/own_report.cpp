@@ -106,7 +106,9 @@ class ReportReader {
         const std::size_t margin = margin_of_place(lines_.line(), "-->");
         if (margin == 0) return false;
         do {
-            if (holds_tape_mark_as_block(lines_.line())) return false;
+            // No row is longer than a report is wide, but for words in it that are.
+            if (holds_tape_mark_as_block(lines_.line()) && columns_of(lines_.line()) > most_width)
+                return false;
             lines_.next();
         } while (is_row(lines_.line(), margin) || margin_of_place(lines_.line(), ":::") == margin);
         return read_end(std::string(margin, ' ') + " = ");

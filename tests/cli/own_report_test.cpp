@@ -116,6 +116,15 @@ TEST(OwnReport, IsNoneWithALineOfAProgramAnywhere) {
     }
 }
 
+/// A finding in a line of a program.
+std::string row_with(const std::string& code) {
+    return "error[MAC301]: a\n  --> a:1:1\n 1 | " + code + "\n   | ^\n";
+}
+
+TEST(OwnReport, QuotesTapeMarksInRows) {
+    for (const char* code : {"%", "G0;%", "G0;%;O1;GOTO7;M30;"}) EXPECT_TRUE(is_own_report(row_with(code)));
+}
+
 TEST(OwnReport, IsNoneThatAControlCouldRun) {
     const std::string finding = "O1.nc:4:1: error[MAC301] Missing.";
     const std::vector<std::string> texts = {
@@ -132,8 +141,8 @@ TEST(OwnReport, IsNoneThatAControlCouldRun) {
         "error[MAC301]: Missing.\n    O1\n    GOTO7\n  --> a.nc:1:1\n",
         "error[MAC301]: " + std::string(70, 'a') + "\n    % " + std::string(70, 'a') + "\n    O1\n",
         // a row is one of a finding
-        " 1 | GOTO7\n", "error[MAC301]: a\n  --> a:1:1\n 1 | G0;%;O1;GOTO7;M30;\n   | ^\n",
-        finding + "\n 1 | GOTO7\n", "  3  GOTO7\n", "(BORES) (4 checked)\nO3\n"};
+        " 1 | GOTO7\n", row_with("G0;%;O1;GOTO7;M30;" + std::string(110, 'X')), finding + "\n 1 | GOTO7\n",
+        "  3  GOTO7\n", "(BORES) (4 checked)\nO3\n"};
     for (const std::string& text : texts) EXPECT_FALSE(is_own_report(text)) << text;
 }
 
