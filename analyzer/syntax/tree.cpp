@@ -12,7 +12,7 @@
 namespace maclint::syntax {
 namespace {
 
-// ---- memory
+// ---- memory, as C takes it: NOLINTBEGIN(cppcoreguidelines-no-malloc)
 
 void (*end_without_memory)() noexcept = nullptr;
 
@@ -27,6 +27,8 @@ void* allocate_zeros(std::size_t count, std::size_t size) {
     return there(std::calloc(count, size), count * size);
 }
 void* reallocate(void* memory, std::size_t size) { return there(std::realloc(memory, size), size); }
+
+// NOLINTEND(cppcoreguidelines-no-malloc)
 
 // ---- trees
 
