@@ -14,6 +14,9 @@ namespace {
 
 std::optional<std::string> refusal(int error) {
     if (error == 0) return std::nullopt;
+    if (error == EFBIG)
+        return "it would be larger than the system allows. Raise the limit (ulimit -f), or write it "
+               "elsewhere.";
     return "the system says '" + std::generic_category().message(error) +
            "'. Check the folder, its permissions and the space that is left.";
 }

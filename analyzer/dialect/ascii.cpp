@@ -72,9 +72,10 @@ void take_out_comments(std::string_view text, Span block, std::span<const Span> 
     take(block.end);
 }
 
+std::string_view file_name_of(std::string_view path) { return path.substr(path.rfind('/') + 1); }
+
 std::string stem_of(std::string_view path) {
-    const std::size_t slash = path.find_last_of("/\\");
-    std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
+    std::string_view name = file_name_of(path);
     const std::size_t dot = name.rfind('.');
     if (dot != std::string_view::npos && dot != 0) name = name.substr(0, dot);
     return std::string(name);

@@ -23,6 +23,10 @@ namespace maclint {
 /// Writes a block without its comments, blanks and tape leader into `rest`, whose memory is used again.
 void take_out_comments(std::string_view text, Span block, std::span<const Span> comments, std::string& rest);
 
+/// What stands behind the last '/' of a path. A path of Windows has been given that already; elsewhere '\' is
+/// a letter of names as any other.
+[[nodiscard]] std::string_view file_name_of(std::string_view path);
+
 /// A file's name without folder and extension.
 [[nodiscard]] std::string stem_of(std::string_view path);
 

@@ -1,5 +1,6 @@
 //! Tells which dialect a file is written in, or what it is instead, by its extension and the beginning of its
 //! text.
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/detect/control_marks.hpp"
 #include "analyzer/dialect/detect/first_program.hpp"
@@ -20,11 +21,6 @@ using detect::Language;
 using detect::Line;
 
 constexpr std::size_t looked_at = 64 * 1024;
-
-std::string_view file_name_of(std::string_view path) {
-    const std::size_t slash = path.find_last_of("/\\");
-    return slash == std::string_view::npos ? path : path.substr(slash + 1);
-}
 
 /// The extension in small letters without its point.
 std::string extension_of(std::string_view path) {

@@ -1,26 +1,27 @@
 //! Reading files whole, and saying what is wrong with those that cannot be read.
+#include "analyzer/source/read.hpp"
+
 #include "analyzer/source/platform/input.hpp"
-#include "analyzer/source/source.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <limits>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 namespace maclint {
 namespace {
 
-/// One byte less than an Offset can hold, so that lines and columns, which count from 1, fit as well.
-constexpr std::size_t largest_file = std::numeric_limits<Offset>::max() - 1;
+constexpr SizeLimit any_source{largest_source, "Split the program or leave the file out."};
 constexpr std::size_t growth_step = std::size_t{64} * 1024;
 
-/// How long a pipe that was named, and standard input, may stay silent: others write to the latter, and
-/// people type passwords before they do.
-constexpr std::chrono::seconds patience_with_pipes{10};
+/// How long a file or a pipe, and standard input, may stay silent: others write to the latter, and people
+/// type passwords before they do.
+constexpr std::chrono::seconds patience_with_files{10};
 constexpr std::chrono::seconds patience_with_input{60};
 
 std::string quoted(const std::string& path) {
@@ -29,6 +30,10 @@ std::string quoted(const std::string& path) {
 
 InputError cannot_read(const std::string& path, const std::string& why) {
     return {path, quoted(path) + " cannot be read: " + why};
+}
+
+InputError is_no_file(const std::string& path) {
+    return cannot_read(path, "it is a device or a socket. Name a file instead.");
 }
 
 InputError system_refused(const std::string& path, int error) {
@@ -45,6 +50,8 @@ InputError system_refused(const std::string& path, int error) {
     case EMFILE:
     case ENFILE:
         return cannot_read(path, "too many files are open. Raise the limit (ulimit -n) or lower --jobs.");
+    case ENXIO:
+    case ENODEV: return is_no_file(path);
     case EBUSY:
         return cannot_read(path, "another program has it open for itself. Close it there and try again.");
     case EIO:
@@ -53,8 +60,22 @@ InputError system_refused(const std::string& path, int error) {
     }
 }
 
-InputError too_large(const std::string& path) {
-    return cannot_read(path, "it has 4 GiB or more. Split the program or leave the file out.");
+/// "1 GiB", "1500 MiB", "1000 bytes"
+std::string in_words(std::uintmax_t bytes) {
+    constexpr std::uintmax_t step = 1024;
+    std::string_view unit = bytes == 1 ? " byte" : " bytes";
+    for (const std::string_view larger : {" KiB", " MiB", " GiB"}) {
+        if (bytes == 0 || bytes % step != 0) break;
+        bytes /= step;
+        unit = larger;
+    }
+    return std::to_string(bytes).append(unit);
+}
+
+InputError too_large(const std::string& path, const SizeLimit& limit) {
+    std::string size = limit.bytes >= largest_source ? "it has 4 GiB or more. "
+                                                     : "it is larger than " + in_words(limit.bytes) + ". ";
+    return cannot_read(path, size.append(limit.cure));
 }
 
 std::optional<InputError> refuse_kind(const std::string& path, platform::FileKind kind) {
@@ -63,30 +84,35 @@ std::optional<InputError> refuse_kind(const std::string& path, platform::FileKin
     case platform::FileKind::pipe: return std::nullopt;
     case platform::FileKind::folder:
         return cannot_read(path, "it is a folder. Name the files in it instead.");
-    default: return cannot_read(path, "it is a device or a socket. Name a file instead.");
+    default: return is_no_file(path);
     }
 }
 
-InputError silent(const std::string& path, std::chrono::seconds patience) {
-    return cannot_read(path, "nothing has come through this pipe for " + std::to_string(patience.count()) +
-                                 " seconds. Start what writes to it, or leave it out.");
+InputError silent(const std::string& path, platform::FileKind kind, std::chrono::seconds patience) {
+    const std::string time = std::to_string(patience.count()) + " seconds. ";
+    if (kind == platform::FileKind::regular)
+        return cannot_read(path, "the system has given nothing of it for " + time +
+                                     "Copy it to a disk of this computer, or leave it out.");
+    return cannot_read(path, "nothing has come through this pipe for " + time +
+                                 "Start what writes to it, or leave it out.");
 }
 
-/// Reads to the end. The file may grow or shrink meanwhile: its size is only a hint. Without `patience` all
-/// bytes are there at once.
-std::variant<std::string, InputError> read_all(int descriptor, const std::string& path, std::size_t size_hint,
-                                               std::optional<std::chrono::seconds> patience) {
-    if (size_hint > largest_file) return too_large(path);
-    std::string bytes(size_hint + 1, '\0');
+/// Reads to the end. The file may grow or shrink meanwhile: its size is only a hint.
+std::variant<std::string, InputError> read_all(platform::OpenFile& file, const std::string& path,
+                                               const SizeLimit& limit, std::chrono::seconds patience) {
+    const std::uintmax_t most = std::min(limit.bytes, largest_source);
+    if (file.size() > most) return too_large(path, limit);
+    std::string bytes(static_cast<std::size_t>(file.size()) + 1, '\0');
     std::size_t filled = 0;
     while (true) {
-        if (filled == bytes.size()) bytes.resize(std::max(bytes.size() + bytes.size() / 2, growth_step));
-        if (patience && !platform::comes_in_time(descriptor, *patience)) return silent(path, *patience);
-        const auto [count, error] = platform::read_some(descriptor, std::span(bytes).subspan(filled));
-        if (error != 0) return system_refused(path, error);
-        if (count == 0) break;
-        filled += count;
-        if (filled > largest_file) return too_large(path);
+        if (filled == bytes.size())
+            bytes.resize(std::min<std::uintmax_t>(std::max(filled + filled / 2, growth_step), most + 1));
+        const auto portion = file.read_some(std::span(bytes).subspan(filled), patience);
+        if (!portion) return silent(path, file.kind(), patience);
+        if (portion->error != 0) return system_refused(path, portion->error);
+        if (portion->count == 0) break;
+        filled += portion->count;
+        if (filled > most) return too_large(path, limit);
     }
     bytes.resize(filled);
     return bytes;
@@ -99,19 +125,26 @@ std::variant<Source, InputError> to_source(std::string path, std::variant<std::s
 
 } // namespace
 
-std::variant<Source, InputError> Source::read_file(std::string path) {
-    const platform::OpenFile file(path);
+std::variant<Source, InputError> read_file(std::string path, const SizeLimit& limit) {
+    platform::OpenFile file(path);
     if (file.error() != 0) return system_refused(path, file.error());
     if (auto refused = refuse_kind(path, file.kind())) return *std::move(refused);
-    const bool waits = file.kind() == platform::FileKind::pipe;
-    auto bytes = read_all(file.descriptor(), path, file.size(),
-                          waits ? std::optional(patience_with_pipes) : std::nullopt);
+    auto bytes = read_all(file, path, limit, patience_with_files);
     return to_source(std::move(path), std::move(bytes));
 }
 
-std::variant<Source, InputError> Source::read_standard_input(std::string path) {
-    auto bytes = read_all(platform::standard_input, path, 0, patience_with_input);
+std::variant<Source, InputError> read_standard_input(std::string path, const SizeLimit& limit) {
+    auto input = platform::OpenFile::standard_input();
+    auto bytes = read_all(input, path, limit, patience_with_input);
     return to_source(std::move(path), std::move(bytes));
+}
+
+std::variant<Source, InputError> Source::read_file(std::string path) {
+    return maclint::read_file(std::move(path), any_source);
+}
+
+std::variant<Source, InputError> Source::read_standard_input(std::string path) {
+    return maclint::read_standard_input(std::move(path), any_source);
 }
 
 } // namespace maclint

@@ -5,6 +5,7 @@
 #include "cli/config/configuration.hpp"
 #include "cli/config/json_tree.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/input/size_limits.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ class Loader {
     }
 
     Source open(const std::string& path) {
-        auto result = Source::read_file(path);
+        auto result = read_file(path, configuration_limit);
         if (const auto* error = std::get_if<InputError>(&result))
             throw Rejected{{NoticeKind::configuration, path, error->message}};
         return std::get<Source>(std::move(result));

@@ -98,6 +98,7 @@ std::optional<FileSettings> Settings::for_file(const std::string& path) {
     if (!found) return std::nullopt;
     FileSettings settings;
     settings.configuration = *found;
+    settings.max_file_size = overrides_.max_file_size;
     if (*found) {
         for (const FileEntry& entry : (*found)->files) {
             if (!entry.glob.takes(path)) continue;

@@ -4,8 +4,10 @@
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/config/configuration.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/input/size_limits.hpp"
 #include "cli/notice.hpp"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -27,6 +29,7 @@ struct Overrides {
     bool complete = false;    ///< every program of the control is there, whatever the configuration says
     std::string baseline;     ///< --baseline; empty: the configuration says
     bool no_baseline = false; ///< none at all
+    std::uintmax_t max_file_size = usual_program_bytes; ///< in bytes; a larger program is not read
 };
 
 /// A control that somebody named, and where.
@@ -41,8 +44,9 @@ struct FileSettings {
     std::string dialect_reason;
     std::vector<NamedControl> controls; ///< what counts most comes first; each for files of its language only
     std::shared_ptr<const RuleStates> rules;
-    bool complete = false; ///< every program of the control is there
-    std::string baseline;  ///< path of the file that knows findings; empty: none
+    bool complete = false;                              ///< every program of the control is there
+    std::string baseline;                               ///< path of the file that knows findings; empty: none
+    std::uintmax_t max_file_size = usual_program_bytes; ///< in bytes; a larger file is not read
 };
 
 /// Finds settings and remembers what many files share. For one thread.

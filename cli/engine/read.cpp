@@ -6,6 +6,7 @@
 #include "analyzer/source/content.hpp"
 #include "cli/input/own_report.hpp"
 #include "cli/input/program_name.hpp"
+#include "cli/input/size_limits.hpp"
 
 #include <utility>
 
@@ -68,8 +69,9 @@ std::shared_ptr<const ProgramFile> empty_file(const ReadFile& read) {
 std::variant<Source, Notice> open_file(const SnapshotFile& file) {
     if (file.text) return *file.text;
     const InputFile& input = file.input;
+    const SizeLimit limit = program_limit(file.settings.max_file_size);
     auto result =
-        input.standard_input ? Source::read_standard_input(input.path) : Source::read_file(input.path);
+        input.standard_input ? read_standard_input(input.path, limit) : read_file(input.path, limit);
     if (auto* error = std::get_if<InputError>(&result))
         return Notice{NoticeKind::unreadable, std::move(error->path), std::move(error->message)};
     auto& source = std::get<Source>(result);

@@ -7,6 +7,7 @@
 #include "analyzer/source/platform/paths.hpp"
 #include "analyzer/source/source.hpp"
 #include "cli/config/json_tree.hpp"
+#include "cli/input/size_limits.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
@@ -170,7 +171,7 @@ std::variant<Baseline, Notice> read_baseline(const std::string& path) {
     if (platform::kind_of(platform::path_of(path)) == platform::FileKind::missing)
         return refusal(path, "there is no such baseline. Write it with '--write-baseline " + shown(path) +
                                  "', or leave the name out.");
-    const auto result = Source::read_file(path);
+    const auto result = read_file(path, baseline_limit);
     if (const auto* error = std::get_if<InputError>(&result)) return refusal(path, error->message);
     try {
         return Reader(std::get<Source>(result)).read();

@@ -5,6 +5,7 @@
 #include "analyzer/source/platform/output.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/input/gitignore.hpp"
+#include "cli/input/links.hpp"
 #include "cli/input/program_name.hpp"
 #include "cli/input/repository.hpp"
 #include "cli/suggest.hpp"
@@ -71,9 +72,16 @@ class Walk {
 
     void add_named(const std::string& path, bool standard_input) {
         const fs::path named = platform::path_of(path);
-        if (!seen_.insert(identity(named)).second) return;
+        const std::string real = identity(named);
+        if (!seen_.insert(real).second) return;
+        bounded_by_.push_back(platform::path_of(real));
         found_.files.push_back(
             {standard_input ? platform::text_of(named) : as_shown(named), true, true, standard_input});
+    }
+
+    /// Links may lead into this folder, too: that which holds it after all links.
+    void may_lead_into(const std::string& folder) {
+        bounded_by_.push_back(platform::path_of(identity(platform::path_of(folder))));
     }
 
     /// What was named is not found once more.
@@ -110,6 +118,11 @@ class Walk {
             at = folder;
         }
         return false;
+    }
+
+    /// Ignore files that did not hold.
+    void note_unread_rules() {
+        for (const InputError& error : git_.unread()) note({NoticeKind::left_out, error.path, error.message});
     }
 
     [[nodiscard]] const PassedOver& passed_over() const { return found_.passed_over; }
@@ -153,14 +166,19 @@ class Walk {
     void sort_out(const Configuration* configuration, const platform::FolderEntry& entry,
                   const std::string& real, bool asked, std::vector<Folder>& folders) {
         const std::string name = platform::text_of(entry.path.filename());
-        if (entry.kind == platform::FileKind::folder) {
+        if (leads_out(entry, real)) {
+            if (asked) count_link(entry, name, real);
+            return;
+        }
+        const platform::FileKind kind =
+            entry.kind == platform::FileKind::link ? platform::kind_of(entry.path) : entry.kind;
+        if (kind == platform::FileKind::folder) {
             if (!is_passed_over(name) && !is_ignored(real, entry, name))
                 folders.push_back({entry.path, place_of(entry, real)});
             return;
         }
         // A link that leads nowhere is reported when it is read; pipes and devices are not for linting.
-        if (entry.kind == platform::FileKind::pipe || entry.kind == platform::FileKind::other ||
-            name.starts_with('.'))
+        if (kind == platform::FileKind::pipe || kind == platform::FileKind::other || name.starts_with('.'))
             return;
         const std::size_t one = asked ? 1 : 0;
         if (!is_wanted(configuration, entry.path, name))
@@ -171,10 +189,29 @@ class Walk {
             take_file(entry, real, asked);
     }
 
+    /// One that is not followed, so that nobody knows what it leads to, but for its name.
+    void count_link(const platform::FolderEntry& entry, const std::string& name, const std::string& real) {
+        if (is_passed_over(name) || is_named_like_other(name)) return;
+        if (!is_ignored(real, entry, name))
+            ++found_.passed_over.links_out;
+        else if (has_nc_extension(name))
+            ++found_.passed_over.ignored_by_git;
+    }
+
+    /// Whether an entry of the folder `real` is a link to what is in none of the folders that bound the
+    /// search. A folder may be one and not show it (Windows): then the system tells where it is.
+    [[nodiscard]] bool leads_out(const platform::FolderEntry& entry, const std::string& real) const {
+        if (options_.follow_links || entry.lies_here) return false;
+        const fs::path path = platform::path_of(real) / entry.path.filename();
+        if (entry.kind == platform::FileKind::link) return end_of(path, bounded_by_) == LinkEnd::outside;
+        const fs::path place = platform::path_of(identity(path));
+        return std::ranges::none_of(bounded_by_,
+                                    [&](const fs::path& folder) { return platform::lies_in(place, folder); });
+    }
+
     /// For git a link is a file, wherever it leads.
     bool is_ignored(const std::string& folder, const platform::FolderEntry& entry, const std::string& name) {
-        return options_.gitignore &&
-               git_.ignores(folder, name, entry.kind == platform::FileKind::folder && !entry.is_link);
+        return options_.gitignore && git_.ignores(folder, name, entry.kind == platform::FileKind::folder);
     }
 
     static bool is_excluded(const Configuration* configuration, const fs::path& path) {
@@ -210,6 +247,7 @@ class Walk {
     DiscoverOptions options_;
     GitIgnore git_;
     Discovered found_;
+    std::vector<fs::path> bounded_by_; ///< what was named, after all links
     std::set<std::string> seen_, folders_;
     std::size_t entries_ = 0;
     std::size_t wanted_ = 0;
@@ -279,13 +317,22 @@ Notice left_out(const std::string& path) {
         "this is excluded or ignored by git, so it is not checked. Leave --force-exclude out to check it."};
 }
 
-/// A folder without programs is told of.
+Notice links_out_of(const std::string& folder, std::size_t links) {
+    const bool one = links == 1;
+    return {NoticeKind::left_out, as_shown(platform::path_of(folder)),
+            counted(links, "link") + (one ? " in this folder leads" : " in this folder lead") +
+                " out of it and " + (one ? "is" : "are") +
+                " not followed. Say --follow-links to have checked what is there."};
+}
+
+/// A folder without programs is told of, and links that were not followed.
 void search(Walk& walk, const std::string& folder) {
     const PassedOver before = walk.passed_over();
-    if (walk.add_folder(platform::path_of(folder), Depth::all_below, true) > 0) return;
-    const PassedOver after = walk.passed_over();
-    const std::string others =
-        text_of({after.other_names - before.other_names, after.ignored_by_git - before.ignored_by_git});
+    const std::size_t programs = walk.add_folder(platform::path_of(folder), Depth::all_below, true);
+    const PassedOver added = walk.passed_over() - before;
+    if (added.links_out > 0) walk.note(links_out_of(folder, added.links_out));
+    if (programs > 0) return;
+    const std::string others = text_of(added);
     walk.note({NoticeKind::left_out, as_shown(platform::path_of(folder)),
                "no NC program is in this folder" + (others.empty() ? "" : " (" + others + ")") +
                    ". Name files themselves when they have unusual names, or add 'include' to the "
@@ -311,6 +358,8 @@ Discovered discover(const std::vector<std::string>& paths, const std::string& st
         else if (path != "-" && !is_folder(path))
             add(path, false);
     }
+    for (const std::string& path : paths)
+        if (path != "-" && is_folder(path)) walk.may_lead_into(path);
     std::set<std::string> folders;
     for (const std::string& path : paths) {
         if (path == "-" || !is_folder(path) || refuse_path(path)) continue;
@@ -320,6 +369,7 @@ Discovered discover(const std::vector<std::string>& paths, const std::string& st
         else
             search(walk, path);
     }
+    walk.note_unread_rules();
     return walk.take();
 }
 
@@ -329,11 +379,12 @@ Discovered discover_context(const std::vector<InputFile>& asked, const std::vect
     if (homes.empty()) return {};
     Walk walk(settings, context_bounds, options);
     for (const InputFile& file : asked) walk.pass_over(file.path);
+    for (const Home& home : homes) walk.may_lead_into(platform::text_of(home.folder));
     std::error_code ignored;
     const fs::path here = fs::current_path(ignored);
     for (const Home& home : homes) {
         const fs::path shorter = home.folder.lexically_proximate(here);
-        const bool below = !platform::text_of(shorter).starts_with("..");
+        const bool below = shorter.empty() || *shorter.begin() != "..";
         walk.add_folder(below ? shorter : home.folder, home.depth, false);
     }
     if (walk.is_full())

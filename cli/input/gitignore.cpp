@@ -6,7 +6,9 @@
 #include "analyzer/source/platform/paths.hpp"
 #include "analyzer/source/source.hpp"
 #include "cli/config/glob.hpp"
+#include "cli/input/links.hpp"
 #include "cli/input/repository.hpp"
+#include "cli/input/size_limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,12 +21,6 @@ namespace maclint::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read_text(const fs::path& file) {
-    const auto read = Source::read_file(platform::text_of(file));
-    const auto* source = std::get_if<Source>(&read);
-    return source == nullptr ? std::string() : std::string(source->bytes());
-}
 
 struct CharacterClass {
     std::string_view name, members;
@@ -167,17 +163,23 @@ bool matches(const IgnoreRule& rule, const std::vector<std::string_view>& names)
 /// The folder of a repository's own files; for a work tree beside it a file names it.
 fs::path git_folder(const fs::path& root) {
     fs::path at = root / ".git";
+    if (leaves_drive(at, root)) return at;
     if (platform::kind_of(at) == platform::FileKind::folder) return at;
     const auto named_in = [](const fs::path& file, std::string_view key) {
-        std::string text = read_text(file);
+        if (platform::kind_of(file) != platform::FileKind::regular) return std::string();
+        const auto read = read_file(platform::text_of(file), git_pointer_limit);
+        const auto* source = std::get_if<Source>(&read);
+        std::string text(source == nullptr ? std::string_view() : source->bytes());
         text.resize(std::min(text.size(), text.find_first_of("\r\n")));
         return text.starts_with(key) ? text.substr(key.size()) : std::string();
     };
     const std::string named = named_in(at, "gitdir: ");
-    if (named.empty()) return at;
+    if (named.empty() || leaves_drive(platform::path_of(named), root)) return at;
     const fs::path folder = root / platform::path_of(named);
+    if (leaves_drive("commondir", folder)) return folder;
     const std::string common = named_in(folder / "commondir", "");
-    return common.empty() ? folder : folder / platform::path_of(common);
+    if (common.empty() || leaves_drive(platform::path_of(common), folder)) return folder;
+    return folder / platform::path_of(common);
 }
 
 } // namespace
@@ -195,8 +197,14 @@ std::vector<IgnoreRule> read_ignore_rules(std::string_view text) {
 }
 
 GitIgnore::Chain GitIgnore::with_file(Chain above, const std::string& folder, const fs::path& file) {
-    if (platform::kind_of(file) != platform::FileKind::regular) return above;
-    auto rules = read_ignore_rules(read_text(file));
+    // Nor does git follow a link in its place.
+    if (platform::kind_unfollowed(file) != platform::FileKind::regular) return above;
+    auto read = read_file(platform::text_of(file), ignore_file_limit);
+    if (auto* error = std::get_if<InputError>(&read)) {
+        unread_.push_back(std::move(*error));
+        return above;
+    }
+    auto rules = read_ignore_rules(std::get<Source>(read).bytes());
     if (rules.empty()) return above;
     return std::make_shared<const Rules>(Rules{std::move(above), folder, std::move(rules)});
 }
@@ -205,10 +213,13 @@ const GitIgnore::Known& GitIgnore::known_of(const std::string& folder) {
     if (const auto known = by_folder_.find(folder); known != by_folder_.end()) return known->second;
     const fs::path path = platform::path_of(folder);
     Known known;
-    if (is_repository(path))
-        known = {with_file(nullptr, folder, git_folder(path) / "info" / "exclude"), true};
-    else if (path.has_relative_path())
+    if (is_repository(path)) {
+        const fs::path git = git_folder(path);
+        const fs::path exclude = git / "info" / "exclude";
+        known = {leaves_drive(exclude, git) ? nullptr : with_file(nullptr, folder, exclude), true};
+    } else if (path.has_relative_path()) {
         known = known_of(platform::text_of(path.parent_path()));
+    }
     if (known.in_repository) known.rules = with_file(std::move(known.rules), folder, path / ".gitignore");
     return by_folder_.emplace(folder, std::move(known)).first->second;
 }

@@ -1,6 +1,8 @@
 //! What git passes over in folders of a repository, as gitignore(5) has it.
 #pragma once
 
+#include "analyzer/source/source.hpp"
+
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -32,6 +34,8 @@ class GitIgnore {
     void ask_for(const std::string& folder);
     /// Whether git passes over a file or folder, or a folder above it.
     [[nodiscard]] bool ignores_path(const std::string& path, bool is_folder);
+    /// Files that could not be read, or are too large.
+    [[nodiscard]] const std::vector<InputError>& unread() const { return unread_; }
 
   private:
     /// A folder with rules of its own, and the next one above it in the repository.
@@ -47,9 +51,10 @@ class GitIgnore {
     };
 
     const Known& known_of(const std::string& folder);
-    static Chain with_file(Chain above, const std::string& folder, const std::filesystem::path& file);
+    Chain with_file(Chain above, const std::string& folder, const std::filesystem::path& file);
 
     std::map<std::string, Known, std::less<>> by_folder_;
+    std::vector<InputError> unread_;
 };
 
 } // namespace maclint::cli

@@ -7,13 +7,14 @@ namespace maclint::cli {
 
 std::string text_of(const PassedOver& passed_over) {
     std::string text;
+    const auto add = [&text](const std::string& more) { text += (text.empty() ? "" : ", ") + more; };
     if (passed_over.other_names == 1)
-        text = "1 file with another name passed over";
+        add("1 file with another name passed over");
     else if (passed_over.other_names > 1)
-        text = std::to_string(passed_over.other_names) + " files with other names passed over";
+        add(std::to_string(passed_over.other_names) + " files with other names passed over");
     if (passed_over.ignored_by_git > 0)
-        text +=
-            (text.empty() ? "" : ", ") + counted(passed_over.ignored_by_git, "program") + " ignored by git";
+        add(counted(passed_over.ignored_by_git, "program") + " ignored by git");
+    if (passed_over.links_out > 0) add(counted(passed_over.links_out, "link") + " to elsewhere not followed");
     return text;
 }
 

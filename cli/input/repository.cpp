@@ -2,11 +2,14 @@
 #include "cli/input/repository.hpp"
 
 #include "analyzer/source/platform/files.hpp"
+#include "cli/input/links.hpp"
 
 namespace maclint::cli {
 
 bool is_repository(const std::filesystem::path& folder) {
-    const platform::FileKind kind = platform::kind_of(folder / ".git");
+    const std::filesystem::path git = folder / ".git";
+    platform::FileKind kind = platform::kind_unfollowed(git);
+    if (kind == platform::FileKind::link && !leaves_drive(git, folder)) kind = platform::kind_of(git);
     return kind == platform::FileKind::folder || kind == platform::FileKind::regular;
 }
 

@@ -49,6 +49,13 @@ void declare_discovery(CLI::App& check, CheckWords& words) {
     check.add_flag("--force-exclude", words.force_exclude,
                    "What is excluded or ignored by git is not checked when it is named, too");
     check.add_flag("--no-gitignore", words.no_gitignore, "Search folders for what git ignores, too");
+    check.add_flag("--follow-links", words.follow_links,
+                   "Follow links out of the folders that are searched, too");
+    check
+        .add_option("--max-file-size", words.max_file_size,
+                    "Larger files are an error and are not read: 500M, 2G or bytes (default: 1G)")
+        ->type_name("SIZE")
+        ->each([](const std::string& word) { static_cast<void>(size_in_bytes("--max-file-size", word)); });
     check.add_flag("--error-on-empty", words.error_on_empty, "A run that checks no program is an error");
 }
 
@@ -215,6 +222,8 @@ CheckRequest check_request(const CheckWords& words) {
         request.max_findings = std::numeric_limits<std::size_t>::max();
     else if (!words.max_findings.empty())
         request.max_findings = number<std::size_t>("--max-findings", words.max_findings, 0, 1'000'000'000);
+    if (!words.max_file_size.empty())
+        request.overrides.max_file_size = size_in_bytes("--max-file-size", words.max_file_size);
     request.path = choose("--path", words.path, path_details);
     request.colour = choose("--color", words.colour, colours);
     request.quiet = words.quiet;
@@ -222,7 +231,9 @@ CheckRequest check_request(const CheckWords& words) {
     request.timing = words.timing;
     request.statistics = words.statistics;
     read_gate(words, request);
-    request.discovery = {.gitignore = !words.no_gitignore, .force_exclude = words.force_exclude};
+    request.discovery = {.gitignore = !words.no_gitignore,
+                         .follow_links = words.follow_links,
+                         .force_exclude = words.force_exclude};
     request.error_on_empty = words.error_on_empty;
     return request;
 }

@@ -1,6 +1,7 @@
 //! Refusals with the words that are known.
 #include "cli/options/words.hpp"
 
+#include "analyzer/source/read.hpp"
 #include "cli/config/configuration.hpp"
 #include "cli/config/selection.hpp"
 #include "cli/suggest.hpp"
@@ -14,6 +15,28 @@ void refuse(std::string message) { throw Refused{std::move(message)}; }
 void refuse_word(std::string_view option, const std::string& word, const std::vector<std::string>& known) {
     refuse(std::string(option) + " does not know '" + word + "'." +
            did_you_mean(word, known, "Known are " + enumerate(known) + "."));
+}
+
+std::uintmax_t size_in_bytes(std::string_view option, const std::string& word) {
+    constexpr std::string_view units = "kmg";
+    std::uintmax_t size = 0;
+    const char* const end_of_word = word.data() + word.size();
+    const auto [end, error] = std::from_chars(word.data(), end_of_word, size);
+    std::string unit = in_lower_case({end, static_cast<std::size_t>(end_of_word - end)});
+    if (unit.starts_with(' ')) unit.erase(0, 1);
+    const auto power = unit.empty() ? std::string_view::npos : units.find(unit.front());
+    bool known = error == std::errc{};
+    if (power != std::string_view::npos) {
+        for (std::size_t i = 0; i <= power && size <= largest_source; ++i) size *= 1024;
+        unit.erase(0, 1);
+        known = known && (unit.empty() || unit == "b" || unit == "ib");
+    } else {
+        known = known && (unit.empty() || unit == "b");
+    }
+    if (!known || size == 0 || size > largest_source)
+        refuse(std::string(option) + " does not take '" + word +
+               "'. Give a size of 1 byte or more and less than 4G, for instance 500M or 2G.");
+    return size;
 }
 
 std::vector<std::string> split_at_commas(const std::vector<std::string>& lists) {

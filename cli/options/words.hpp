@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -48,6 +49,10 @@ Number number(std::string_view option, const std::string& word, Number least, Nu
                std::to_string(least) + " to " + std::to_string(most) + ".");
     return value;
 }
+
+/// A size such as "500M", "2 GB" or "4096", in bytes; K, M and G are 1024 of what comes before. Less
+/// than 4 GiB, as no larger program is read.
+[[nodiscard]] std::uintmax_t size_in_bytes(std::string_view option, const std::string& word);
 
 [[nodiscard]] std::vector<std::string> split_at_commas(const std::vector<std::string>& lists);
 

@@ -32,7 +32,7 @@ class GitlabWriter {
         const std::string path = service_path(finding.source->path(), root_);
         Json issue = issue_of(path, severity_of(finding.severity), printable(finding.message()));
         issue["check_name"] = finding.rule->code;
-        issue["fingerprint"] = hash_of(path) + "-" + fingerprints_.of(finding);
+        issue["fingerprint"] = hash_of(name_of(*finding.source)) + "-" + fingerprints_.of(finding);
         issue["location"]["lines"] = {{"begin", begin.line}, {"end", end.line}};
         std::string body;
         for (const std::string& step : steps_of(finding, detail_, root_)) body += "- " + step + "\n";
@@ -52,6 +52,12 @@ class GitlabWriter {
     [[nodiscard]] std::string take() { return "[" + out_ + (out_.empty() ? "" : "\n") + "]\n"; }
 
   private:
+    /// The path as it is: two that are shown alike, one of them escaped, are two.
+    [[nodiscard]] std::string name_of(const Source& source) const {
+        const std::string path = placed_path(source.path(), root_).path;
+        return to_utf8(path, detect_encoding(path));
+    }
+
     static Json issue_of(const std::string& path, std::string_view severity, const std::string& message) {
         return {{"type", "issue"},
                 {"check_name", ""},

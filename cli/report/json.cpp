@@ -116,7 +116,8 @@ std::string write_json(const Report& report) {
                   {"not_shown", report.not_shown.size()},
                   {"passed_over",
                    {{"other_names", report.passed_over.other_names},
-                    {"ignored_by_git", report.passed_over.ignored_by_git}}},
+                    {"ignored_by_git", report.passed_over.ignored_by_git},
+                    {"links_out", report.passed_over.links_out}}},
                   {"exit_status", report.exit_status}}}};
     if (report.statistics) out["statistics"] = json_of(statistics_of(report));
     if (report.times) out["times"] = {{"begin", report.times->begin}, {"end", report.times->end}};

@@ -21,10 +21,10 @@ std::string source_root() {
 PlacedPath placed_path(const std::string& path, const std::string& root) {
     std::error_code error;
     const fs::path absolute = fs::absolute(platform::path_of(path), error).lexically_normal();
-    std::string relative = platform::text_of(absolute.lexically_relative(platform::path_of(root)));
-    if (relative.empty() || relative == "." || relative.starts_with(".."))
+    const fs::path relative = absolute.lexically_relative(platform::path_of(root));
+    if (relative.empty() || relative == "." || *relative.begin() == "..")
         return {platform::text_of(absolute), false};
-    return {std::move(relative), true};
+    return {platform::text_of(relative), true};
 }
 
 FileUri uri_of(const std::string& path, const std::string& root) {

@@ -59,6 +59,19 @@ TEST(CommandLine, KnowsSeverities) {
     EXPECT_EQ(check({"--severity", "MAC501=error"}).overrides.severity.at(0).second, Severity::error);
 }
 
+TEST(CommandLine, TakesSizesInBytesOrWithAUnit) {
+    const auto size = [](const std::string& word) {
+        return check({"--max-file-size", word}).overrides.max_file_size;
+    };
+    EXPECT_EQ(check({}).overrides.max_file_size, 1U << 30U);
+    EXPECT_EQ(size("1"), 1U);
+    EXPECT_EQ(size("4096b"), 4096U);
+    EXPECT_EQ(size("3KiB"), 3U * 1024);
+    EXPECT_EQ(size("500M"), 500U * 1024 * 1024);
+    EXPECT_EQ(size("2 GB"), 2U * 1024 * 1024 * 1024);
+    EXPECT_EQ(size("4294967294"), 4294967294U);
+}
+
 TEST(CommandLine, TellsWhatWasProbablyMeant) {
     EXPECT_THAT(refusal({"--selct", "MAC301"}), HasSubstr("Did you mean '--select'?"));
     EXPECT_THAT(refusal({"--select", "MAC30l"}), HasSubstr("Did you mean 'MAC301'?"));
@@ -71,6 +84,11 @@ TEST(CommandLine, TellsWhatWasProbablyMeant) {
 }
 
 TEST(CommandLine, RefusesWhatItCannotUse) {
+    for (const char* size : {"", "0", "M", "1T", "1.5G", "-1", "4G", "4294967295", "1 MBB",
+                             "99999999999999999999", "18014398509481984K", "1 0"})
+        EXPECT_THAT(refusal({"--max-file-size", size}),
+                    HasSubstr("--max-file-size does not take '" + std::string(size) + "'. Give a size"))
+            << size;
     EXPECT_THAT(refusal({"--jobs", "0"}), HasSubstr("whole number from 1"));
     EXPECT_THAT(refusal({"--jobs", "two"}), HasSubstr("whole number"));
     EXPECT_THAT(refusal({"--max-findings", "-1"}), HasSubstr("whole number"));

@@ -92,6 +92,63 @@ TEST_F(Faults, APipeThatStaysSilentIsNotWaitedForForEver) {
     EXPECT_THAT(program.out, HasSubstr("O1001.nc:4:1: error[MAC301]"));
 }
 
+TEST_F(Faults, AFileThatIsTooLargeIsOneErrorAndTheOthersAreLinted) {
+    const Finished sparse = shell("truncate -s 4294967296 big.nc; timeout 8 $maclint --format concise .");
+    EXPECT_EQ(sparse.status, 2);
+    EXPECT_EQ(sparse.err,
+              "maclint: error: big.nc: cannot be read: it is larger than 1 GiB. Leave it out, or raise "
+              "--max-file-size.\n");
+    EXPECT_THAT(sparse.out, HasSubstr("O1001.nc:4:1: error[MAC301]"));
+    const Finished limited = run({"--format", "concise", "--max-file-size", "20", "O1001.nc"});
+    EXPECT_EQ(limited.status, 2);
+    EXPECT_THAT(limited.err, HasSubstr("it is larger than 20 bytes."));
+    EXPECT_EQ(run({"--format", "concise", "--max-file-size", "1 kB", "O1001.nc"}).status, 1);
+}
+
+TEST_F(Faults, StandardInputThatIsTooLargeIsAnError) {
+    for (const char* input : {"cat O1001.nc |", "< O1001.nc"}) {
+        const std::string words = "$maclint --format concise --max-file-size 20 -";
+        const Finished finished =
+            shell(std::string_view(input).ends_with('|') ? input + words : words + " " + input);
+        EXPECT_EQ(finished.status, 2) << input;
+        EXPECT_EQ(finished.err,
+                  "maclint: error: stdin.nc: cannot be read: it is larger than 20 bytes. Leave it out, "
+                  "or raise --max-file-size.\n")
+            << input;
+    }
+    const Finished endless = shell("yes G0 | timeout 8 $maclint --format concise --max-file-size 5M -");
+    EXPECT_EQ(endless.status, 2);
+    EXPECT_THAT(endless.err, HasSubstr("it is larger than 5 MiB."));
+}
+
+TEST_F(Faults, ConfigurationsAndBaselinesThatAreTooLargeAreErrors) {
+    static_cast<void>(shell("truncate -s 17M config.json; truncate -s 257M base.json"));
+    const Finished configuration = run({"--config", "config.json", "O1001.nc"});
+    EXPECT_EQ(configuration.status, 2);
+    EXPECT_THAT(configuration.err, HasSubstr("config.json: cannot be read: it is larger than 16 MiB."));
+    const Finished baseline = run({"--baseline", "base.json", "O1001.nc"});
+    EXPECT_EQ(baseline.status, 2);
+    EXPECT_THAT(baseline.err, HasSubstr("base.json: cannot be read: it is larger than 256 MiB."));
+}
+
+TEST_F(Faults, AFileThatMayNotGrowLeavesTheOldReportAndNothingElse) {
+    write_many();
+    folder.write("report.json", "old");
+    const auto before = names();
+    const Finished file =
+        shell("ulimit -f 20; $maclint --format concise --output json:report.json > /dev/null");
+    EXPECT_EQ(file.status, 2);
+    EXPECT_EQ(file.err,
+              "maclint: error: report.json: cannot be written: it would be larger than the system allows. "
+              "Raise the limit (ulimit -f), or write it elsewhere.\n");
+    EXPECT_EQ(names(), before);
+    EXPECT_EQ(read_file(folder.path() / "report.json"), "old");
+    const Finished printed = shell("ulimit -f 20; $maclint --format json > printed");
+    EXPECT_EQ(printed.status, 2);
+    EXPECT_THAT(printed.err,
+                StartsWith("maclint: error: standard output: cannot be written: it would be larger"));
+}
+
 TEST_F(Faults, AConfigurationThatIsASilentPipeIsAnError) {
     const Finished finished = shell("mkfifo c.json; exec 9<>c.json; $maclint --config c.json");
     EXPECT_EQ(finished.status, 2);
@@ -184,7 +241,8 @@ TEST_F(Faults, AFileTooLargeForMemoryDoesNotEndTheRunForOthers) {
     if (sanitized()) GTEST_SKIP() << "a sanitizer takes more memory than may be given";
     folder.write("huge.nc", "");
     fs::resize_file(folder.path() / "huge.nc", std::uintmax_t{3} << 30U); // takes no disk space
-    const Finished finished = shell("ulimit -v 1500000; $maclint --format concise --jobs 2");
+    const Finished finished =
+        shell("ulimit -v 1500000; $maclint --format concise --max-file-size 4000M --jobs 2");
     EXPECT_EQ(finished.status, 2);
     EXPECT_THAT(finished.err,
                 StartsWith("maclint: error: huge.nc: cannot be analysed: it does not fit into memory."));

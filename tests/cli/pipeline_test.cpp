@@ -61,7 +61,8 @@ TEST_F(Pipeline, PassesOverWhatGitIgnoresInFolders) {
     EXPECT_EQ(finished.out,
               "no findings (1 checked, 1 file with another name passed over, 1 program ignored by git)\n");
     const auto summary = nlohmann::json::parse(run({"--format", "json"}).out)["summary"];
-    EXPECT_EQ(summary["passed_over"], (nlohmann::json{{"other_names", 1}, {"ignored_by_git", 1}}));
+    EXPECT_EQ(summary["passed_over"],
+              (nlohmann::json{{"other_names", 1}, {"ignored_by_git", 1}, {"links_out", 0}}));
     EXPECT_THAT(run({"--no-gitignore"}).out, HasSubstr("(3 checked, 1 file with another name passed over)"));
     EXPECT_THAT(run({"O2.tap"}).out, HasSubstr("(1 checked)")); // it was named
     EXPECT_THAT(run({"out"}).out, HasSubstr("(1 checked)"));

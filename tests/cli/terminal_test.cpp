@@ -71,7 +71,7 @@ TEST(WrittenFiles, ComeWhereALinkLeadsThoughNothingIsThereYet) {
 TEST(WrittenFiles, AreNotLeftHalfDoneByAnInterrupt) {
     const TemporaryFolder folder;
     const std::string path = folder.write("report.json", "old");
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU}) {
         const std::string text(std::size_t{200} << 20U, 'x');
         const pid_t child = fork();
         if (child == 0) _exit(write_to(path, text) ? 1 : 0);

@@ -1,5 +1,6 @@
 //! Reading from disk: what is read byte for byte, and what is refused with words that help.
 #include "analyzer/source/platform/input.hpp"
+#include "analyzer/source/read.hpp"
 #include "analyzer/source/source.hpp"
 
 #include <array>
@@ -13,7 +14,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 namespace maclint {
@@ -80,6 +83,59 @@ TEST_F(ReadFile, DoesNotWaitForEverForAPipeThatNobodyWritesTo) {
     const std::string pipe = path("pipe");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_THAT(message_of(pipe), HasSubstr("nothing has come through this pipe for 10 seconds."));
+}
+
+TEST_F(ReadFile, DoesNotWaitForEverForAFileOfTheKernel) {
+    if (::access("/proc/kmsg", R_OK) != 0) GTEST_SKIP() << "only the superuser may read it";
+    EXPECT_THAT(message_of("/proc/kmsg"), HasSubstr("the system has given nothing of it for 10 seconds."));
+}
+
+TEST_F(ReadFile, ReadsFilesOfTheKernelThatEnd) {
+    if (!std::filesystem::exists("/proc/self/status")) GTEST_SKIP() << "this system has no such files";
+    EXPECT_EQ(message_of("/proc/self/status"), "was read");
+}
+
+TEST_F(ReadFile, RefusesAFileLargerThanTheLimitBeforeItIsRead) {
+    const std::string large = write("large.nc", "M30");
+    std::error_code error;
+    std::filesystem::resize_file(large, (std::uintmax_t{1} << 32U) - 10, error); // takes no disk space
+    if (error) GTEST_SKIP() << "the file system has no sparse files";
+    const auto begin = std::chrono::steady_clock::now();
+    const auto result = maclint::read_file(large, {std::uintmax_t{1} << 30U, "Leave it out."});
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(500));
+    ASSERT_TRUE(std::holds_alternative<InputError>(result));
+    EXPECT_THAT(std::get<InputError>(result).message, HasSubstr("it is larger than 1 GiB. Leave it out."));
+}
+
+TEST_F(ReadFile, TakesAFileOfTheLimitAndNoByteMore) {
+    const auto read = [&](const std::string& bytes, std::uintmax_t limit) {
+        const auto result = maclint::read_file(write("O1.nc", bytes), {limit, "Cut it."});
+        const auto* const error = std::get_if<InputError>(&result);
+        return error == nullptr ? "was read" : error->message.substr(error->message.find(": ") + 2);
+    };
+    EXPECT_EQ(read("12345", 5), "was read");
+    EXPECT_EQ(read("123456", 5), "it is larger than 5 bytes. Cut it.");
+    EXPECT_EQ(read("12", 1), "it is larger than 1 byte. Cut it.");
+    EXPECT_EQ(read(std::string(3 * 1024 + 1, 'X'), 3 * 1024), "it is larger than 3 KiB. Cut it.");
+}
+
+TEST_F(ReadFile, StopsAtTheLimitOfWhatHasNoSizeBefore) {
+    if (!std::filesystem::exists("/proc/self/status")) GTEST_SKIP() << "this system has no such files";
+    const auto result = maclint::read_file("/proc/self/status", {100, "Cut it."});
+    ASSERT_TRUE(std::holds_alternative<InputError>(result));
+    EXPECT_THAT(std::get<InputError>(result).message, HasSubstr("it is larger than 100 bytes."));
+}
+
+TEST_F(ReadFile, RefusesASocket) {
+    const std::string name = path("s");
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    ASSERT_LT(name.size(), sizeof address.sun_path);
+    name.copy(address.sun_path, name.size());
+    const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    ASSERT_EQ(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    EXPECT_THAT(message_of(name), HasSubstr("it is a device or a socket"));
+    ::close(socket);
 }
 
 TEST(PipeWait, EndsWithBytesWithTheEndOrAfterTheTime) {

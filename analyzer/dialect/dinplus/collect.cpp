@@ -38,11 +38,6 @@ std::string_view trim(std::string_view text) {
 /// Whether the name is that of a subprogram's file: extension .ncs, any case.
 bool is_subprogram_file(std::string_view name) { return in_capitals(name).ends_with(".NCS"); }
 
-std::string_view file_name(std::string_view path) {
-    const std::size_t slash = path.find_last_of("/\\");
-    return slash == std::string_view::npos ? path : path.substr(slash + 1);
-}
-
 /// The control knows no case in names.
 void add_name(ProgramBuilder& builder, std::string_view name) {
     const Program& program = builder.program();
@@ -79,7 +74,7 @@ OpenProgram& Programs::main() {
     if (main_ == nothing) {
         main_ = open_.size();
         ProgramBuilder& program = open(stem_of(source_.path())).builder;
-        add_name(program, file_name(source_.path()));
+        add_name(program, file_name_of(source_.path()));
         if (is_subprogram_file(source_.path())) program.set_started(Program::Started::by_call);
     }
     return open_[main_];

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -16,11 +17,22 @@ enum class FileKind : std::uint8_t {
     folder,
     pipe,
     other, ///< a device, a socket
+    link,  ///< to a file or folder; only where links are not followed
 };
 
 /// What is there, all links followed.
 [[nodiscard]] FileKind kind_of(const std::filesystem::path& path);
 FileKind kind_of(const std::string& text) = delete; // path_of makes a path of it
+
+/// What bears the name, be it a link: nothing that lies elsewhere is looked at.
+[[nodiscard]] FileKind kind_unfollowed(const std::filesystem::path& path);
+
+/// What a link says where it leads, absolute or relative to its folder; nothing: it is no link. Where the
+/// system keeps that to itself it is a path in no folder.
+[[nodiscard]] std::optional<std::filesystem::path> link_target(const std::filesystem::path& path);
+
+/// Whether a path is the folder's or one below it: both absolute, without links, "." and "..".
+[[nodiscard]] bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// Whether two paths lead to one file or folder that is there.
 [[nodiscard]] bool are_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
@@ -33,8 +45,7 @@ FileKind kind_of(const std::string& text) = delete; // path_of makes a path of i
 
 struct FolderEntry {
     std::filesystem::path path; ///< that of the folder with the entry's name
-    FileKind kind;              ///< of what a link leads to
-    bool is_link;
+    FileKind kind;              ///< a link is not followed
     bool lies_here; ///< in the folder that was asked; false: a link, or what may be one and not show it
 };
 

@@ -1,6 +1,8 @@
 //! Terminals that understand ECMA-48, and a shell that knows its work.
 #include "analyzer/source/platform/console.hpp"
 
+#include "analyzer/source/platform/posix/signals.hpp"
+
 #include <cerrno>
 #include <cstdio>
 
@@ -28,6 +30,7 @@ std::optional<std::size_t> terminal_columns() {
 }
 
 int write(Stream stream, std::string_view text) {
+    const WithoutSignal ignored(SIGXFSZ);
     std::FILE* const file = stream == Stream::output ? stdout : stderr;
     const bool written =
         std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;

@@ -1,6 +1,8 @@
 //! As the standard library has it.
 #include "analyzer/source/platform/files.hpp"
 
+#include <utility>
+
 namespace maclint::platform {
 namespace {
 
@@ -13,18 +15,20 @@ FileKind kind_for(fs::file_type type, IsThere is_there) {
     case fs::file_type::regular: return FileKind::regular;
     case fs::file_type::directory: return FileKind::folder;
     case fs::file_type::fifo: return FileKind::pipe;
+    case fs::file_type::symlink: return FileKind::link;
     case fs::file_type::none:
     case fs::file_type::not_found: return is_there() ? FileKind::broken_link : FileKind::missing;
     default: return FileKind::other;
     }
 }
 
-/// Folders and files need no call of the system: the listing tells.
+/// Links, folders and files need no call of the system: the listing tells.
 FileKind kind_of_entry(const fs::directory_entry& entry) {
     std::error_code ignored;
+    if (entry.is_symlink(ignored)) return FileKind::link;
     if (entry.is_directory(ignored)) return FileKind::folder;
     if (entry.is_regular_file(ignored)) return FileKind::regular;
-    return kind_for(entry.status(ignored).type(), [] { return true; });
+    return kind_for(entry.symlink_status(ignored).type(), [] { return true; });
 }
 
 } // namespace
@@ -33,6 +37,23 @@ FileKind kind_of(const fs::path& path) {
     std::error_code ignored;
     return kind_for(fs::status(path, ignored).type(),
                     [&] { return fs::exists(fs::symlink_status(path, ignored)); });
+}
+
+FileKind kind_unfollowed(const fs::path& path) {
+    std::error_code ignored;
+    return kind_for(fs::symlink_status(path, ignored).type(), [] { return false; });
+}
+
+std::optional<fs::path> link_target(const fs::path& path) {
+    std::error_code error;
+    fs::path target = fs::read_symlink(path, error);
+    return error ? std::nullopt : std::optional(std::move(target));
+}
+
+bool lies_in(const fs::path& path, const fs::path& folder) {
+    const std::string& above = folder.native();
+    return path == folder || above == "/" ||
+           (path.native().starts_with(above) && path.native()[above.size()] == '/');
 }
 
 bool are_same_file(const fs::path& one, const fs::path& other) {
@@ -52,9 +73,8 @@ std::vector<FolderEntry> entries_of(const fs::path& folder, std::error_code& err
     std::vector<FolderEntry> entries;
     for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
-        std::error_code ignored;
-        const bool is_link = entry->is_symlink(ignored);
-        entries.push_back({entry->path(), kind_of_entry(*entry), is_link, !is_link});
+        const FileKind kind = kind_of_entry(*entry);
+        entries.push_back({entry->path(), kind, kind != FileKind::link});
     }
     return entries;
 }

@@ -2,6 +2,7 @@
 #include "analyzer/source/platform/output.hpp"
 
 #include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/posix/signals.hpp"
 
 #include <array>
 #include <atomic>
@@ -62,20 +63,8 @@ class Unfinished {
     }
 
   private:
-    static constexpr std::array<int, 3> ends{SIGINT, SIGTERM, SIGHUP};
+    static constexpr std::array<int, 5> ends{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
     std::array<struct sigaction, ends.size()> before_{};
-};
-
-/// While this lives, a pipe that is closed at the other end is an error like others.
-class WithoutPipeSignal {
-  public:
-    WithoutPipeSignal() { before_ = std::signal(SIGPIPE, SIG_IGN); } // NOLINT(performance-no-int-to-ptr)
-    WithoutPipeSignal(const WithoutPipeSignal&) = delete;
-    WithoutPipeSignal& operator=(const WithoutPipeSignal&) = delete;
-    ~WithoutPipeSignal() { std::signal(SIGPIPE, before_); }
-
-  private:
-    void (*before_)(int) = nullptr;
 };
 
 /// Opens a pipe or a device; whoever is to read a pipe has some seconds to come.
@@ -113,6 +102,7 @@ std::string written_path(const std::string& path) {
 
 int replace_file(const std::string& path, std::string_view text) {
     if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), W_OK) != 0) return errno;
+    const WithoutSignal ignored(SIGXFSZ);
     std::string temporary = path + ".XXXXXX";
     const mode_t mode = mode_for(path);
     const Unfinished guarded(temporary); // first: mkstemp puts the name into the same bytes
@@ -132,7 +122,7 @@ void remove_unfinished() noexcept {
 }
 
 int write_in_place(const std::string& path, std::string_view text) {
-    const WithoutPipeSignal ignored;
+    const WithoutSignal ignored(SIGPIPE);
     const int descriptor = open_in_place(path);
     if (descriptor < 0) return errno;
     const File file(fdopen(descriptor, "wb"));

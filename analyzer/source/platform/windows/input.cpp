@@ -14,9 +14,22 @@
 namespace maclint::platform {
 namespace {
 
+constexpr int standard_input_descriptor = 0;
+
 HANDLE handle_of(int descriptor) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): the C library gives handles as numbers
     return reinterpret_cast<HANDLE>(_get_osfhandle(descriptor));
+}
+
+Portion read_once(int descriptor, std::span<char> bytes) {
+    constexpr std::size_t most = std::size_t{1} << 30U;
+    DWORD count = 0;
+    if (ReadFile(handle_of(descriptor), bytes.data(), static_cast<DWORD>(std::min(bytes.size(), most)),
+                 &count, nullptr) != 0)
+        return {count, 0};
+    const DWORD error = GetLastError();
+    const bool ended = error == ERROR_BROKEN_PIPE || error == ERROR_HANDLE_EOF;
+    return {0, ended ? 0 : last_error()};
 }
 
 } // namespace
@@ -38,19 +51,18 @@ OpenFile::OpenFile(const std::string& path) {
         file.release();
 }
 
+OpenFile::OpenFile(StandardInput /*which*/)
+    : descriptor_(standard_input_descriptor)
+    , kind_(kind_of_open(handle_of(descriptor_))) {}
+
 OpenFile::~OpenFile() {
-    if (descriptor_ >= 0) _close(descriptor_);
+    if (descriptor_ > standard_input_descriptor) _close(descriptor_);
 }
 
-Portion read_some(int descriptor, std::span<char> bytes) {
-    constexpr std::size_t most = std::size_t{1} << 30U;
-    DWORD count = 0;
-    if (ReadFile(handle_of(descriptor), bytes.data(), static_cast<DWORD>(std::min(bytes.size(), most)),
-                 &count, nullptr) != 0)
-        return {count, 0};
-    const DWORD error = GetLastError();
-    const bool ended = error == ERROR_BROKEN_PIPE || error == ERROR_HANDLE_EOF;
-    return {0, ended ? 0 : last_error()};
+/// Files of a server end with an error when it is silent: the system has a patience of its own.
+std::optional<Portion> OpenFile::read_some(std::span<char> bytes, std::chrono::milliseconds patience) {
+    if (!comes_in_time(descriptor_, patience)) return std::nullopt;
+    return read_once(descriptor_, bytes);
 }
 
 bool comes_in_time(int descriptor, std::chrono::milliseconds patience) {
