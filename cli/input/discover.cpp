@@ -125,6 +125,9 @@ class Walk {
         for (const InputError& error : git_.unread()) note({NoticeKind::left_out, error.path, error.message});
     }
 
+    [[nodiscard]] bool has_searched(const fs::path& folder) const {
+        return folders_.contains(identity(folder));
+    }
     [[nodiscard]] const PassedOver& passed_over() const { return found_.passed_over; }
     void note(Notice notice) { found_.notices.push_back(std::move(notice)); }
     [[nodiscard]] bool is_full() const { return full_; }
@@ -366,7 +369,7 @@ Discovered discover(const std::vector<std::string>& paths, const std::string& st
         if (!folders.insert(identity(platform::path_of(path))).second) continue;
         if (walk.is_left_out(path))
             walk.note(left_out(path));
-        else
+        else if (!walk.has_searched(platform::path_of(path))) // as a part of another one
             search(walk, path);
     }
     walk.note_unread_rules();

@@ -128,6 +128,15 @@ TEST_F(Links, FromOneNamedFolderIntoAnotherAreInside) {
     }
 }
 
+TEST_F(Links, AFolderInsideAnotherOneIsSearchedOnceAndNotToldOf) {
+    folder.write("shop/sub/O1001.nc", with_defect);
+    for (const auto& paths : {std::vector<std::string>{"shop", "shop/sub"}, {"shop/sub", "shop"}}) {
+        const Finished finished = check(paths);
+        EXPECT_THAT(finished.out, HasSubstr("1 error in 1 file (2 checked)"));
+        EXPECT_THAT(finished.err, IsEmpty());
+    }
+}
+
 TEST_F(Links, AreOneNoteAFolder) {
     folder.write("other/O1002.nc", without_defect);
     link("shop/a", "../out");
