@@ -125,10 +125,29 @@ std::optional<Assumptions::Id> Assumptions::add(Id known, Operation operation, c
                                                 const Value& right) {
     const auto made = make(known, operation, left, right);
     if (!made) return known;
+    if (WorkLimit::is_innermost_met() || is_known(made->assumption)) return known;
     if (contradicts(made->assumption, *made->subject)) return std::nullopt;
-    all_.push_back(made->assumption);
-    const auto added = static_cast<Id>(all_.size());
+    const Id added = put(made->assumption);
     return leaves_alternatives(added) ? std::optional(added) : std::nullopt;
+}
+
+Assumptions::Id Assumptions::put(Assumption assumption) {
+    assumption.count = static_cast<std::uint32_t>(count(assumption.earlier) + 1);
+    all_.push_back(assumption);
+    return static_cast<Id>(all_.size());
+}
+
+/// Whether the same has been assumed: of #1EQ1 OR #1EQ2, asked again, nothing new is learnt.
+bool Assumptions::is_known(const Assumption& now) const {
+    const auto is_same = [&now](const Assumption& earlier) {
+        return earlier.subject == now.subject && earlier.other == now.other &&
+               earlier.operation == now.operation && earlier.with_number == now.with_number &&
+               earlier.number == now.number;
+    };
+    Id id = now.earlier;
+    while (id != none && !is_same((*this)[id])) id = (*this)[id].earlier;
+    work_.allows(count(now.earlier) - count(id));
+    return id != none;
 }
 
 Assumptions::Id Assumptions::add_one_of(Id known, std::vector<Found> alternatives) {
@@ -139,8 +158,7 @@ Assumptions::Id Assumptions::add_one_of(Id known, std::vector<Found> alternative
         one_of.said.push_back(made->assumption);
     }
     one_of_.push_back(std::move(one_of));
-    all_.push_back({0, 0, Operation::any_of, 0, false, known, static_cast<std::uint32_t>(one_of_.size())});
-    return static_cast<Id>(all_.size());
+    return put({0, 0, Operation::any_of, 0, false, known, static_cast<std::uint32_t>(one_of_.size())});
 }
 
 std::span<const Assumptions::Assumption> Assumptions::alternatives(const Assumption& assumption) const {
@@ -153,8 +171,11 @@ bool Assumptions::leaves_alternatives(Id last) const {
     const SymbolId subject = (*this)[last].subject;
     const SymbolId other = (*this)[last].other;
     std::size_t lists = 0;
+    if (!work_.allows(count(last))) return true;
     for (Id id = (*this)[last].earlier; id != none && lists < most_lists; id = (*this)[id].earlier) {
         const auto said = alternatives((*this)[id]);
+        if (said.empty()) continue;
+        if (!work_.allows(said.size())) return true;
         const bool same_value = std::ranges::any_of(said, [&](const Assumption& each) {
             return each.subject == subject || (!each.with_number && each.other == other);
         });
@@ -171,6 +192,7 @@ bool Assumptions::leaves_alternatives(Id last) const {
 }
 
 bool Assumptions::contradicts(const Assumption& now, const Value& subject) const {
+    if (!work_.allows(count(now.earlier) + 1)) return false;
     if (now.with_number) return leaves_no_number(now, subject);
     if (semantics::is_vacancy_test(now.operation)) {
         for (Id id = now.earlier; id != none; id = (*this)[id].earlier) {

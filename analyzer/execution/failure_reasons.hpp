@@ -3,8 +3,11 @@
 
 #include "analyzer/dataflow/solver/summary.hpp"
 #include "analyzer/dataflow/solver/variable_sets.hpp"
+#include "analyzer/execution/search_work.hpp"
 #include "analyzer/flow/graph.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace maclint::execution {
@@ -15,14 +18,17 @@ using dataflow::VariableSet;
 class FailureReasons {
   public:
     /// The references must outlive the reasons.
-    FailureReasons(const Program& program, const flow::Graph& graph, const dataflow::Callees& callees)
+    FailureReasons(const Program& program, const flow::Graph& graph, const dataflow::Callees& callees,
+                   SearchWork& work)
         : program_(program)
         , graph_(graph)
         , callees_(callees)
-        , sets_(program, graph) {}
+        , sets_(program, graph)
+        , work_(work) {}
 
-    [[nodiscard]] VariableSet none() const { return sets_.none(); }
-    [[nodiscard]] std::vector<Variable> members(const VariableSet& set) const { return sets_.members(set); }
+    [[nodiscard]] VariableSet none() const;
+    [[nodiscard]] std::vector<Variable> members(const VariableSet& set) const;
+    void add_all(VariableSet& to, const VariableSet& from) const;
     /// What is asked at the edge.
     void add_decision(const flow::Edge& edge, VariableSet& set) const;
     /// What decides whether the programs that the node calls come back. Arguments seldom differ from path to
@@ -32,10 +38,14 @@ class FailureReasons {
     void go_back_over(flow::NodeId node, VariableSet& set) const;
 
   private:
+    [[nodiscard]] std::size_t size_of(ExpressionId id) const;
+    void add_reads(std::optional<ExpressionId> id, VariableSet& set) const;
+
     const Program& program_;
     const flow::Graph& graph_;
     const dataflow::Callees& callees_;
     dataflow::VariableSets sets_;
+    SearchWork& work_;
 };
 
 } // namespace maclint::execution

@@ -2,6 +2,7 @@
 #include "analyzer/execution/path_explorer.hpp"
 
 #include "analyzer/flow/walk.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -16,6 +17,8 @@ constexpr std::size_t most_legs = 8;
 /// So much work is done for one program: thousands of findings in thousands of blocks are not each worth a
 /// look at all of them.
 constexpr std::size_t most_work = 40'000'000;
+/// So many assumptions, expressions, variables and ways on are looked at for one path.
+constexpr std::size_t most_looked_at = 10'000'000;
 constexpr std::size_t work_of_a_visit = 100;     ///< as long as measuring so many nodes
 constexpr std::size_t work_of_a_cycles_node = 4; ///< likewise
 /// Of so many sets of reasons each is asked; where there are more, one of all their variables.
@@ -44,7 +47,7 @@ std::vector<bool> where_ways_meet(const flow::Graph& graph) {
 PathExplorer::PathExplorer(const ProgramAnalysis& analysis)
     : analysis_(analysis)
     , graph_(analysis.graph())
-    , run_(analysis)
+    , run_(analysis, looked_at_, most_looked_at)
     , rounds_(analysis)
     , ways_meet_(where_ways_meet(graph_)) {}
 
@@ -64,9 +67,10 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     flow::NodeId from = 0;
     for (std::size_t each = 0; each < legs.size(); from = legs[each++].to)
         if (distance_[each][from] == no_way) return found;
+    const WorkLimit limit(most_looked_at);
     bool arrived = arrive(0, 0, run_.at_start());
     while (!arrived && !places_.empty()) {
-        if (visits_ > most_visits || is_spent()) {
+        if (visits_ > most_visits || limit.is_met() || is_spent()) {
             found.gave_up = true;
             break;
         }
@@ -87,13 +91,20 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
         arrived = arrive(graph_.edges[way].to, place.leg, *next);
     }
     work_ += visits_ * work_of_a_visit;
+    // Where the limit is met not all was asked on the way.
+    if (arrived && limit.is_met()) {
+        arrived = false;
+        found.gave_up = true;
+    }
     if (arrived) found = path_gone();
     found.may_miss = !arrived && rounds_.left_out();
     found.visits = visits_;
     return found;
 }
 
-bool PathExplorer::is_spent() const { return work_ + rounds_.measured() * work_of_a_cycles_node > most_work; }
+bool PathExplorer::is_spent() const {
+    return work_ + looked_at_.done() + rounds_.measured() * work_of_a_cycles_node > most_work;
+}
 
 PathFound PathExplorer::path_gone() const {
     PathFound found;
@@ -177,6 +188,7 @@ void PathExplorer::note_in_the_way(flow::NodeId node, std::uint32_t leg) {
 void PathExplorer::add_ways_from(flow::NodeId node, std::uint32_t leg) {
     const std::vector<std::uint32_t>& distance = distance_[leg];
     const auto first = static_cast<std::ptrdiff_t>(ways_.size());
+    looked_at_.allows(graph_.out[node].size());
     for (const flow::EdgeId id : graph_.out[node]) {
         const flow::Edge& edge = graph_.edges[id];
         if (distance[edge.to] == no_way || !may_take(edge, id, legs_[leg])) continue;
@@ -224,7 +236,7 @@ void PathExplorer::Ground::add_not_passed(const std::vector<flow::NodeId>* nodes
 }
 
 const FailureReasons& PathExplorer::reasons() {
-    if (!reasons_) reasons_.emplace(analysis_.program(), graph_, analysis_.data().callees());
+    if (!reasons_) reasons_.emplace(analysis_.program(), graph_, analysis_.data().callees(), looked_at_);
     return *reasons_;
 }
 
@@ -232,13 +244,13 @@ const FailureReasons& PathExplorer::reasons() {
 /// a value on which the failure depends.
 void PathExplorer::add_reasons(Place& place, const VariableSet& more) {
     if (place.reasons.empty()) place.reasons = reasons().none();
-    dataflow::VariableSets::add_all(place.reasons, more);
+    reasons().add_all(place.reasons, more);
     const flow::Edge& way = graph_.edges[*place.taken];
     if (!way.condition && !way.label) return;
     VariableSet decided = reasons().none();
     reasons().add_decision(way, decided);
     if (run_.share_a_value(place.after, reasons().members(decided), reasons().members(more)))
-        dataflow::VariableSets::add_all(place.reasons, decided);
+        reasons().add_all(place.reasons, decided);
 }
 
 void PathExplorer::note_closed(Place& place, const flow::Edge& way) {
@@ -255,7 +267,7 @@ void PathExplorer::remember_failure(const Place& place, const VariableSet& why) 
     if (failure == failures.end()) {
         VariableSet all = why;
         if (failures.size() == most_sets) {
-            for (const Failure& other : failures) dataflow::VariableSets::add_all(all, other.why);
+            for (const Failure& other : failures) reasons().add_all(all, other.why);
             failures.clear();
         }
         failures.push_back({all, reasons().members(all), {}});

@@ -6,6 +6,7 @@
 #include "analyzer/execution/path_run.hpp"
 #include "analyzer/execution/place_set.hpp"
 #include "analyzer/execution/rounds.hpp"
+#include "analyzer/execution/search_work.hpp"
 
 #include <optional>
 #include <span>
@@ -92,6 +93,7 @@ class PathExplorer {
 
     const ProgramAnalysis& analysis_;
     const flow::Graph& graph_;
+    SearchWork looked_at_; ///< in all searches
     PathRun run_;
     Rounds rounds_;
     std::span<const Leg> legs_;
@@ -116,7 +118,7 @@ class PathExplorer {
     };
     std::unordered_map<std::uint64_t, std::vector<Failure>> failed_; ///< in this search, by node and leg
     std::size_t visits_ = 0;
-    std::size_t work_ = 0; ///< of all searches: nodes that were measured or visited
+    std::size_t work_ = 0; ///< of all searches: nodes that were measured or visited, see `looked_at_` too
 };
 
 } // namespace maclint::execution

@@ -15,6 +15,9 @@ using dataflow::Symbol;
 using dataflow::SymbolId;
 using dataflow::Value;
 
+/// Evaluating it takes as long as looking at so many assumptions.
+constexpr std::size_t work_of_an_expression = 8;
+
 } // namespace
 
 bool acts(const Program& program, const flow::Node& node) {
@@ -28,13 +31,15 @@ bool acts(const Program& program, const flow::Node& node) {
     return false;
 }
 
-PathRun::PathRun(const ProgramAnalysis& analysis)
+PathRun::PathRun(const ProgramAnalysis& analysis, SearchWork& work, std::size_t most_of_a_step)
     : program_(analysis.program())
     , graph_(analysis.graph())
+    , work_(work)
     , states_(program_, analysis.data().knowledge())
     , transfer_(program_, graph_, states_, analysis.data().callees())
-    , assumptions_(program_.control->vacant_equals_zero)
-    , skips_(program_, graph_) {
+    , assumptions_(program_.control->vacant_equals_zero, work)
+    , skips_(program_, graph_)
+    , most_of_a_step_(most_of_a_step) {
     for (const Expression& expression : program_.expressions) {
         if (const auto* load = std::get_if<LoadModal>(&expression.node)) asked_groups_.push_back(load->group);
         reads_by_index_ = reads_by_index_ || std::holds_alternative<LoadAt>(expression.node);
@@ -56,8 +61,16 @@ std::optional<PathRun::Point> PathRun::remembered(Step::Kind kind, std::uint32_t
                                                   const Take& take) {
     const std::uint32_t step =
         steps_({kind, id, before.state.root, before.state.havoc, before.assumed, before.time});
-    if (step == after_.size()) after_.push_back(take());
-    return after_[step];
+    if (step == taken_.size()) {
+        const WorkLimit limit(most_of_a_step_);
+        const std::size_t done = work_.done();
+        const std::size_t evaluated = transfer_.evaluated();
+        std::optional<Point> after = take();
+        work_.allows((transfer_.evaluated() - evaluated) * work_of_an_expression);
+        taken_.push_back({std::move(after), work_.done() - done});
+    }
+    (void)WorkLimit::allows(taken_[step].work);
+    return taken_[step].after;
 }
 
 /// What was assumed on the way makes no difference there.
@@ -134,6 +147,7 @@ bool PathRun::assume_switches(Point& point, const Switches& switches) {
 /// Of what is true (1) or false (0).
 bool PathRun::assume_is(Point& point, SymbolId subject, bool holds) {
     const double number = holds ? 1 : 0;
+    if (!work_.allows(assumptions_.count(point.assumed))) return true;
     for (Assumptions::Id id = point.assumed; id != Assumptions::none; id = assumptions_[id].earlier)
         if (assumptions_[id].subject == subject) return assumptions_[id].number == number;
     Value value = dataflow::number_value(subject, 0);
@@ -288,6 +302,7 @@ bool PathRun::share_a_value(const Point& point, std::span<const Variable> some,
                             std::span<const Variable> others) {
     if (some.empty() || others.empty()) return false;
     ++fingerprints_;
+    work_.allows(some.size() + others.size());
     const auto symbol_of = [&](Variable variable) {
         return states_.table().values[states_.id_of(point.state, variable)].symbol;
     };
@@ -301,6 +316,7 @@ bool PathRun::share_a_value(const Point& point, std::span<const Variable> some,
 std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable> deciding) {
     std::uint64_t print = 0;
     ++fingerprints_;
+    work_.allows(deciding.size() + assumptions_.count(point.assumed));
     for (std::uint32_t place = 0; place < deciding.size(); ++place) {
         const std::uint32_t value = states_.id_of(point.state, deciding[place]);
         print = dataflow::mix(print, print_of(value));

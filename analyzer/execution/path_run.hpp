@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/domain/interner.hpp"
 #include "analyzer/dataflow/solver/transfer.hpp"
 #include "analyzer/execution/assumptions.hpp"
+#include "analyzer/execution/search_work.hpp"
 #include "analyzer/execution/skips.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
@@ -38,8 +39,10 @@ class PathRun {
         dataflow::Transfer::MachineTime time;
     };
 
-    /// The analysis must outlive the run. What a step makes of a point is remembered: many paths begin alike.
-    explicit PathRun(const ProgramAnalysis& analysis);
+    /// The analysis and the work must outlive the run. What a step makes of a point is remembered: many paths
+    /// begin alike. It counts for the thread's WorkLimit each time, so that it makes no difference who comes
+    /// first, and as work once. One step may look at `most_of_a_step` expressions and assumptions.
+    PathRun(const ProgramAnalysis& analysis, SearchWork& work, std::size_t most_of_a_step);
 
     [[nodiscard]] Point at_start() const { return {states_.at_entry(), Assumptions::none, {}}; }
     /// From before the node to after it.
@@ -105,12 +108,18 @@ class PathRun {
 
     const Program& program_;
     const flow::Graph& graph_;
+    SearchWork& work_;
     dataflow::States states_; ///< of its own: rules ask on several threads
     dataflow::Transfer transfer_;
     Assumptions assumptions_;
     Skips skips_;
     dataflow::Interner<Step> steps_;
-    std::vector<std::optional<Point>> after_;                   ///< of each step
+    struct Taken {
+        std::optional<Point> after;
+        std::size_t work;
+    };
+    std::vector<Taken> taken_; ///< what came of each step
+    std::size_t most_of_a_step_;
     std::unordered_map<std::uint32_t, dataflow::Root> unknown_; ///< by id of changes, see unknown_after
     std::vector<GroupId> asked_groups_;                         ///< that the program reads somewhere
     bool reads_by_index_ = false;                               ///< #[#1]

@@ -28,10 +28,25 @@ std::string computed_jumps(int count) {
 }
 
 /// One of the two tests of #501 sets #5 on every path, which only a search past all blocks in between shows.
+std::string contradiction_around(const std::string& blocks) {
+    return "O1\nIF[#501EQ1]GOTO20\n#5=1\nN20\n" + blocks + "IF[#501NE1]GOTO21\n#5=2\nN21 G0Z#5\nN30M30\n";
+}
+
 std::string contradiction_over(int blocks) {
-    std::string text = "O1\nIF[#501EQ1]GOTO20\n#5=1\nN20\n";
+    std::string text;
     for (int i = 0; i < blocks; ++i) text += "#100=#100+1\n";
-    return text + "IF[#501NE1]GOTO21\n#5=2\nN21 G0Z#5\nM30\n";
+    return contradiction_around(text);
+}
+
+/// So many blocks that each compare #502 with a hundred other numbers.
+std::string ors(int blocks) {
+    std::string text;
+    for (int i = 0; i < blocks; ++i) {
+        text += "IF[[#502EQ" + std::to_string(100 * i);
+        for (int k = 1; k < 100; ++k) text += "]OR[#502EQ" + std::to_string(100 * i + k);
+        text += "]]GOTO30\n";
+    }
+    return text;
 }
 
 TEST(Bounds, AreSaidOnceForAllFiles) {
@@ -44,6 +59,13 @@ TEST(Bounds, AreSaidOnceForAllFiles) {
 TEST(Bounds, OfSearchesNameTheRulesThatTheyTouch) {
     EXPECT_THAT(notices_on({{"a.nc", contradiction_over(2)}}), IsEmpty());
     EXPECT_THAT(notices_on({{"a.nc", contradiction_over(3000)}}),
+                ElementsAre("a.nc: a search was given up in this file: findings of MAC209 count "
+                            "for less there, or are missing."));
+}
+
+TEST(Bounds, OfSearchesAreMetByComparisonsAsWell) {
+    EXPECT_THAT(notices_on({{"a.nc", contradiction_around(ors(5))}}), IsEmpty());
+    EXPECT_THAT(notices_on({{"a.nc", contradiction_around(ors(50))}}),
                 ElementsAre("a.nc: a search was given up in this file: findings of MAC209 count "
                             "for less there, or are missing."));
 }

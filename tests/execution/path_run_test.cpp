@@ -39,7 +39,8 @@ std::optional<std::size_t> contradiction(const Decisions& decisions) {
     const ProgramAnalysis& program = workspace->programs().front();
     const std::vector<flow::EdgeId> edges = decided(program.graph(), decisions);
     EXPECT_EQ(edges.size(), decisions.size());
-    execution::PathRun run(program);
+    execution::SearchWork work;
+    execution::PathRun run(program, work, 1'000'000);
     execution::PathRun::Point point = run.at_start();
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const auto next = run.along(edges[i], run.run(program.graph().edges[edges[i]].from, point));

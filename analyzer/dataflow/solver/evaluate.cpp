@@ -6,9 +6,47 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace maclint::dataflow {
+namespace {
+
+/// The operands of A OR B OR C: three, though what is written joins A OR B with C.
+class Chain {
+  public:
+    Chain(const Program& program, Operation operation, std::span<const ExpressionId> operands)
+        : operands_(operands) {
+        const auto is_part = [&](ExpressionId operand) {
+            return part(program, operation, operand) != nullptr;
+        };
+        if (std::ranges::none_of(operands, is_part)) return;
+        collect(program, operation, operands);
+        operands_ = all_;
+    }
+    Chain(const Chain&) = delete;
+    Chain& operator=(const Chain&) = delete;
+    [[nodiscard]] std::span<const ExpressionId> operands() const { return operands_; }
+
+  private:
+    static const Apply* part(const Program& program, Operation operation, ExpressionId id) {
+        const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
+        return apply != nullptr && apply->operation == operation ? apply : nullptr;
+    }
+    void collect(const Program& program, Operation operation, std::span<const ExpressionId> operands) {
+        for (const ExpressionId operand : operands)
+            if (const Apply* apply = part(program, operation, operand))
+                collect(program, operation, program.operands_of(*apply));
+            else
+                all_.push_back(operand);
+    }
+
+    std::span<const ExpressionId> operands_;
+    std::vector<ExpressionId> all_; ///< empty: those of one application alone
+};
+
+} // namespace
 
 Value Transfer::opaque(ExpressionId id) {
     Value value;
@@ -114,6 +152,7 @@ bool Transfer::rests_on_vacant(const State& state, ExpressionId index) {
 }
 
 Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
+    ++evaluated_;
     const Expression& expression = program_.expressions[id];
     return std::visit(
         overloaded{
@@ -155,8 +194,9 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
 /// AND (`all`) or OR of conditions. Whether they can all hold, or all fail, is asked one after the other:
 /// of #1LT8 OR #1GT6 the second holds where the first fails.
 Truth Transfer::evaluate_chain(const State& state, std::span<const ExpressionId> operands, bool all) {
+    const Chain chain(program_, all ? Operation::all_of : Operation::any_of, operands);
     Truth apart{all, !all};
-    for (const ExpressionId operand : operands) {
+    for (const ExpressionId operand : chain.operands()) {
         const Truth part = evaluate_condition(state, operand);
         apart.can_hold = all ? apart.can_hold && part.can_hold : apart.can_hold || part.can_hold;
         apart.can_fail = all ? apart.can_fail || part.can_fail : apart.can_fail && part.can_fail;
@@ -166,7 +206,7 @@ Truth Transfer::evaluate_chain(const State& state, std::span<const ExpressionId>
     in_chain_ = true;
     FactLists* const facts = std::exchange(facts_, nullptr); // what is read is recorded already
     State agreed = state;
-    for (const ExpressionId operand : operands) {
+    for (const ExpressionId operand : chain.operands()) {
         const Truth part = evaluate_condition(agreed, operand);
         if (!(all ? part.can_hold : part.can_fail)) agreed.reached = false;
         if (agreed.reached) refine(agreed, operand, all);

@@ -38,6 +38,9 @@ class Transfer {
         return evaluate(after, id, Use::copy);
     }
 
+    /// So many expressions were evaluated so far.
+    [[nodiscard]] std::size_t evaluated() const { return evaluated_; }
+
     /// Calls come back whatever they are given.
     void follow_no_calls() { follows_calls_ = false; }
 
@@ -142,6 +145,7 @@ class Transfer {
     std::optional<Compared> compared_;
     bool in_chain_ = false; ///< conditions of an AND or OR are asked one after the other
     bool follows_one_path_ = false;
+    std::size_t evaluated_ = 0;
     MachineTime machine_time_;
     bool follows_calls_ = true;
     std::unordered_map<const Analysis*, std::vector<FollowedCall>> followed_; ///< into what they call
