@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/flow/walk.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +12,13 @@ namespace maclint::queries {
 std::vector<flow::NodeId> nodes_that_may_change(const ProgramAnalysis& analysis, Variable variable,
                                                 flow::NodeId except) {
     const dataflow::Facts& facts = analysis.facts();
+    const auto stores = facts.about<dataflow::Store>(variable);
+    const auto clobbers = facts.all<dataflow::Clobber>();
     std::vector<flow::NodeId> nodes;
-    for (const dataflow::Store* store : facts.about<dataflow::Store>(variable))
+    if (!WorkLimit::allows(stores.size() + clobbers.size())) return nodes;
+    for (const dataflow::Store* store : stores)
         if (store->node != except) nodes.push_back(store->node);
-    for (const dataflow::Clobber& clobber : facts.all<dataflow::Clobber>())
+    for (const dataflow::Clobber& clobber : clobbers)
         if (clobber.node != except && clobber.may_change(variable)) nodes.push_back(clobber.node);
     std::ranges::sort(nodes);
     return nodes;

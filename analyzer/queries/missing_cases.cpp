@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/queries/conditions.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -92,7 +93,7 @@ class Search {
     }
 
     void add_subject(ExpressionId id) {
-        const bool known = std::ranges::any_of(
+        const bool known = any_within_limit(
             result_.subjects, [&](ExpressionId subject) { return same_expression(program_, subject, id); });
         if (!known) result_.subjects.push_back(id);
     }
@@ -116,8 +117,8 @@ bool is_same_case(const Program& program, const MissingCase& a, const MissingCas
     const MissingCase& smaller = a.subjects.size() < b.subjects.size() ? a : b;
     const MissingCase& larger = &smaller == &a ? b : a;
     return !smaller.subjects.empty() && std::ranges::all_of(smaller.subjects, [&](ExpressionId id) {
-        return std::ranges::any_of(
-            larger.subjects, [&](ExpressionId subject) { return same_expression(program, subject, id); });
+        return any_within_limit(larger.subjects,
+                                [&](ExpressionId subject) { return same_expression(program, subject, id); });
     });
 }
 

@@ -35,22 +35,22 @@ bool is_as_at_entry(const ProgramAnalysis& analysis, const dataflow::Read& read)
     return variable_of_origin(analysis, read.value.vacancy_origin) == read.variable;
 }
 
+using Variables = std::unordered_set<Variable, VariableHash>;
+
 /// The variables of a program with unknown callers that can be arguments by series of I, J and K. Nobody
 /// tells them from others but by the program reading all of a set, and all sets before.
-std::vector<Variable> series_taken(const ProgramAnalysis& analysis) {
-    std::vector<Variable> taken;
-    if (analysis.is_main() || !analysis.callers().empty()) return taken;
-    std::vector<Variable> read_as_given;
+Variables series_taken(const ProgramAnalysis& analysis) {
+    Variables taken;
+    const auto& series = analysis.control().series;
+    if (series.empty() || analysis.is_main() || !analysis.callers().empty()) return taken;
+    Variables read_as_given;
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
-        if (is_as_at_entry(analysis, read) &&
-            std::ranges::find(read_as_given, read.variable) == read_as_given.end())
-            read_as_given.push_back(read.variable);
-    for (const auto& set : analysis.control().series) {
-        const bool whole = std::ranges::all_of(set, [&](Variable variable) {
-            return std::ranges::find(read_as_given, variable) != read_as_given.end();
-        });
+        if (WorkLimit::allows() && is_as_at_entry(analysis, read)) read_as_given.insert(read.variable);
+    for (const auto& set : series) {
+        const bool whole =
+            std::ranges::all_of(set, [&](Variable variable) { return read_as_given.contains(variable); });
         if (!whole) break;
-        taken.insert(taken.end(), set.begin(), set.end());
+        taken.insert(set.begin(), set.end());
     }
     return taken;
 }
@@ -76,7 +76,7 @@ class SetSomewhere {
     }
 
     const Program& program_;
-    std::optional<std::unordered_set<Variable, VariableHash>> variables_; ///< nothing: nobody has asked
+    std::optional<Variables> variables_; ///< nothing: nobody has asked
 };
 
 /// A comparison may be the very test that takes care of vacancy: of a flag that only some paths set.
@@ -160,7 +160,7 @@ void add_to(std::vector<UnsetReads>& groups, const ProgramAnalysis& analysis, Un
     if (kind == Unset::in_some_cases)
         missing = missing_case_on(analysis, found.path, found.read->variable, found.read->node);
     const auto group = std::ranges::find_if(groups, [&](const UnsetReads& reads) {
-        return reads.kind == kind && kind != Unset::as_tested &&
+        return WorkLimit::allows() && reads.kind == kind && kind != Unset::as_tested &&
                (kind != Unset::in_some_cases || reads.first.read->node == found.read->node ||
                 is_same_case(analysis.program(), reads.missing, missing));
     });
@@ -211,14 +211,14 @@ bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect, 
 
 std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
     std::vector<UnsetReads> groups;
-    const std::vector<Variable> series = series_taken(analysis);
+    const Variables series = series_taken(analysis);
     std::unordered_map<Variable, Attempts, VariableHash> attempts;
     SetSomewhere set(analysis.program());
     WithoutAssignment without_assignment(analysis);
     std::optional<execution::PathSearch> search; // most programs have no such read
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
         Attempts& tried = attempts[read.variable];
-        if (tried.searches >= most_attempts || std::ranges::find(series, read.variable) != series.end() ||
+        if (tried.searches >= most_attempts || series.contains(read.variable) ||
             !uses_unset(analysis, read, set) || counts(analysis, read))
             continue;
         if (tried.some_failed && !without_assignment.leads_to(read.variable, read.node)) continue;

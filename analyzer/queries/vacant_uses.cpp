@@ -19,7 +19,7 @@ namespace {
 /// Whether the program ends in an alarm where the variable has a value.
 bool is_refused(const ProgramAnalysis& analysis, Variable variable) {
     const auto comparisons = analysis.facts().all<dataflow::Comparison>();
-    return std::ranges::any_of(comparisons, [&](const dataflow::Comparison& test) {
+    return any_within_limit(comparisons, [&](const dataflow::Comparison& test) {
         const bool asks_for_value = test.operation == Operation::is_set;
         if (!asks_for_value && test.operation != Operation::is_vacant) return false;
         const auto* guarded = std::get_if<Guarded>(&analysis.program().effects[test.effect].what);

@@ -4,44 +4,41 @@
 #include "analyzer/program/block_view.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
 namespace maclint {
 namespace {
 
-struct FirstStore {
-    Variable variable;
-    Offset at;
-};
+/// Of each variable that a block sets, the first place that does. A program may set any number of names.
+using FirstStores = std::unordered_map<Variable, Offset, VariableHash>;
 
-std::vector<FirstStore> first_stores(const Program& program) {
-    std::vector<FirstStore> stores;
+FirstStores first_stores(const Program& program) {
+    FirstStores stores;
     for_each_effect(program, [&](EffectId id) {
         const auto* assign = std::get_if<Assign>(&program.effects[id].what);
         if (assign == nullptr) return;
         const auto* variable = std::get_if<Variable>(&assign->target);
-        if (variable != nullptr &&
-            std::ranges::find(stores, *variable, &FirstStore::variable) == stores.end())
-            stores.push_back({*variable, program.effects[id].span.begin});
+        if (variable != nullptr) stores.try_emplace(*variable, program.effects[id].span.begin);
     });
     return stores;
 }
 
 /// Whether a letter of a call reaches the variable, and no block above sets it.
-bool reads_argument(const Program& program, const std::vector<FirstStore>& stores, ExpressionId id) {
+bool reads_argument(const Program& program, const FirstStores& stores, ExpressionId id) {
     const Expression& expression = program.expressions[id];
     const auto& formals = program.control->formals;
     const auto* load = std::get_if<Load>(&expression.node);
     if (load == nullptr || std::ranges::find(formals, load->variable) == formals.end()) return false;
-    const auto store = std::ranges::find(stores, load->variable, &FirstStore::variable);
-    return store == stores.end() || expression.span.begin < store->at;
+    const auto store = stores.find(load->variable);
+    return store == stores.end() || expression.span.begin < store->second;
 }
 
 } // namespace
 
 std::vector<ExpressionId> argument_reads(const Program& program) {
-    const std::vector<FirstStore> stores = first_stores(program);
+    const FirstStores stores = first_stores(program);
     std::vector<ExpressionId> reads;
     const auto variable_of = [&](ExpressionId id) {
         return std::get<Load>(program.expressions[id].node).variable;
@@ -54,7 +51,7 @@ std::vector<ExpressionId> argument_reads(const Program& program) {
 }
 
 std::optional<ExpressionId> find_macro_argument(const Program& program) {
-    const std::vector<FirstStore> stores = first_stores(program);
+    const FirstStores stores = first_stores(program);
     const bool numbered = program.number && program.control->macro_numbers.contains(*program.number);
     for (ExpressionId id = 0; id < program.expressions.size(); ++id) {
         if (numbered && reads_argument(program, stores, id)) return id;

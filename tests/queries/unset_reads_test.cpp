@@ -1,8 +1,10 @@
 //! Which reads find a variable that nothing has set.
 #include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/queries/unset_reads.hpp"
+#include "analyzer/source/work_limit.hpp"
 #include "tests/support/analysed.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -51,6 +53,17 @@ TEST(UnsetReads, AreNotWhatCallersMayPassOrShare) {
     EXPECT_THAT(unset_in("O9001\nX#4Y#5Z#6\nX#7Y#8Z#9\nX#10Y#11Z#12\nM99\n"), IsEmpty());
     EXPECT_THAT(unset_in("O9001\nX#4Y#5Z#6\nX#7Y#8Z#9\nX#10Y#11\nM99\n"), ElementsAre(10));
     EXPECT_THAT(unset_in("O9001\nX#4Y#5Z#6\nX#10Y#11Z#12\nM99\n"), ElementsAre(10, 12));
+}
+
+TEST(UnsetReads, OfNamesThatNothingSetsAreLookedThroughOnce) {
+    constexpr int names = 2000;
+    std::string text = "MACHINING\n";
+    for (int i = 0; i < names; ++i) text += "#l1=#x" + std::to_string(i) + "+1\n";
+    const auto workspace =
+        test::analyse_files({{"x.ncs", text + "M30\nEND\n"}}, {.complete = false, .jobs = 1});
+    const WorkLimit limit(20 * std::size_t{names});
+    (void)find_unset_reads(workspace->programs().front());
+    EXPECT_FALSE(limit.is_met());
 }
 
 /// Whether the divisor of the last division is what it is for want of a value.
