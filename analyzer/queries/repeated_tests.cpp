@@ -1,12 +1,15 @@
 //! Holds the parts of a condition against each other, and cases in a row.
 #include "analyzer/queries/repeated_tests.hpp"
 
+#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
+#include <utility>
 
 namespace maclint::queries {
 namespace {
@@ -44,13 +47,45 @@ void compare_parts(const Program& program, EffectId effect, ExpressionId id,
     }
 }
 
+dataflow::Key key(Variable variable) { return dataflow::key_of(variable); }
+
+/// What an expression reads, looked up once for all who ask.
+class Reads {
+  public:
+    Reads(const Program& program, ExpressionId expression) {
+        collect(program, expression);
+        std::ranges::sort(variables_, {}, key);
+        variables_.erase(std::ranges::unique(variables_).begin(), variables_.end());
+    }
+    /// Whether it reads the variable, or may, through an index.
+    [[nodiscard]] bool hold(Variable variable) const {
+        return by_index_ || std::ranges::binary_search(variables_, key(variable), {}, key);
+    }
+    /// Of the expression, in expressions.
+    [[nodiscard]] std::size_t size() const { return size_; }
+
+  private:
+    void collect(const Program& program, ExpressionId expression) {
+        ++size_;
+        const auto& node = program.expressions[expression].node;
+        by_index_ = by_index_ || std::holds_alternative<LoadAt>(node);
+        if (const auto* load = std::get_if<Load>(&node)) variables_.push_back(load->variable);
+        if (const auto* apply = std::get_if<Apply>(&node))
+            for (const ExpressionId operand : program.operands_of(*apply)) collect(program, operand);
+    }
+
+    std::vector<Variable> variables_; ///< sorted, each once
+    bool by_index_ = false;
+    std::size_t size_ = 0;
+};
+
 /// IF[…]THEN#1=…
 struct Case {
     EffectId effect;
     ExpressionId condition;
     EffectId set;
     Variable variable;
-    ExpressionId value;
+    Reads asked, given; ///< by the condition, in the value
 };
 
 std::optional<Case> case_of(const Program& program, const Item& item) {
@@ -65,32 +100,26 @@ std::optional<Case> case_of(const Program& program, const Item& item) {
     const auto* assign = std::get_if<Assign>(&program.effects[set].what);
     const auto* variable = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
     if (variable == nullptr) return std::nullopt;
-    return Case{block->effects.first, guarded->condition, set, *variable, assign->value};
+    return Case{block->effects.first,          guarded->condition,      set, *variable,
+                {program, guarded->condition}, {program, assign->value}};
 }
 
-/// Whether the expression reads the variable, or may, through an index.
-bool reads(const Program& program, ExpressionId expression, Variable variable) {
-    const auto& node = program.expressions[expression].node;
-    if (const auto* load = std::get_if<Load>(&node)) return load->variable == variable;
-    const auto* apply = std::get_if<Apply>(&node);
-    if (apply == nullptr) return std::holds_alternative<LoadAt>(node);
-    return std::ranges::any_of(program.operands_of(*apply),
-                               [&](ExpressionId operand) { return reads(program, operand, variable); });
+/// Whether the conditions are the same; of one of many comparisons each is looked at.
+bool ask_the_same(const Program& program, const Case& a, const Case& b) {
+    constexpr std::size_t looked_at_with_the_case = 8;
+    return a.asked.size() == b.asked.size() && WorkLimit::allows(a.asked.size() / looked_at_with_the_case) &&
+           same_expression(program, a.condition, b.condition);
 }
 
 /// Of cases in a row the nearest before the last that asks the same and sets the same.
 const Case* repeated_case(const Program& program, std::span<const Case> cases) {
     const Case& last = cases.back();
-    if (reads(program, last.value, last.variable) || reads(program, last.condition, last.variable))
-        return nullptr;
+    if (last.given.hold(last.variable) || last.asked.hold(last.variable)) return nullptr;
     for (auto earlier = cases.rbegin() + 1; earlier != cases.rend(); ++earlier) {
-        if (!WorkLimit::allows() || reads(program, earlier->condition, earlier->variable)) return nullptr;
-        if (earlier->variable == last.variable &&
-            same_expression(program, earlier->condition, last.condition))
-            return &*earlier;
-        if (reads(program, last.condition, earlier->variable) ||
-            reads(program, earlier->condition, last.variable) ||
-            reads(program, earlier->value, last.variable))
+        if (!WorkLimit::allows() || earlier->asked.hold(earlier->variable)) return nullptr;
+        if (earlier->variable == last.variable && ask_the_same(program, *earlier, last)) return &*earlier;
+        if (last.asked.hold(earlier->variable) || earlier->asked.hold(last.variable) ||
+            earlier->given.hold(last.variable))
             return nullptr;
     }
     return nullptr;
@@ -105,14 +134,14 @@ void compare_cases(const ProgramAnalysis& analysis, std::vector<RepeatedTest>& f
     const Program& program = analysis.program();
     std::vector<Case> row;
     for (const Item& item : program.items) {
-        const auto now = case_of(program, item);
+        auto now = case_of(program, item);
         if (!now || !is_reached(analysis, now->effect)) {
             row.clear();
             continue;
         }
-        row.push_back(*now);
+        row.push_back(*std::move(now));
         if (const Case* earlier = repeated_case(program, row))
-            found.push_back({now->effect, earlier->condition, now->condition, earlier->set});
+            found.push_back({row.back().effect, earlier->condition, row.back().condition, earlier->set});
     }
 }
 
