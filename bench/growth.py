@@ -30,6 +30,16 @@ def program(body, end='M30\n'):
     return '%\nO1\n' + body + end + '%\n'
 
 
+def chain(operation, operands):
+    return operation.join(f'[{operand}]' for operand in operands)
+
+
+def ors(n, block, last='N9\n', first=0):
+    """So many blocks with an OR of 120 comparisons each, which go on counting from `first` times the block's number."""
+    return program(''.join(block.format(any=chain('OR', (f'#100EQ{i + first * k}' for i in range(120))), k=k)
+                           for k in range(n)) + last)
+
+
 def jumps_at_random(n):
     choose = random.Random(n)
     return program(lines(400, '#{k}=1\n') + ''.join(
@@ -77,6 +87,27 @@ KINDS = [
     ('programs without a block', 10000, 'concise', lambda n: '%\n' + lines(n, 'O{i}\n') + '%\n'),
     ('tests for vacancy', 2000, 'concise', lambda n: program(lines(n, '#{k}=1\nIF[#{k}EQ#0]GOTO9\n') + 'N9\n')),
     ('values saved and put back', 1000, 'concise', lambda n: program(lines(n, '#1=#4003\n#1=5\nG#1\n'), 'M99\n')),
+    ('the same OR in each IF', 100, 'concise', lambda n: ors(n, 'IF[{any}]GOTO9\n')),
+    ('another OR in each IF', 100, 'concise', lambda n: ors(n, 'IF[{any}]GOTO9\n', '#1=1\nN9G0X#1\n', first=120)),
+    ('the same OR in each IF with THEN', 100, 'concise', lambda n: ors(n, 'IF[{any}]THEN#1={k}\n', 'N9G0X#1\n')),
+    ('another OR in each IF with THEN', 100, 'concise', lambda n: ors(
+        n, 'IF[{any}]THEN#1={k}\n', 'N9G0X#1\n', first=120)),
+    ('the same OR in each WHILE', 50, 'concise', lambda n: ors(
+        n, 'WHILE[{any}]DO1\n#100=#100+1\nEND1\n', 'N9G0X#1\n')),
+    ('ORs of tests for vacancy', 100, 'concise', lambda n: program(
+        ('IF[' + chain('OR', (f'#{100 + i}EQ#0' for i in range(120))) + ']GOTO9\n') * n + 'N9\n')),
+    ('ORs that repeat their operand', 100, 'concise', lambda n: program(
+        ('IF[' + chain('OR', ['#100EQ1'] * 120) + ']GOTO9\n') * n + 'N9\n')),
+    ('the same IF in a row', 1000, 'concise', lambda n: program(lines(n, 'IF[#500EQ1]THEN#1={i}\n'))),
+    ('each IF twice', 1000, 'concise', lambda n: program(
+        lines(n, 'IF[#{k}EQ1]THEN#1={i}\nIF[#{k}EQ1]THEN#1={j}\n'))),
+    ('conditional stores overwritten', 1000, 'concise', lambda n: program(
+        lines(n, 'IF[#500EQ{i}]THEN#{k}=1\n') + lines(n, '#{k}=2\n'))),
+    ('names that nothing sets', 10000, 'concise', lambda n: 'MACHINING\n' + lines(n, '#l1=#x{i}+1\n') + 'M30\nEND\n'),
+    ('names that are set and read', 5000, 'concise', lambda n: program(
+        lines(n, '#<NAME{i}>={i}\n') + lines(n, 'G0X#<NAME{i}>\n'))),
+    ('calls of computed programs', 5000, 'concise', lambda n: '%\n' + lines(n, 'O{i}\nG65P#1A1\nM99\n') + '%\n'),
+    ('stores through a variable', 5000, 'concise', lambda n: program(lines(n, '#[#{k}]=#[#{k}]+1\n'))),
     ('unknown words in a comment', 2000, 'concise', lambda n: program('(MACLINT ALLOW ' + lines(n, 'ZZ{i}Z ') + ')\n')),
 ]
 
