@@ -4,6 +4,8 @@
 #include "cli/suggest.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <unordered_set>
 #include <utility>
 
 namespace maclint::cli {
@@ -15,20 +17,38 @@ std::vector<InputFile> inputs_of(const Snapshot& snapshot) {
     return inputs;
 }
 
-/// Its own place, the others of the same cause, those that explain it, and the way there.
-bool shows_change(const Finding& finding, ChangedLines& changed) {
-    const auto touched = [&](const RelatedLocation& place) {
-        return changed.touch(*place.source, place.span);
-    };
-    return changed.touch(*finding.source, finding.span) || std::ranges::any_of(finding.path, touched) ||
-           std::ranges::any_of(finding.further_places(), touched);
+/// Its own place, the others of the same cause, those that explain it, and the way there, till one is enough.
+template<class IsEnough>
+bool any_place(const Finding& finding, const IsEnough& is_enough) {
+    const auto look_at = [&](const RelatedLocation& place) { return is_enough(*place.source, place.span); };
+    return is_enough(*finding.source, finding.span) || std::ranges::any_of(finding.path, look_at) ||
+           std::ranges::any_of(finding.further_places(), look_at);
+}
+
+std::unordered_set<const Source*> sources_shown(const Result& result) {
+    std::unordered_set<const Source*> sources;
+    for (const FilteredFinding& filtered : result.findings)
+        any_place(filtered.finding, [&](const Source& source, Span) {
+            sources.insert(&source);
+            return false;
+        });
+    return sources;
+}
+
+std::vector<Notice> compare(ChangedLines& changed, const Result& result) {
+    std::vector<const Source*> checked;
+    for (const auto& source : result.sources) checked.push_back(source.get());
+    return changed.compare(sources_shown(result), checked);
 }
 
 /// Nothing when none that counts is left out.
-std::optional<Notice> leave_unchanged_out(Result& result, ChangedLines& changed, const std::string& since) {
+std::optional<Notice> leave_unchanged_out(Result& result, const ChangedLines& changed,
+                                          const std::string& since) {
     std::size_t count = 0;
     std::erase_if(result.findings, [&](const FilteredFinding& filtered) {
-        if (shows_change(filtered.finding, changed)) return false;
+        const bool shows_change = any_place(
+            filtered.finding, [&](const Source& source, Span span) { return changed.touch(source, span); });
+        if (shows_change) return false;
         if (!filtered.suppressed) ++count;
         return true;
     });
@@ -56,9 +76,9 @@ std::variant<Gate, Notice> Gate::open(const CheckRequest& request, const Snapsho
 
 std::vector<Notice> Gate::judge(const Snapshot& snapshot, Result& result) {
     std::vector<Notice> notices = known_.mark(snapshot, result);
-    if (changed_)
-        if (auto notice = leave_unchanged_out(result, *changed_, since_))
-            notices.push_back(*std::move(notice));
+    if (!changed_) return notices;
+    std::ranges::move(compare(*changed_, result), std::back_inserter(notices));
+    if (auto notice = leave_unchanged_out(result, *changed_, since_)) notices.push_back(*std::move(notice));
     return notices;
 }
 

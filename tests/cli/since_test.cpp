@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace maclint::test {
 namespace {
@@ -78,6 +79,124 @@ TEST_F(Since, NothingHasChangedInAFileThatWasOnlyRenamed) {
     EXPECT_EQ(found("--since HEAD"), "0");
     folder.write("new/O7.nc", worse);
     EXPECT_EQ(found("--since HEAD"), "new/O7.nc:5:12:\n1");
+}
+
+TEST_F(Since, AFileThatWasMovedIsTheSameThoughGitDoesNotKnowIt) {
+    ASSERT_EQ(shell("mkdir new && mv O1001.nc new/O7.nc").status, 0);
+    EXPECT_EQ(found("--since HEAD"), "0");
+    EXPECT_EQ(found("--since HEAD new/O7.nc"), "0");
+    folder.write("new/O8.nc", bad); // one of them is new
+    EXPECT_EQ(found("--since HEAD"), "new/O8.nc:3:1:\n1");
+    ASSERT_EQ(shell("rm new/O8.nc; git checkout O1001.nc").status, 0);
+    EXPECT_EQ(found("--since HEAD"), "new/O7.nc:3:1:\n1"); // a copy: nothing is gone
+}
+
+TEST_F(Since, AFileThatIsNotCheckedOutIsNotGone) {
+    folder.write("other/O2.nc", bad);
+    commit();
+    if (shell("git sparse-checkout set --no-cone /O1001.nc 2> .git/log").status != 0)
+        GTEST_SKIP() << "this git cannot do that";
+    ASSERT_FALSE(fs::exists(folder.path() / "other"));
+    folder.write("O3.nc", bad);
+    EXPECT_EQ(found("--since HEAD O3.nc"), "O3.nc:3:1:\n1");
+}
+
+TEST_F(Since, OfAPointerToALargeFileAllLinesHaveChanged) {
+    const std::string pointer =
+        "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, '0') + "\nsize 39\n";
+    folder.write("O1001.nc", pointer);
+    folder.write("O2.nc", pointer);
+    commit();
+    folder.write("O1001.nc", bad);
+    folder.write("O2.nc", bad);
+    const Finished finished = shell("$maclint --format concise --select MAC301 --since HEAD");
+    EXPECT_EQ(finished.err,
+              "maclint: note: all lines of 'O1001.nc' and 1 other count as changed: git holds a "
+              "pointer to a large file in their place.\n");
+    EXPECT_THAT(finished.out, AllOf(HasSubstr("O1001.nc:3:1:"), HasSubstr("O2.nc:3:1:")));
+    EXPECT_EQ(finished.status, 1);
+}
+
+TEST_F(Since, AnOldTextOutOfAllProportionIsNotRead) {
+    folder.write("O1001.nc", std::string(bad) + std::string(3'000'000, '\n'));
+    commit();
+    folder.write("O1001.nc", bad);
+    EXPECT_EQ(found("--since HEAD"), "O1001.nc:3:1:\n1");
+}
+
+TEST_F(Since, TakesAllNamesOfARevision) {
+    ASSERT_EQ(shell("git tag old && git tag -a -m y annotated && git branch side && "
+                    "git update-ref refs/remotes/origin/main HEAD")
+                  .status,
+              0);
+    folder.write("O1001.nc", worse);
+    ASSERT_EQ(shell("git commit -qam later").status, 0);
+    for (const char* name :
+         {"old", "annotated", "side", "origin/main", "HEAD~1", "HEAD^", "'HEAD@{1}'", "':/^x'",
+          "'HEAD^{/^x}'", "@~1", "refs/tags/old", "$(git rev-parse --short=5 HEAD~1)"})
+        EXPECT_EQ(found("--since " + std::string(name)), "O1001.nc:5:12:\n1") << name;
+    EXPECT_EQ(found("--since ':/^later'"), "0");
+    for (const char* name :
+         {"HEAD:O1001.nc", "HEAD~2", "':/nowhere'", "$(git rev-parse HEAD | tr 0-9a-f 1-9a-f0)"})
+        EXPECT_THAT(found("--since " + std::string(name)), HasSubstr("names no revision that git knows"))
+            << name;
+}
+
+TEST_F(Since, WorksInAHookOfGit) {
+    folder.write(".git/hooks/pre-commit",
+                 "#!/bin/sh\nenv | grep -c ^GIT_ > \"$(git rev-parse --git-dir)/variables\"\n"
+                 "$maclint --format concise --quiet --select MAC301,MAC559 --since HEAD > \"$found\"\n");
+    folder.write("O1001.nc", worse);
+    const std::string commit =
+        "chmod +x .git/hooks/pre-commit; found=$PWD/.git/found; export maclint found; ";
+    const std::string show = "sed 's/ .*//' $found; cat $(git rev-parse --git-dir)/variables";
+    EXPECT_THAT(shell(commit + "git commit -qam x; echo $?; " + show).out, StartsWith("1\nO1001.nc:5:12:\n"));
+    EXPECT_THAT(shell(commit +
+                      "git worktree add -q --detach tree && cp O1001.nc tree && cd tree && "
+                      "git commit -qam x; echo $?; " +
+                      show)
+                    .out,
+                StartsWith("1\nO1001.nc:5:12:\n"));
+}
+
+TEST_F(Since, WorksInASubmoduleAndWithOtherHashes) {
+    const std::string check =
+        "$maclint --format concise --quiet --select MAC301,MAC559 --since HEAD O1001.nc | "
+        "sed 's/ .*//'";
+    const Finished submodule =
+        shell("git init -q outer && cd outer && "
+              "git -c protocol.file.allow=always submodule --quiet add \"${PWD%/*}\" sub && cd sub && "
+              "test -f .git && echo 'G1 X1. F9. F8.' > O1001.nc && " +
+              check);
+    EXPECT_EQ(submodule.out, "O1001.nc:1:12:\n") << submodule.err;
+    const Finished other = shell("git init -q --object-format=sha256 sha && cp O1001.nc sha && cd sha && "
+                                 "git add -A && git -c user.name=a -c user.email=b commit -qm x && "
+                                 "sed 's/^M30/G1 X1. F9. F8./' ../O1001.nc > O1001.nc && " +
+                                 check);
+    EXPECT_EQ(other.out, "O1001.nc:5:12:\n") << other.err;
+}
+
+TEST_F(Since, ARepositoryOfAnotherOwnerIsNotTrusted) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only root can give files away";
+    const Finished finished = shell("chown -R 12345 . && $maclint --since HEAD");
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_THAT(finished.err, AllOf(HasSubstr("it says 'fatal: detected dubious ownership in repository at"),
+                                    HasSubstr("safe.directory")));
+    EXPECT_EQ(shell("printf '[safe]\\ndirectory = *\\n' > .git/own; GIT_CONFIG_GLOBAL=$PWD/.git/own "
+                    "$maclint --quiet --since HEAD")
+                  .status,
+              0);
+}
+
+TEST_F(Since, CountsAProgramOfAFolderThatGitDoesNotTellOfAsUnchangedAndSaysSo) {
+    folder.write("O9001.nc", "%\nO9001\n#2=10/#7\nG0 X#2\nM99\n%\n");
+    folder.write("other/O1.nc", "%\nO1\nG65 P9001 A1.\nM30\n%\n");
+    commit();
+    fs::create_directory(folder.path() / "other/.git");
+    const Finished finished = shell("$maclint --format concise --select MAC210 --since HEAD O9001.nc");
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_THAT(finished.err, AllOf(HasSubstr("other' count as unchanged."), HasSubstr("fatal: not a git")));
 }
 
 TEST_F(Since, LineEndsAreNoChange) {

@@ -1,6 +1,8 @@
 //! Runs another program.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -8,15 +10,36 @@
 
 namespace maclint::platform {
 
-struct ProcessEnd {
-    bool started = false; ///< otherwise there is no such program, or it must not run
-    int status = 0;       ///< exit status; 127: nobody knows; 128 and more: a signal ended it
-    std::string errors;   ///< beginning of what it wrote to standard error
+struct ProcessRequest {
+    std::vector<std::string> words; ///< the first names the program
+    std::string_view input = {};    ///< what it reads from its standard input
+    std::string_view left_out_prefix =
+        {};                             ///< variables whose names begin so do not reach it; none when empty
+    std::vector<std::string> kept = {}; ///< names of variables that reach it nevertheless
+    std::vector<std::string> set = {};  ///< NAME=value, in place of what was there
+    std::string not_below = {};         ///< folder, absolute and without links, whose programs are not run
+    std::chrono::milliseconds patience{60'000}; ///< how long it may neither read nor write before it is ended
 };
 
-/// Runs a program that PATH leads to, with nothing as its standard input; no shell sees the words. `take`
-/// gets its standard output part by part.
-[[nodiscard]] ProcessEnd run_process(const std::vector<std::string>& words,
-                                     const std::function<void(std::string_view part)>& take);
+enum class EndedBy : std::uint8_t {
+    nothing_started, ///< there is no such program, or it must not run
+    itself,
+    silence, ///< it let the patience pass
+    taker,   ///< who takes its output wanted no more
+};
+
+struct ProcessEnd {
+    EndedBy by = EndedBy::nothing_started;
+    int status = 0;     ///< exit status; 127: nobody knows; 128 and more: a signal ended it
+    std::string errors; ///< beginning of what it wrote to standard error
+
+    [[nodiscard]] bool succeeded() const { return by == EndedBy::itself && status == 0; }
+};
+
+/// Gets the standard output part by part; false: no more is wanted.
+using TakeOutput = std::function<bool(std::string_view part)>;
+
+/// Runs a program that an absolute entry of PATH leads to; no shell sees the words.
+[[nodiscard]] ProcessEnd run_process(const ProcessRequest& request, const TakeOutput& take);
 
 } // namespace maclint::platform

@@ -7,6 +7,8 @@
 
 namespace maclint::platform {
 
+bool paths_may_name_servers() { return true; }
+
 std::filesystem::path path_of(std::string_view text) { return {wide(text)}; }
 
 std::string text_of(const std::filesystem::path& path) {

@@ -1,4 +1,4 @@
-//! CreateProcess and two pipes, the second of which is read by a thread of its own.
+//! CreateProcess and three pipes, two of which are served by threads of their own.
 #include "analyzer/source/platform/process.hpp"
 
 #include "analyzer/source/platform/paths.hpp"
@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <condition_variable>
+#include <mutex>
 #include <optional>
 #include <thread>
 
@@ -36,9 +38,29 @@ std::wstring variable(const wchar_t* name) {
     return value;
 }
 
+/// The system does not tell capitals from small letters.
+int compare(std::wstring_view one, std::wstring_view other) {
+    return CompareStringOrdinal(one.data(), static_cast<int>(one.size()), other.data(),
+                                static_cast<int>(other.size()), TRUE) -
+           CSTR_EQUAL;
+}
+
+bool is_below(const std::filesystem::path& path, const std::filesystem::path& folder) {
+    return std::ranges::mismatch(folder, path, [](const auto& one, const auto& other) {
+               return compare(one.native(), other.native()) == 0;
+           }).in1 == folder.end();
+}
+
+bool may_run(const std::filesystem::path& place, const std::string& not_below) {
+    if (!place.is_absolute() || kind_of(place) != FileKind::regular) return false;
+    std::error_code error;
+    const auto real = path_of(text_of(real_path(place, error)));
+    return not_below.empty() || (!error && !is_below(real, path_of(not_below)));
+}
+
 /// Where PATH has the program, by its absolute entries alone. CreateProcess would look beside maclint and in
 /// the current folder first, and run what lies among the programs that are to be checked.
-std::optional<std::filesystem::path> place_of(const std::string& program) {
+std::optional<std::filesystem::path> place_of(const std::string& program, const std::string& not_below) {
     const std::wstring entries = variable(L"PATH");
     std::wstring entry;
     bool in_quotes = false; // a semicolon there is one of the name
@@ -49,24 +71,54 @@ std::optional<std::filesystem::path> place_of(const std::string& program) {
             entry += c;
         } else {
             const auto place = std::filesystem::path(entry) / path_of(program + ".exe");
-            if (place.is_absolute() && kind_of(place) == FileKind::regular) return place;
+            if (may_run(place, not_below)) return place;
             entry.clear();
         }
     }
     return std::nullopt;
 }
 
-SECURITY_ATTRIBUTES inherited() { return {sizeof(SECURITY_ATTRIBUTES), nullptr, TRUE}; }
+/// "NAME" of "NAME=value"; names such as "=C:" are the system's own.
+std::wstring_view name_of(std::wstring_view variable) { return variable.substr(0, variable.find(L'=', 1)); }
 
-/// Only the writing end goes to the other program.
+/// As the system wants it: sorted, each with a null behind it, and another at the end.
+std::wstring environment_for(const ProcessRequest& request) {
+    std::vector<std::wstring> variables;
+    for (const std::string& text : request.set) variables.push_back(wide(text));
+    const auto is_set = [&](std::wstring_view name) {
+        return std::ranges::any_of(
+            request.set, [&](const std::string& other) { return compare(name_of(wide(other)), name) == 0; });
+    };
+    const std::wstring prefix = wide(request.left_out_prefix);
+    const auto is_left_out = [&](std::wstring_view name) {
+        return !prefix.empty() && compare(name.substr(0, prefix.size()), prefix) == 0 &&
+               std::ranges::none_of(request.kept,
+                                    [&](const std::string& kept) { return compare(wide(kept), name) == 0; });
+    };
+    if (wchar_t* const all = GetEnvironmentStringsW(); all != nullptr) {
+        for (const wchar_t* at = all; *at != L'\0'; at += std::wstring_view(at).size() + 1)
+            if (!is_set(name_of(at)) && !is_left_out(name_of(at))) variables.emplace_back(at);
+        FreeEnvironmentStringsW(all);
+    }
+    std::ranges::sort(variables, [](const std::wstring& one, const std::wstring& other) {
+        return compare(name_of(one), name_of(other)) < 0;
+    });
+    std::wstring block;
+    for (const std::wstring& one : variables) block.append(one).push_back(L'\0');
+    return block + L'\0';
+}
+
+enum class Inherited : std::uint8_t { reader, writer };
+
+/// One end goes to the other program.
 struct Pipe {
-    Pipe() {
-        SECURITY_ATTRIBUTES attributes = inherited();
+    explicit Pipe(Inherited inherited) {
+        SECURITY_ATTRIBUTES attributes{sizeof(SECURITY_ATTRIBUTES), nullptr, TRUE};
         HANDLE ends[2] = {INVALID_HANDLE_VALUE, INVALID_HANDLE_VALUE};
         if (CreatePipe(&ends[0], &ends[1], &attributes, 0) == 0) return;
         reader = ends[0];
         writer = ends[1];
-        SetHandleInformation(reader, HANDLE_FLAG_INHERIT, 0);
+        SetHandleInformation(inherited == Inherited::reader ? writer : reader, HANDLE_FLAG_INHERIT, 0);
     }
     Pipe(const Pipe&) = delete;
     Pipe& operator=(const Pipe&) = delete;
@@ -82,50 +134,165 @@ struct Pipe {
     HANDLE reader = INVALID_HANDLE_VALUE, writer = INVALID_HANDLE_VALUE;
 };
 
-void read_all(HANDLE reader, const std::function<void(std::string_view)>& take) {
+struct Pipes {
+    Pipe input{Inherited::reader}, output{Inherited::writer}, errors{Inherited::writer};
+
+    [[nodiscard]] bool are_open() const {
+        return input.reader != INVALID_HANDLE_VALUE && output.reader != INVALID_HANDLE_VALUE &&
+               errors.reader != INVALID_HANDLE_VALUE;
+    }
+};
+
+/// The program and all that it starts: git.exe of a PATH is one that starts another. Where the system makes
+/// no job, the program alone.
+class Family {
+  public:
+    Family()
+        : job_(CreateJobObjectW(nullptr, nullptr)) {}
+    Family(const Family&) = delete;
+    Family& operator=(const Family&) = delete;
+    ~Family() {
+        if (job_ != nullptr) CloseHandle(job_);
+    }
+
+    void take_in(HANDLE process) {
+        process_ = process;
+        if (job_ != nullptr && AssignProcessToJobObject(job_, process) != 0) return;
+        if (job_ != nullptr) CloseHandle(job_);
+        job_ = nullptr;
+    }
+    void end() const {
+        constexpr UINT status = 127;
+        if (job_ != nullptr) {
+            TerminateJobObject(job_, status);
+        } else {
+            TerminateProcess(process_, status);
+        }
+    }
+
+  private:
+    HANDLE job_;
+    HANDLE process_ = nullptr;
+};
+
+/// Ends a family that is silent for too long; what comes and goes is told to it.
+class Watch {
+  public:
+    Watch(const Family& family, std::chrono::milliseconds patience)
+        : thread_([this, &family, patience] {
+            std::unique_lock lock(mutex_);
+            while (!is_over_) {
+                const std::uint64_t before = parts_;
+                changed_.wait_for(lock, patience, [this] { return is_over_; });
+                if (is_over_ || parts_ != before) continue;
+                was_silent_ = true;
+                family.end();
+                return;
+            }
+        }) {}
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+    ~Watch() { stop(); }
+
+    void count_part() {
+        const std::scoped_lock lock(mutex_);
+        ++parts_;
+    }
+    /// Whether the family was ended.
+    bool stop() {
+        {
+            const std::scoped_lock lock(mutex_);
+            is_over_ = true;
+        }
+        changed_.notify_all();
+        if (thread_.joinable()) thread_.join();
+        return was_silent_;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::uint64_t parts_ = 0;
+    bool is_over_ = false;
+    bool was_silent_ = false;
+    std::thread thread_; // last: it uses the others
+};
+
+/// False: who takes the parts wanted no more.
+bool read_all(HANDLE reader, Watch& watch, const TakeOutput& take) {
     std::array<char, 65536> buffer{};
     DWORD got = 0;
-    while (ReadFile(reader, buffer.data(), static_cast<DWORD>(buffer.size()), &got, nullptr) != 0 && got > 0)
-        take({buffer.data(), got});
+    while (ReadFile(reader, buffer.data(), static_cast<DWORD>(buffer.size()), &got, nullptr) != 0) {
+        watch.count_part();
+        if (got > 0 && !take({buffer.data(), got})) return false;
+    }
+    return true;
+}
+
+void write_parts(HANDLE& writer, Watch& watch, std::string_view rest) {
+    constexpr std::size_t most = 65536;
+    DWORD written = 0;
+    while (!rest.empty() && WriteFile(writer, rest.data(), static_cast<DWORD>(std::min(most, rest.size())),
+                                      &written, nullptr) != 0) {
+        watch.count_part();
+        rest.remove_prefix(written);
+    }
+    Pipe::close(writer);
+}
+
+/// Suspended, so that it starts nothing before it belongs to its family.
+std::optional<PROCESS_INFORMATION> create(const std::filesystem::path& program, const ProcessRequest& request,
+                                          const Pipes& pipes) {
+    STARTUPINFOW startup{};
+    startup.cb = sizeof startup;
+    startup.dwFlags = STARTF_USESTDHANDLES;
+    startup.hStdInput = pipes.input.reader;
+    startup.hStdOutput = pipes.output.writer;
+    startup.hStdError = pipes.errors.writer;
+    PROCESS_INFORMATION made{};
+    std::wstring line = command_line(request.words);
+    std::wstring environment = environment_for(request);
+    constexpr DWORD flags = CREATE_NO_WINDOW | CREATE_SUSPENDED | CREATE_UNICODE_ENVIRONMENT;
+    if (CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, flags, environment.data(),
+                       nullptr, &startup, &made) == 0)
+        return std::nullopt;
+    return made;
 }
 
 } // namespace
 
-ProcessEnd run_process(const std::vector<std::string>& words,
-                       const std::function<void(std::string_view part)>& take) {
+ProcessEnd run_process(const ProcessRequest& request, const TakeOutput& take) {
     ProcessEnd end;
-    const auto program = place_of(words.front());
+    const auto program = place_of(request.words.front(), request.not_below);
     if (!program) return end;
-    Pipe output;
-    Pipe errors;
-    SECURITY_ATTRIBUTES attributes = inherited();
-    const Handle nothing(CreateFileW(L"NUL", GENERIC_READ, 0, &attributes, OPEN_EXISTING, 0, nullptr));
-    if (output.reader == INVALID_HANDLE_VALUE || errors.reader == INVALID_HANDLE_VALUE) return end;
-    STARTUPINFOW startup{};
-    startup.cb = sizeof startup;
-    startup.dwFlags = STARTF_USESTDHANDLES;
-    startup.hStdInput = nothing.get();
-    startup.hStdOutput = output.writer;
-    startup.hStdError = errors.writer;
-    PROCESS_INFORMATION made{};
-    std::wstring line = command_line(words);
-    if (CreateProcessW(program->c_str(), line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW, nullptr,
-                       nullptr, &startup, &made) == 0)
-        return end;
-    end.started = true;
-    const Handle process(made.hProcess);
-    const Handle thread(made.hThread);
-    Pipe::close(output.writer);
-    Pipe::close(errors.writer);
-    std::thread second([&] {
+    Pipes pipes;
+    if (!pipes.are_open()) return end;
+    const auto made = create(*program, request, pipes);
+    if (!made) return end;
+    const Handle process(made->hProcess);
+    const Handle thread(made->hThread);
+    Family family;
+    family.take_in(process.get());
+    ResumeThread(thread.get());
+    Pipe::close(pipes.input.reader);
+    Pipe::close(pipes.output.writer);
+    Pipe::close(pipes.errors.writer);
+    Watch watch(family, request.patience);
+    std::thread writing([&] { write_parts(pipes.input.writer, watch, request.input); });
+    std::thread complaining([&] {
         constexpr std::size_t most = 4096; // of what is wrong
-        read_all(errors.reader, [&](std::string_view part) {
+        read_all(pipes.errors.reader, watch, [&](std::string_view part) {
             end.errors += part.substr(0, most - std::min(most, end.errors.size()));
+            return true;
         });
     });
-    read_all(output.reader, take);
-    second.join();
+    const bool all_taken = read_all(pipes.output.reader, watch, take);
+    if (!all_taken) family.end();
+    complaining.join();
+    writing.join();
     WaitForSingleObject(process.get(), INFINITE);
+    const bool was_silent = watch.stop();
+    end.by = !all_taken ? EndedBy::taker : was_silent ? EndedBy::silence : EndedBy::itself;
     DWORD status = 0;
     GetExitCodeProcess(process.get(), &status);
     end.status = static_cast<int>(status);

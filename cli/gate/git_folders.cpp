@@ -1,0 +1,201 @@
+//! gitrepository-layout(5) says which files name others, git-config(1) which settings do.
+#include "cli/gate/git_folders.hpp"
+
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/input.hpp"
+#include "analyzer/source/platform/paths.hpp"
+#include "cli/gate/git_call.hpp"
+#include "cli/gate/server_path.hpp"
+#include "cli/suggest.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+#include <span>
+
+namespace maclint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using platform::FileKind;
+using platform::path_of;
+using platform::text_of;
+
+/// A small file, or its beginning; empty when there is none.
+std::string beginning_of(const fs::path& path) {
+    const platform::OpenFile file(text_of(path));
+    if (file.error() != 0 || file.kind() != FileKind::regular) return {};
+    std::string bytes(65536, '\0');
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        const auto [count, error] = platform::read_some(file.descriptor(), std::span(bytes).subspan(filled));
+        if (count == 0 || error != 0) break;
+        filled += count;
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
+std::string without_line_end(std::string text) {
+    text.erase(text.find_last_not_of("\r\n") + 1);
+    return text;
+}
+
+/// A name in quotes is written as in C.
+std::string unquoted(std::string_view name) {
+    if (!name.starts_with('"')) return std::string(name);
+    name.remove_prefix(1);
+    if (name.ends_with('"')) name.remove_suffix(1);
+    constexpr std::string_view letters = "abtnvfr";
+    constexpr std::string_view meant = "\a\b\t\n\v\f\r";
+    std::string out;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (name[i] != '\\' || i + 1 == name.size()) {
+            out += name[i];
+            continue;
+        }
+        const char escaped = name[++i];
+        if (const auto letter = letters.find(escaped); letter != std::string_view::npos) {
+            out += meant[letter];
+        } else if (unsigned code = 0;
+                   std::from_chars(&name[i], &name[i] + std::min<std::size_t>(3, name.size() - i), code, 8)
+                       .ec == std::errc{}) {
+            out += static_cast<char>(code);
+            i += 2;
+        } else {
+            out += escaped;
+        }
+    }
+    return out;
+}
+
+/// What a .git that is a file says.
+std::optional<std::string> named_by_git_file(const fs::path& git) {
+    constexpr std::string_view prefix = "gitdir: ";
+    const std::string text = platform::kind_of(git) == FileKind::regular ? beginning_of(git) : "";
+    if (!text.starts_with(prefix)) return std::nullopt;
+    return without_line_end(text.substr(prefix.size()));
+}
+
+/// Files and settings that name others, followed as far as they lead to no other server.
+class ServerSearch {
+  public:
+    explicit ServerSearch(const std::string& root)
+        : root_(root) {}
+
+    [[nodiscard]] std::optional<Notice> refuse() {
+        const fs::path git = path_of(root_) / ".git";
+        fs::path own = git;
+        if (const auto named = named_by_git_file(git)) {
+            if (!allows(git, *named)) return refusal_;
+            own = path_of(root_) / path_of(*named);
+        }
+        fs::path common = own;
+        const fs::path file = own / "commondir";
+        if (const std::string named = without_line_end(beginning_of(file)); !named.empty()) {
+            if (!allows(file, named)) return refusal_;
+            common = own / path_of(named);
+        }
+        look_at_alternates(common / "objects");
+        look_at_settings(common / "config");
+        look_at_settings(own / "config.worktree");
+        return refusal_;
+    }
+
+  private:
+    /// Whether a file may name a path; from the first on that may not, nothing more is looked at.
+    bool allows(const fs::path& file, const std::string& named) {
+        if (names_server(named) && !are_on_same_share(named, root_) && !refusal_)
+            refusal_ = refusal_of_since("--since does not ask git about '" + shown(root_) + "': '" +
+                                        shown(text_of(file)) + "' names a path on another server, '" +
+                                        shown(named) + "'. Take it out, or leave --since out.");
+        return !refusal_;
+    }
+
+    bool is_new(const fs::path& path) {
+        constexpr std::size_t most = 100; // git gives up far earlier
+        return !refusal_ && seen_.size() < most && seen_.insert(path.lexically_normal()).second;
+    }
+
+    void look_at_alternates(const fs::path& objects) {
+        if (!is_new(objects)) return;
+        const fs::path file = objects / "info" / "alternates";
+        const std::string text = beginning_of(file);
+        for (std::string_view rest = text; !rest.empty();) {
+            std::string line(rest.substr(0, rest.find('\n')));
+            rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+            line = unquoted(without_line_end(line));
+            if (line.empty() || line.starts_with('#')) continue;
+            if (!allows(file, line)) return;
+            look_at_alternates(objects / path_of(line));
+        }
+    }
+
+    void look_at_settings(const fs::path& file) {
+        if (!is_new(file) || platform::kind_of(file) != FileKind::regular) return;
+        const GitAnswer listed = list_settings(root_, text_of(file));
+        for (std::string_view rest = listed.text; !rest.empty() && !refusal_;) {
+            const std::string_view setting = rest.substr(0, rest.find('\0'));
+            rest.remove_prefix(std::min(rest.size(), setting.size() + 1));
+            const auto line = setting.find('\n');
+            if (line != std::string_view::npos)
+                look_at_setting(file, setting.substr(0, line), std::string(setting.substr(line + 1)));
+        }
+    }
+
+    void look_at_setting(const fs::path& file, std::string_view key, std::string value) {
+        constexpr std::string_view optional = ":(optional)";
+        if (value.starts_with(optional)) value.erase(0, optional.size());
+        const bool includes =
+            key == "include.path" || (key.starts_with("includeif.") && key.ends_with(".path"));
+        // Where references are kept may be said behind the name of the way to keep them.
+        const auto place = key.starts_with("extensions.") ? value.find("://") : std::string::npos;
+        if (place != std::string::npos) value.erase(0, place + 3);
+        if (!includes && key != "core.worktree" && place == std::string::npos) return;
+        const bool is_of_user = value.starts_with('~') || value.starts_with("%(prefix)");
+        if (!allows(file, value) || !includes || is_of_user) return;
+        look_at_settings(file.parent_path() / path_of(value));
+    }
+
+    std::string root_;
+    std::set<fs::path> seen_;
+    std::optional<Notice> refusal_;
+};
+
+} // namespace
+
+GitFolders git_folders_of(const std::string& root) {
+    const fs::path git = path_of(root) / ".git";
+    const auto named = named_by_git_file(git);
+    const fs::path own = named ? path_of(root) / path_of(*named) : git;
+    const std::string common = without_line_end(beginning_of(own / "commondir"));
+    return {own, common.empty() ? own : own / path_of(common)};
+}
+
+std::optional<Notice> refuse_special_files(const std::string& root) {
+    const auto [own, common] = git_folders_of(root);
+    const std::array files = {own / "HEAD",
+                              own / "commondir",
+                              own / "config.worktree",
+                              common / "config",
+                              common / "packed-refs",
+                              common / "shallow",
+                              common / "objects" / "info" / "alternates"};
+    const auto special = std::ranges::find_if(files, [](const fs::path& file) {
+        const FileKind kind = platform::kind_of(file);
+        return kind == FileKind::pipe || kind == FileKind::other;
+    });
+    if (special == files.end()) return std::nullopt;
+    return refusal_of_since("--since cannot ask git about '" + shown(root) + "': '" +
+                            shown(text_of(*special)) +
+                            "' is a pipe or a device. Mend the repository, or leave --since out.");
+}
+
+std::optional<Notice> refuse_other_servers(const std::string& root) { return ServerSearch(root).refuse(); }
+
+bool is_sparse(const std::string& root) {
+    return platform::kind_of(git_folders_of(root).own / "info" / "sparse-checkout") == FileKind::regular;
+}
+
+} // namespace maclint::cli

@@ -1,0 +1,121 @@
+//! Paths in a .git that lead to another server. They are told from others by their look, on every system.
+#include "cli/gate/git_folders.hpp"
+#include "cli/gate/server_path.hpp"
+#include "tests/support/folder.hpp"
+#include "tests/support/process.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint::cli {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Optional;
+
+TEST(ServerPath, IsToldByTwoSlashesOfEitherKind) {
+    for (const char* path : {R"(\\server\share)", "//server/share/x", R"(\/server\share)", R"(/\server)",
+                             R"(\\?\UNC\server\share)", "//?/unc/server/share", R"(\\.\UNC\server\share)",
+                             "\\?"
+                             R"(?\UNC\server\share)",
+                             "//"})
+        EXPECT_TRUE(names_server(path)) << path;
+    for (const char* path :
+         {"", "/", "/server/share", R"(C:\x\\y)", "C:/x", "x//y", R"(..\..\x)", "~/x", "C://x"})
+        EXPECT_FALSE(names_server(path)) << path;
+}
+
+TEST(ServerPath, OfTheSameShareIsNotAnother) {
+    EXPECT_TRUE(are_on_same_share(R"(\\Server\Shop\lathe)", "//server/shop/.git/modules/x"));
+    EXPECT_TRUE(are_on_same_share(R"(\\?\UNC\server\shop\x)", "//server/shop"));
+    EXPECT_FALSE(are_on_same_share("//server/shop/x", "//server/other/x"));
+    EXPECT_FALSE(are_on_same_share("//server/shop/x", "//server2/shop/x"));
+    EXPECT_FALSE(are_on_same_share("//server/shop/x", "//server/shop2"));
+    EXPECT_FALSE(are_on_same_share("//server/shop/x", "C:/shop"));
+    EXPECT_FALSE(are_on_same_share("//server", "//server"));
+    EXPECT_FALSE(are_on_same_share("//?/C:/x", "//?/C:/x")); // it may be anything
+}
+
+struct ServerRow {
+    std::string_view file; ///< from the repository
+    std::string_view text;
+    bool is_refused;
+};
+
+class GitFolders : public testing::Test {
+  protected:
+    [[nodiscard]] bool refuses(const ServerRow& row) const {
+        const test::TemporaryFolder folder;
+        folder.write(std::string(row.file), row.text);
+        const auto refused = refuse_other_servers(folder.path().string());
+        if (refused) {
+            EXPECT_TRUE(refused->is_error());
+            EXPECT_THAT(refused->message, HasSubstr("names a path on another server, '"));
+        }
+        return refused.has_value();
+    }
+};
+
+TEST_F(GitFolders, MayNotBeOnAnotherServer) {
+    if (test::run_shell("/", "git --version").status != 0) GTEST_SKIP() << "there is no git";
+    for (const ServerRow& row : std::to_array<ServerRow>({
+             {".git", "gitdir: //server/share/x\n", true},
+             {".git", "gitdir: \\\\server\\share\\x\r\n", true},
+             {".git", "gitdir: ../x\n", false},
+             {".git/commondir", "//server/share/x\n", true},
+             {".git/commondir", "../x\n", false},
+             {".git/objects/info/alternates", "/x\n\n//server/share/objects\n", true},
+             {".git/objects/info/alternates", R"("\134\134server\134share")", true},
+             {".git/objects/info/alternates", "# //server/share\n../../y/objects\n", false},
+             {".git/config", "[core]\nworktree = //server/share\n", true},
+             {".git/config", "[core]\nworktree = ../x\n", false},
+             {".git/config", "[include]\npath = \\\\\\\\server\\\\share\\\\x\n", true},
+             {".git/config", "[include]\npath = \"//server/share/x\" ; no\n", true},
+             {".git/config", "[include]\npath = :(optional)//server/share/x\n", true},
+             {".git/config", "[includeIf \"gitdir:nowhere\"]\npath = //server/share/x\n", true},
+             {".git/config", "[include]\npath = \\\n//server/share/x\n", true},
+             {".git/config", "[extensions]\nrefStorage = \"reftable:////server/share\"\n", true},
+             {".git/config", "[extensions]\nrefStorage = \"files:///x\"\n", false},
+             {".git/config", "[remote \"x\"]\nurl = //server/share/x\n", false}, // it is not fetched from
+             {".git/config", "[include]\npath\n", false},
+             {".git/config.worktree", "[include]\npath = //server/share/x\n", true},
+         }))
+        EXPECT_EQ(refuses(row), row.is_refused) << row.file << "\n" << row.text;
+}
+
+TEST_F(GitFolders, AreSearchedThroughAllThatNameEachOther) {
+    if (test::run_shell("/", "git --version").status != 0) GTEST_SKIP() << "there is no git";
+    const test::TemporaryFolder folder;
+    const auto refused = [&] { return refuse_other_servers(folder.path().string()).has_value(); };
+    folder.write(".git", "gitdir: own\n");
+    folder.write("own/commondir", "../common\n");
+    folder.write("common/config", "[include]\npath = ../a.cfg\n[include]\npath = ~/x\n");
+    folder.write("a.cfg", "[include]\npath = b.cfg\n");
+    folder.write("b.cfg", "[include]\npath = a.cfg\n");
+    folder.write("common/objects/info/alternates", "../../more\n");
+    folder.write("more/info/alternates", "../common/objects\n");
+    EXPECT_FALSE(refused());
+    folder.write("b.cfg", "[include]\npath = //server/share/c.cfg\n");
+    EXPECT_TRUE(refused());
+    folder.write("b.cfg", "");
+    EXPECT_FALSE(refused());
+    folder.write("more/info/alternates", "//server/share/objects\n");
+    EXPECT_TRUE(refused());
+}
+
+TEST_F(GitFolders, AreFoundByTheirNames) {
+    const test::TemporaryFolder folder;
+    const std::string root = folder.path().string();
+    folder.write(".git/HEAD", "");
+    EXPECT_EQ(git_folders_of(root).own, folder.path() / ".git");
+    EXPECT_EQ(git_folders_of(root).common, folder.path() / ".git");
+    folder.write("tree/.git", "gitdir: " + root + "/.git/worktrees/tree\n");
+    folder.write(".git/worktrees/tree/commondir", "../..\n");
+    const auto [own, common] = git_folders_of((folder.path() / "tree").string());
+    EXPECT_EQ(own, folder.path() / ".git/worktrees/tree");
+    EXPECT_EQ(common.lexically_normal(), folder.path() / ".git/");
+}
+
+} // namespace
+} // namespace maclint::cli
