@@ -76,6 +76,33 @@ void refuse_unknown(const CLI::App& app) {
     }
 }
 
+[[noreturn]] void refuse_empty(const std::string& option) {
+    refuse(option +
+           " has an empty value, as from a variable that nobody has set. Write one, or leave the option "
+           "out.");
+}
+
+/// `--since=` with nothing behind it: CLI11 would take the next word for the value.
+void refuse_empty_values(const CLI::App& app, const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        if (word == "--") return;
+        if (!word.starts_with("--") || !word.ends_with('=')) continue;
+        const std::string name = word.substr(0, word.size() - 1);
+        const CLI::Option* option = app.get_option_no_throw(name);
+        if (option == nullptr) continue;
+        if (option->get_items_expected_min() > 0) refuse_empty(name);
+        refuse(name + " takes no value. Leave '=' out.");
+    }
+}
+
+/// `--since ''`. An empty path is told of like other paths that lead nowhere.
+void refuse_empty_values(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options())
+        if (!option->get_positional() && option->get_items_expected_min() > 0 &&
+            std::ranges::find(option->results(), "") != option->results().end())
+            refuse_empty(option->get_name());
+}
+
 std::string overview(CLI::App& check) {
     check.name("[check]");
     std::string text =
@@ -99,7 +126,8 @@ std::string overview(CLI::App& check) {
 std::optional<PrintRequest> parse(CLI::App& app, std::vector<std::string> arguments) {
     app.allow_extras();
     app.allow_windows_style_options(false); // "/shop/O1.nc" is a path there, too
-    std::ranges::reverse(arguments);        // CLI11 takes words from the back
+    refuse_empty_values(app, arguments);
+    std::ranges::reverse(arguments); // CLI11 takes words from the back
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
@@ -110,6 +138,7 @@ std::optional<PrintRequest> parse(CLI::App& app, std::vector<std::string> argume
         refuse(std::string(error.what()) + ". See 'maclint " + app.get_name() + " --help'.");
     }
     refuse_unknown(app);
+    refuse_empty_values(app);
     return std::nullopt;
 }
 

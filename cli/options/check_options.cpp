@@ -21,11 +21,8 @@ namespace {
 constexpr std::string_view default_stdin_name = "stdin.nc";
 constexpr unsigned most_jobs = 1024;
 
-/// An option that takes the name of a file. An empty one comes from a variable that nobody has set.
 void add_file(CLI::App& app, const std::string& option, std::string& word, const std::string& text) {
-    app.add_option(option, word, text)->type_name("FILE")->each([option](const std::string& name) {
-        if (name.empty()) refuse(option + " wants the name of a file. Write one, or leave it out.");
-    });
+    app.add_option(option, word, text)->type_name("FILE");
 }
 
 /// Which findings count, of those that there are.
@@ -40,7 +37,7 @@ void declare_gate(CLI::App& check, CheckWords& words) {
                     "Only findings that show a line changed since this git revision, such as HEAD")
         ->type_name("REV")
         ->each([](const std::string& word) {
-            if (word.empty() || word.starts_with('-'))
+            if (word.starts_with('-'))
                 refuse("--since wants a git revision. Write a commit, a branch or a tag, for instance HEAD.");
         });
 }
@@ -102,17 +99,25 @@ std::pair<std::string, Severity> severity_of(const std::string& setting) {
     return {rules, *severity};
 }
 
+/// The words of a list; one of commas alone is as good as empty.
+std::vector<std::string> listed(std::string_view option, const std::vector<std::string>& lists) {
+    std::vector<std::string> words = split_at_commas(lists);
+    if (words.empty() && !lists.empty())
+        refuse(std::string(option) + " has no word between its commas. Write one, or leave the option out.");
+    return words;
+}
+
 Overrides overrides_of(const CheckWords& words) {
     Overrides overrides;
     overrides.dialect = find_dialect(words.dialect);
     if (overrides.dialect == nullptr && words.dialect != "auto")
         refuse_word("--dialect", words.dialect, dialect_words());
     overrides.control = words.control;
-    overrides.select = split_at_commas(words.select);
-    overrides.ignore = split_at_commas(words.ignore);
+    overrides.select = listed("--select", words.select);
+    overrides.ignore = listed("--ignore", words.ignore);
     require_rules("--select", overrides.select);
     require_rules("--ignore", overrides.ignore);
-    for (const std::string& setting : split_at_commas(words.severity))
+    for (const std::string& setting : listed("--severity", words.severity))
         overrides.severity.push_back(severity_of(setting));
     if (words.isolated && !words.config.empty())
         refuse("--isolated and --config exclude each other. Leave one out.");

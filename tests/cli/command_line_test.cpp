@@ -1,5 +1,6 @@
 //! What the words of a command line mean, and what is said of words that mean nothing.
 #include "cli/command_line.hpp"
+#include "cli/shell/command_list.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -102,6 +103,35 @@ TEST(CommandLine, RefusesWhatItCannotUse) {
     EXPECT_THAT(refusal({"help", "MAC301"}), HasSubstr("maclint explain MAC301"));
     EXPECT_THAT(refusal({"help", "rulse"}), HasSubstr("Did you mean 'rules'?"));
     EXPECT_THAT(refusal({"help", "rules", "check"}), HasSubstr("one word too many"));
+}
+
+/// Options with a value, by command; the command's own description knows them all.
+std::vector<std::pair<std::string, std::string>> options_with_values() {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const CommandText& command : command_list())
+        for (const OptionText& option : command.options)
+            if (!option.value.empty() && !option.names.empty())
+                all.emplace_back(command.name, option.names.front());
+    return all;
+}
+
+TEST(CommandLine, RefusesEmptyValuesOfAllOptions) {
+    const auto all = options_with_values();
+    EXPECT_GE(all.size(), 18U);
+    for (const auto& [command, option] : all)
+        for (const std::vector<std::string>& words : {std::vector<std::string>{command, option + "="},
+                                                      {command, option + "=", "/"},
+                                                      {command, option, ""}})
+            EXPECT_EQ(refusal(words),
+                      option + " has an empty value, as from a variable that nobody has set. Write "
+                               "one, or leave the option out.")
+                << command;
+    EXPECT_THAT(refusal({"--quiet="}), HasSubstr("--quiet takes no value"));
+    EXPECT_THAT(refusal({"--sinse=", "/"}), HasSubstr("Did you mean '--since'?"));
+    for (const char* option : {"--select", "--ignore", "--severity"})
+        EXPECT_THAT(refusal({option, ",,"}),
+                    HasSubstr(std::string(option) + " has no word between its commas"));
+    EXPECT_THAT(check({"--", "--since=", ""}).paths, ElementsAre("--since=", ""));
 }
 
 TEST(CommandLine, ShowsHelpAndVersion) {

@@ -300,7 +300,7 @@ TEST_F(Since, SaysWhatIsMissing) {
         EXPECT_THAT(finished.err, AllOf(StartsWith("maclint: error: "), HasSubstr(message))) << script;
     };
     refused("$maclint --since nowhere", "--since names no revision that git knows");
-    refused("$maclint --since ''", "--since wants a git revision");
+    refused("$maclint --since ''", "--since has an empty value");
     refused("$maclint --since --output=x", "--since wants a git revision");
     refused("PATH=/nowhere $maclint --since HEAD", "no git is found here");
     refused("rm -rf .git; mkdir .git; $maclint --since HEAD", "it says 'fatal: ");
