@@ -5,6 +5,7 @@
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/gate/match.hpp"
+#include "cli/gate/write_alone.hpp"
 #include "cli/report/fingerprint.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
@@ -131,29 +132,22 @@ bool says_the_same(const Baseline& a, const Baseline& b) {
     });
 }
 
-Notice prune(const std::string& path, const Baseline& baseline, const Matched& matched) {
-    if (says_the_same(baseline, matched.rest))
-        return note(path, "nothing is to be pruned: nothing that was looked at is gone.");
+Notice nothing_to_prune(const std::string& path) {
+    return note(path, "nothing is to be pruned: nothing that was looked at is gone.");
+}
+
+Notice prune(const std::string& path, const Share& share) {
+    const auto read = read_baseline(path); // others may have written it since the run began
+    if (const auto* refused = std::get_if<Notice>(&read)) return *refused;
+    const auto& baseline = std::get<Baseline>(read);
+    const Matched matched = match(baseline, share.places, share.looked_at, share.existing());
+    if (says_the_same(baseline, matched.rest)) return nothing_to_prune(path);
     if (auto failure = write_to(path, baseline_text(matched.rest))) return *std::move(failure);
     const std::size_t removed = places_in(baseline) - places_in(matched.rest);
     return note(path, entries_of(removed) + " removed, " + std::to_string(places_in(matched.rest)) + " left" +
                           (matched.renamed.empty()
                                ? "."
                                : ", " + counted(matched.renamed.size(), "file") + " under a new name."));
-}
-
-Notice write(const std::string& path, const Share& share, const Baseline& before, Fingerprints& prints) {
-    Baseline baseline = baseline_of(share, prints);
-    const Baseline others = out_of_sight(before, share.looked_at, share.existing());
-    baseline.insert(baseline.end(), others.begin(), others.end());
-    if (auto failure = write_to(path, baseline_text(std::move(baseline)))) return *std::move(failure);
-    for (FilteredFinding* filtered : share.findings) mark_known(*filtered, path);
-    return note(path,
-                counted(share.findings.size(), "finding") + (share.findings.size() == 1 ? " is" : " are") +
-                    " known from now on." +
-                    (others.empty() ? ""
-                                    : " " + entries_of(places_in(others)) + " of other files or rules " +
-                                          (places_in(others) == 1 ? "is" : "are") + " kept."));
 }
 
 /// A file that is there is only written over when it is a baseline.
@@ -168,6 +162,22 @@ std::variant<Baseline, Notice> read_before(const std::string& path) {
         return std::move(*notice);
     }
     return read;
+}
+
+Notice write(const std::string& path, const Share& share, Fingerprints& prints) {
+    const auto before = read_before(path); // others may have written it since the run began
+    if (const auto* refused = std::get_if<Notice>(&before)) return *refused;
+    Baseline baseline = baseline_of(share, prints);
+    const Baseline others = out_of_sight(std::get<Baseline>(before), share.looked_at, share.existing());
+    baseline.insert(baseline.end(), others.begin(), others.end());
+    if (auto failure = write_to(path, baseline_text(std::move(baseline)))) return *std::move(failure);
+    for (FilteredFinding* filtered : share.findings) mark_known(*filtered, path);
+    return note(path,
+                counted(share.findings.size(), "finding") + (share.findings.size() == 1 ? " is" : " are") +
+                    " known from now on." +
+                    (others.empty() ? ""
+                                    : " " + entries_of(places_in(others)) + " of other files or rules " +
+                                          (places_in(others) == 1 ? "is" : "are") + " kept."));
 }
 
 } // namespace
@@ -191,7 +201,6 @@ std::variant<KnownFindings, Notice> KnownFindings::read(BaselineWishes wishes, c
     if (!known.wishes_.write.empty()) {
         auto before = read_before(known.wishes_.write);
         if (auto* notice = std::get_if<Notice>(&before)) return std::move(*notice);
-        known.before_ = std::get<Baseline>(std::move(before));
     }
     return known;
 }
@@ -208,15 +217,17 @@ std::vector<Notice> KnownFindings::mark(const Snapshot& snapshot, Result& result
             if (matched.known[i]) mark_known(*share.findings[i], path);
         if (!matched.renamed.empty())
             notices.push_back(note(path, renamed_text(matched.renamed, wishes_.prune)));
-        if (wishes_.prune)
-            notices.push_back(prune(path, baseline, matched));
+        if (wishes_.prune && says_the_same(baseline, matched.rest))
+            notices.push_back(nothing_to_prune(path)); // no lock: the folder may be one to read only
+        else if (wishes_.prune)
+            notices.push_back(write_alone(path, [&, &path = path] { return prune(path, share); }));
         else if (matched.gone > 0)
             notices.push_back(note(path, gone_text(matched.gone)));
     }
     if (!wishes_.write.empty()) {
         const Share share =
             share_of(wishes_.write, snapshot, result, prints, [](const SnapshotFile&) { return true; });
-        notices.push_back(write(wishes_.write, share, before_, prints));
+        notices.push_back(write_alone(wishes_.write, [&] { return write(wishes_.write, share, prints); }));
     }
     return notices;
 }

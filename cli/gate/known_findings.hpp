@@ -35,7 +35,6 @@ class KnownFindings {
   private:
     BaselineWishes wishes_;
     std::map<std::string, Baseline> baselines_; ///< by path
-    Baseline before_;                           ///< what the file holds that is to be written
 };
 
 } // namespace maclint::cli

@@ -325,7 +325,7 @@ TEST_F(BaselineOption, WritesOverNothingElse) {
     refused({"--write-baseline", ".maclint.json"}, "which is a configuration");
     refused({"--write-baseline", "new.nc"}, "which is named like an NC program");
     refused({"--write-baseline", "-"}, "--write-baseline wants the name of a file");
-    refused({"--write-baseline", ""}, "--write-baseline wants the name of a file");
+    refused({"--write-baseline", ""}, "--write-baseline has an empty value");
     refused({"--write-baseline", "a.json", "--output", "json:./a.json"},
             "--output and --write-baseline name one file, as './a.json' and as 'a.json'");
     refused({"--write-baseline", "a.json", "--baseline", "a.json"},
@@ -340,6 +340,46 @@ TEST_F(BaselineOption, WritesOverNothingElse) {
     refused({"--output", "json:base.json"}, "over 'base.json', which is a baseline");
     EXPECT_EQ(baseline(), before);
     EXPECT_FALSE(fs::exists(folder.path() / "a.json"));
+}
+
+TEST_F(BaselineOption, WrittenByManyRunsAtOnceHasThePartOfEach) {
+    for (int i = 1; i <= 20; ++i) folder.write("part/O" + std::to_string(i) + ".nc", bad);
+    const Finished finished =
+        shell("for i in $(seq 20); do $maclint --quiet --write-baseline base.json part/O$i.nc "
+              "> /dev/null & done; wait");
+    EXPECT_THAT(finished.err, IsEmpty());
+    EXPECT_EQ(json::parse(baseline())["findings"].size(), 20U);
+    EXPECT_FALSE(fs::exists(folder.path() / "base.json.lock"));
+    for (int i = 1; i <= 20; ++i) folder.write("part/O" + std::to_string(i) + ".nc", good);
+    EXPECT_THAT(
+        shell("for i in $(seq 20); do $maclint --quiet --baseline base.json --prune-baseline part/O$i.nc "
+              "> /dev/null & done; wait")
+            .err,
+        IsEmpty());
+    EXPECT_TRUE(json::parse(baseline())["findings"].empty());
+}
+
+TEST_F(BaselineOption, IsWrittenAloneWhateverAnotherRunLeftBehind) {
+    folder.write("base.json.lock", ""); // of a run that was killed: nobody holds it
+    EXPECT_EQ(run({"--write-baseline", "base.json"}).status, 0);
+    EXPECT_FALSE(fs::exists(folder.path() / "base.json.lock"));
+    for (const bool is_link : {false, true}) {
+        const std::string mine = folder.write("mine", "mine");
+        const fs::path lock = folder.path() / "base.json.lock";
+        fs::remove(lock);
+        if (is_link)
+            fs::create_symlink(mine, lock);
+        else
+            fs::copy_file(mine, lock);
+        const std::string before = baseline();
+        const Finished finished = run({"--write-baseline", "base.json"});
+        EXPECT_EQ(finished.status, 2);
+        EXPECT_THAT(finished.err,
+                    HasSubstr("base.json: cannot be written: 'base.json.lock' beside it is no lock"));
+        EXPECT_EQ(baseline(), before);
+        EXPECT_EQ(read_file(mine), "mine");
+        EXPECT_TRUE(fs::exists(lock));
+    }
 }
 
 TEST_F(BaselineOption, AFullDiskIsAnErrorAndAllIsShown) {
