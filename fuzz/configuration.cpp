@@ -20,7 +20,7 @@ void check(const cli::Configuration& configuration, const std::string& path) {
     if (configuration.select) require_rules(*configuration.select);
     require_rules(configuration.ignore);
     for (const cli::PerFileIgnore& entry : configuration.per_file_ignores) require_rules(entry.rules);
-    for (const cli::Glob& glob : configuration.exclude) static_cast<void>(glob.takes("a/b/O1.nc"));
+    static_cast<void>(configuration.exclude.takes("a/b/O1.nc"));
     cli::Overrides overrides;
     overrides.config_path = path;
     cli::Settings settings(overrides);
@@ -33,12 +33,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const test::TemporaryFolder folder;
     const std::string_view text = fuzz::text_of(data, size);
     const std::string path = folder.write(".maclint.json", text);
-    const auto loaded = cli::load_configuration(path);
+    const auto loaded = cli::load_configuration(path, cli::Reach::of_folder(folder.path()));
     if (const auto* configuration = std::get_if<std::shared_ptr<const cli::Configuration>>(&loaded))
         check(**configuration, path);
     else
         fuzz::require_harmless(printable(std::get<cli::Notice>(loaded).message), "a message");
     const std::size_t end = std::min(text.find('\n'), text.size());
-    static_cast<void>(cli::matches(text.substr(0, end), text.substr(std::min(end + 1, text.size()))));
+    const cli::GlobSet globs({{std::string(text.substr(0, end)), folder.path().string()}});
+    static_cast<void>(globs.takes(folder.path() / text.substr(std::min(end + 1, text.size()))));
     return 0;
 }

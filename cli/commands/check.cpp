@@ -51,9 +51,7 @@ std::optional<Notice> refuse_settings(const Overrides& overrides, Settings& sett
                       "--control " + overrides.control + " does not run what --dialect " +
                           std::string(overrides.dialect->name) + " reads. Leave one of them out."};
     }
-    auto known = control_names();
-    if (configuration != nullptr)
-        for (const auto& own : configuration->controls) known.push_back(own.first);
+    const auto known = configuration != nullptr ? configuration->known_controls() : control_names();
     return Notice{NoticeKind::configuration, "",
                   "--control does not know '" + overrides.control + "'." +
                       did_you_mean(overrides.control, known, "Known are " + enumerate(known) + ".")};

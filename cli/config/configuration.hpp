@@ -5,14 +5,19 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/source/encoding.hpp"
 #include "analyzer/source/source.hpp"
-#include "cli/config/glob.hpp"
+#include "analyzer/source/text_hash.hpp"
+#include "cli/config/glob_set.hpp"
+#include "cli/config/own_control.hpp"
+#include "cli/config/reach.hpp"
 #include "cli/notice.hpp"
 #include "rules/finding.hpp"
 
-#include <map>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -49,25 +54,30 @@ struct Configuration {
     std::string path;            ///< as it is shown
     std::string folder;          ///< absolute
     std::vector<Source> sources; ///< the file itself, then those it extends
-    std::map<std::string, std::shared_ptr<const ControlModel>, std::less<>> controls;
-    std::vector<std::shared_ptr<const ControlModel>> lathes; ///< those that mills among `controls` point to
+    std::unordered_map<std::string, std::shared_ptr<const OwnControl>, TextHash, std::equal_to<>> controls;
     std::vector<FileEntry> files;
-    std::vector<Glob> include, exclude;
+    GlobSet files_by_glob; ///< in the order of `files`
+    GlobSet include, exclude;
     std::optional<std::vector<RuleWord>> select;
     std::vector<RuleWord> ignore;
     std::vector<SeverityEntry> severity;
     std::vector<PerFileIgnore> per_file_ignores;
+    GlobSet ignores_by_glob; ///< in the order of per_file_ignores
     std::optional<Encoding> encoding;
     bool complete = false;
     std::string baseline; ///< path as it is shown, from the working folder; empty: none
 
     /// Of this configuration or of those built in, or nullptr.
     [[nodiscard]] const ControlModel* control(std::string_view name) const;
+    /// The one built in that such a control is, or is made from: nothing is made.
+    [[nodiscard]] const ControlModel* model_behind(std::string_view name) const;
+    /// All names that `control` takes: those built in, then its own.
+    [[nodiscard]] std::vector<std::string> known_controls() const;
 };
 
-/// Reads a configuration file and what it extends.
+/// Reads a configuration file and what it extends, all of which name only files within reach.
 [[nodiscard]] std::variant<std::shared_ptr<const Configuration>, Notice>
-load_configuration(const std::string& path);
+load_configuration(const std::string& path, const Reach& reach);
 
 /// Whether a control runs what is written in the dialect.
 [[nodiscard]] bool is_for(const ControlModel& control, const Dialect& dialect);

@@ -2,13 +2,8 @@
 //! it.
 #include "cli/config/glob.hpp"
 
-#include "analyzer/source/platform/paths.hpp"
-
-#include <algorithm>
 #include <cstddef>
-#include <filesystem>
 #include <span>
-#include <system_error>
 #include <vector>
 
 namespace maclint::cli {
@@ -46,36 +41,6 @@ std::size_t take(std::string_view pattern, char c) {
     return pattern.front() == c ? 1 : 0;
 }
 
-enum class Reach : std::uint8_t {
-    whole_path,
-    head, ///< the pattern may end before the path does: then it names a folder above it
-};
-
-/// Patterns are texts of any kind.
-template<class Pattern>
-bool matches_path(std::span<const Pattern> pattern, std::span<const std::string_view> path, Reach reach) {
-    std::size_t p = 0;
-    std::size_t star = std::string_view::npos;
-    std::size_t star_name = 0;
-    std::size_t n = 0;
-    while (true) {
-        if (p == pattern.size() && (reach == Reach::head || n == path.size())) return n > 0;
-        if (p < pattern.size() && pattern[p] == "**") {
-            star = ++p;
-            star_name = n;
-            if (p == pattern.size()) return n < path.size();
-        } else if (p < pattern.size() && n < path.size() && matches_name(pattern[p], path[n])) {
-            ++p;
-            ++n;
-        } else if (star != std::string_view::npos && star_name < path.size()) {
-            p = star;
-            n = ++star_name;
-        } else {
-            return false;
-        }
-    }
-}
-
 } // namespace
 
 bool matches_name(std::string_view pattern, std::string_view name) {
@@ -111,25 +76,26 @@ std::vector<std::string_view> names_of(std::string_view path) {
 }
 
 bool matches_names(std::span<const std::string> pattern, std::span<const std::string_view> names) {
-    return matches_path(pattern, names, Reach::whole_path);
-}
-
-bool matches(std::string_view pattern, std::string_view path) {
-    const bool anchored = pattern.substr(0, pattern.size() - (pattern.ends_with('/') ? 1 : 0)).find('/') !=
-                          std::string_view::npos;
-    const auto wanted = names_of(pattern);
-    const auto names = names_of(path);
-    if (wanted.empty()) return false;
-    if (anchored) return matches_path(std::span<const std::string_view>(wanted), names, Reach::head);
-    return std::ranges::any_of(names, [&](const auto& name) {
-        return wanted.front() == "**" || matches_name(wanted.front(), name);
-    });
-}
-
-bool Glob::takes(const std::string& path) const {
-    std::error_code ignored;
-    const auto whole = std::filesystem::absolute(platform::path_of(path), ignored).lexically_normal();
-    return matches(pattern, platform::text_of(whole.lexically_relative(platform::path_of(folder))));
+    std::size_t p = 0;
+    std::size_t star = std::string_view::npos;
+    std::size_t star_name = 0;
+    std::size_t n = 0;
+    while (true) {
+        if (p == pattern.size() && n == names.size()) return n > 0;
+        if (p < pattern.size() && pattern[p] == "**") {
+            star = ++p;
+            star_name = n;
+            if (p == pattern.size()) return n < names.size();
+        } else if (p < pattern.size() && n < names.size() && matches_name(pattern[p], names[n])) {
+            ++p;
+            ++n;
+        } else if (star != std::string_view::npos && star_name < names.size()) {
+            p = star;
+            n = ++star_name;
+        } else {
+            return false;
+        }
+    }
 }
 
 } // namespace maclint::cli

@@ -8,10 +8,6 @@
 
 namespace maclint::cli {
 
-/// Whether `path`, relative and with '/', matches. A pattern without '/' is tried on every name of the path,
-/// so that "old" and "*.bak" hold at any depth; one that matches a folder matches all that is in it.
-[[nodiscard]] bool matches(std::string_view pattern, std::string_view path);
-
 /// Whether one name, without '/', matches.
 [[nodiscard]] bool matches_name(std::string_view pattern, std::string_view name);
 
@@ -27,9 +23,6 @@ namespace maclint::cli {
 struct Glob {
     std::string pattern;
     std::string folder; ///< absolute
-
-    /// Whether it matches a path, which may be absolute or relative to the current folder.
-    [[nodiscard]] bool takes(const std::string& path) const;
 };
 
 } // namespace maclint::cli

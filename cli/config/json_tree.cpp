@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <unordered_set>
 
 #include <nlohmann/json.hpp>
 
@@ -70,8 +71,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     bool end_array() override { return close(); }
 
     bool key(std::string& key) override {
-        auto& members = std::get<JsonNode::Object>(open_.back().value);
-        if (std::ranges::find(members, key, &JsonMember::key) != members.end())
+        auto& members = std::get<JsonNode::Object>(open_.back().node.value);
+        if (has_key(members, key))
             return fail(string_span().begin, "the key '" + key + "' stands here a second time");
         members.push_back({key, string_span(), {nullptr, {}}});
         return true;
@@ -99,6 +100,22 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     bool fail(Offset at, std::string message) {
         error_ = JsonError{at, std::move(message)};
         return false;
+    }
+
+    /// A container whose bracket has not been closed yet.
+    struct Open {
+        JsonNode node;
+        std::unordered_set<std::string> keys; ///< of an object that has many
+    };
+
+    /// Few keys are compared one by one: that takes less time than to keep them.
+    bool has_key(const JsonNode::Object& members, const std::string& key) {
+        constexpr std::size_t few = 16;
+        if (members.size() < few) return std::ranges::find(members, key, &JsonMember::key) != members.end();
+        auto& keys = open_.back().keys;
+        if (keys.empty())
+            for (const JsonMember& member : members) keys.insert(member.key);
+        return !keys.insert(key).second;
     }
 
     [[nodiscard]] Span end_span() const { return {count_ > 0 ? count_ - 1 : 0, count_}; }
@@ -139,10 +156,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     bool place(JsonNode node) {
         if (open_.empty()) {
             root_ = std::move(node);
-        } else if (auto* members = std::get_if<JsonNode::Object>(&open_.back().value)) {
+        } else if (auto* members = std::get_if<JsonNode::Object>(&open_.back().node.value)) {
             members->back().node = std::move(node);
         } else {
-            std::get<JsonNode::Array>(open_.back().value).push_back(std::move(node));
+            std::get<JsonNode::Array>(open_.back().node.value).push_back(std::move(node));
         }
         return true;
     }
@@ -150,19 +167,19 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     template<class Container>
     bool open(Container container) {
         if (open_.size() == deepest) return fail(count_ - 1, "brackets are nested too deep here");
-        open_.push_back({std::move(container), end_span()});
+        open_.push_back({{std::move(container), end_span()}, {}});
         return true;
     }
 
     bool close() {
-        JsonNode node = std::move(open_.back());
+        JsonNode node = std::move(open_.back().node);
         open_.pop_back();
         return place(std::move(node));
     }
 
     std::string_view text_;
     const Offset& count_;
-    std::vector<JsonNode> open_;
+    std::vector<Open> open_;
     std::optional<JsonNode> root_;
     std::optional<JsonError> error_;
 };

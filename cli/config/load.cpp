@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <unordered_set>
 
 namespace maclint::cli {
 namespace {
@@ -29,10 +30,15 @@ struct Rejected {
 
 class Loader {
   public:
+    explicit Loader(const Reach& reach)
+        : reach_(reach) {}
+
     std::shared_ptr<const Configuration> load(const std::string& path) {
         configuration_->path = path;
         read(path);
         configuration_->folder = folder_of(path);
+        configuration_->files_by_glob = globs_of(configuration_->files);
+        configuration_->ignores_by_glob = globs_of(configuration_->per_file_ignores);
         return configuration_;
     }
 
@@ -64,7 +70,9 @@ class Loader {
     }
 
     static std::string folder_of(const std::string& path) {
-        return platform::text_of(fs::absolute(platform::path_of(path)).lexically_normal().parent_path());
+        std::error_code gone;
+        const fs::path whole = fs::absolute(platform::path_of(path), gone);
+        return platform::text_of(whole.lexically_normal().parent_path());
     }
 
     void read(const std::string& path) {
@@ -100,12 +108,22 @@ class Loader {
     }
 
     void extend(const JsonNode& node, const std::string& path) {
-        const fs::path other =
-            platform::path_of(path).parent_path() / platform::path_of(text(node, "'extends'"));
+        const std::string other = file_named(node, "'extends'", path);
         if (configuration_->sources.size() >= longest_chain)
             reject(node.span, "'extends' leads in a circle or through more than " +
                                   std::to_string(longest_chain) + " files. Break the chain");
-        read(platform::text_of(other.lexically_normal()));
+        read(other);
+    }
+
+    /// The file that a key of the configuration `path` names, relative to that. It is not looked at.
+    std::string file_named(const JsonNode& node, const std::string& key, const std::string& path) const {
+        const std::string& name = text(node, key);
+        const fs::path file =
+            (platform::path_of(path).parent_path() / platform::path_of(name)).lexically_normal();
+        if (const auto objection = reach_.objection(name, file))
+            reject(node.span, key + " names '" + name + "', which " + *objection +
+                                  ". If you trust this configuration, name it with --config");
+        return platform::text_of(file);
     }
 
     // ---- the keys
@@ -113,11 +131,13 @@ class Loader {
     void skip(const JsonNode& /*node*/) {}
 
     void read_controls(const JsonNode& node) {
-        for (const JsonMember& member : object(node, "'controls'"))
+        for (const JsonMember& member : object(node, "'controls'")) {
+            require_words(member.key, member.key_span, "the name of a control");
             configuration_->controls.try_emplace(member.key, read_control(member));
+        }
     }
 
-    std::shared_ptr<const ControlModel> read_control(const JsonMember& member) {
+    std::shared_ptr<const OwnControl> read_control(const JsonMember& member) {
         static constexpr std::array<std::string_view, 4> known = {"model", "machine", "limits",
                                                                   "stops-look-ahead"};
         const auto& settings = object(member.node, "a control");
@@ -132,7 +152,7 @@ class Loader {
             reject(model->node.span,
                    "there is no control '" + name + "'." +
                        did_you_mean(name, control_names(), "Known are " + enumerate(control_names())));
-        OwnFacts own{base->limits, base->functions};
+        OwnControl::Facts own{base->limits, base->functions};
         const ControlModel* lathe = base->lathe;
         for (const JsonMember& setting : settings) {
             if (setting.key == "limits") read_limits(setting.node, own.limits);
@@ -145,29 +165,7 @@ class Loader {
             if (std::ranges::find(known, setting.key) == known.end())
                 reject_key(setting, {known.begin(), known.end()});
         }
-        const auto control = own_control(*base, member.key, own);
-        if (lathe != nullptr) {
-            configuration_->lathes.push_back(own_control(*lathe, member.key, own));
-            control->lathe = configuration_->lathes.back().get();
-        }
-        return control;
-    }
-
-    /// What a shop says of its control beside the model.
-    struct OwnFacts {
-        Limits limits;
-        MachineFunctions functions;
-    };
-
-    static std::shared_ptr<ControlModel> own_control(const ControlModel& base, const std::string& name,
-                                                     const OwnFacts& own) {
-        auto control = std::make_shared<ControlModel>(base);
-        control->assumed = false;
-        control->description = name + " (" + base.description + ")";
-        control->limits = own.limits;
-        control->functions = own.functions;
-        control->lathe = nullptr;
-        return control;
+        return std::make_shared<const OwnControl>(member.key, *base, lathe, std::move(own));
     }
 
     /// The model on the machine that the node names.
@@ -266,11 +264,17 @@ class Loader {
 
     void read_include(const JsonNode& node) { configuration_->include = globs(node, "'include'"); }
     void read_exclude(const JsonNode& node) { configuration_->exclude = globs(node, "'exclude'"); }
-    void read_select(const JsonNode& node) { configuration_->select = rule_words(node, "'select'"); }
+    void read_select(const JsonNode& node) {
+        configuration_->select = rule_words(node, "'select'");
+        if (configuration_->select->empty())
+            reject(node.span, "'select' is empty, so that nothing would be checked. Name rules, or leave it "
+                              "out");
+    }
     void read_ignore(const JsonNode& node) { configuration_->ignore = rule_words(node, "'ignore'"); }
 
     void read_severity(const JsonNode& node) {
         for (const JsonMember& member : object(node, "'severity'")) {
+            require_words(member.key, member.key_span, "a key of 'severity'");
             const std::string& word = text(member.node, "a severity");
             const auto severity = severity_named(word);
             if (!severity)
@@ -282,8 +286,8 @@ class Loader {
 
     void read_per_file_ignores(const JsonNode& node) {
         for (const JsonMember& member : object(node, "'per-file-ignores'")) {
-            const auto same = [&](const PerFileIgnore& entry) { return entry.glob.pattern == member.key; };
-            if (std::ranges::none_of(configuration_->per_file_ignores, same))
+            require_words(member.key, member.key_span, "a glob of 'per-file-ignores'");
+            if (globs_with_ignores_.insert(member.key).second)
                 configuration_->per_file_ignores.push_back(
                     {glob(member.key), rule_words(member.node, "'per-file-ignores'")});
         }
@@ -310,10 +314,7 @@ class Loader {
 
     /// Relative to the file that names it.
     void read_baseline(const JsonNode& node) {
-        const std::string& name = text(node, "'baseline'");
-        if (name.empty()) reject(node.span, "'baseline' is empty. Name a file, or leave it out");
-        const fs::path folder = platform::path_of(configuration_->sources.back().path()).parent_path();
-        configuration_->baseline = platform::text_of((folder / platform::path_of(name)).lexically_normal());
+        configuration_->baseline = file_named(node, "'baseline'", configuration_->sources.back().path());
     }
 
     // ---- values of a kind
@@ -333,14 +334,30 @@ class Loader {
     const std::string& text(const JsonNode& node, const std::string& what) const {
         const auto* value = std::get_if<std::string>(&node.value);
         if (value == nullptr) reject(node.span, what + " must be a text. Put it in quotes");
+        require_words(*value, node.span, what);
         return *value;
     }
 
-    std::vector<Glob> globs(const JsonNode& node, const std::string& what) {
+    /// Nothing, blanks and NUL name nothing: no file, no rule, no control.
+    void require_words(const std::string& word, Span span, const std::string& what) const {
+        if (word.find_first_not_of(" \t\r\n") == std::string::npos)
+            reject(span, what + " is empty. Write what it stands for, or leave it out");
+        if (word.find('\0') != std::string::npos)
+            reject(span, what + " holds a NUL, which no name has. Take it out");
+    }
+
+    GlobSet globs(const JsonNode& node, const std::string& what) {
         std::vector<Glob> values;
         for (const JsonNode& element : array(node, what))
             values.push_back(glob(text(element, "an entry of " + what)));
-        return values;
+        return GlobSet(values);
+    }
+
+    template<class Entry>
+    static GlobSet globs_of(const std::vector<Entry>& entries) {
+        std::vector<Glob> values;
+        for (const Entry& entry : entries) values.push_back(entry.glob);
+        return GlobSet(values);
     }
 
     /// Relative to the folder of the file that is being read, not of the one that extends it.
@@ -396,11 +413,10 @@ class Loader {
     void check_controls() const {
         const Source& source = configuration_->sources[files_source_];
         for (const auto& [name, dialect_name, span] : controls_named_) {
-            const ControlModel* control = configuration_->control(name);
+            const ControlModel* control = configuration_->model_behind(name);
             const Dialect* dialect = find_dialect(dialect_name);
             if (control == nullptr) {
-                auto known = control_names();
-                for (const auto& own : configuration_->controls) known.push_back(own.first);
+                const auto known = configuration_->known_controls();
                 reject(source, span,
                        "there is no control '" + name + "'." +
                            did_you_mean(name, known, "Known are " + enumerate(known) + "."));
@@ -416,9 +432,11 @@ class Loader {
     }
 
   private:
+    Reach reach_;
     std::shared_ptr<Configuration> configuration_ = std::make_shared<Configuration>();
     std::string folder_; ///< of the file that is being read
     std::vector<std::string> seen_;
+    std::unordered_set<std::string> globs_with_ignores_;
     struct ControlWord {
         std::string control, dialect;
         Span span;
@@ -429,9 +447,10 @@ class Loader {
 
 } // namespace
 
-std::variant<std::shared_ptr<const Configuration>, Notice> load_configuration(const std::string& path) {
+std::variant<std::shared_ptr<const Configuration>, Notice> load_configuration(const std::string& path,
+                                                                              const Reach& reach) {
     try {
-        Loader loader;
+        Loader loader(reach);
         auto configuration = loader.load(path);
         loader.check_controls();
         return configuration;
@@ -442,7 +461,20 @@ std::variant<std::shared_ptr<const Configuration>, Notice> load_configuration(co
 
 const ControlModel* Configuration::control(std::string_view name) const {
     const auto own = controls.find(name);
-    return own != controls.end() ? own->second.get() : find_control(name);
+    return own != controls.end() ? &own->second->model() : find_control(name);
+}
+
+const ControlModel* Configuration::model_behind(std::string_view name) const {
+    const auto own = controls.find(name);
+    return own != controls.end() ? &own->second->base() : find_control(name);
+}
+
+std::vector<std::string> Configuration::known_controls() const {
+    std::vector<std::string> names = control_names();
+    const auto built_in = static_cast<std::ptrdiff_t>(names.size());
+    for (const auto& own : controls) names.push_back(own.first);
+    std::sort(names.begin() + built_in, names.end());
+    return names;
 }
 
 bool is_for(const ControlModel& control, const Dialect& dialect) {

@@ -4,10 +4,13 @@
 
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
+#include "cli/input/repository.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <filesystem>
+#include <ranges>
+#include <unordered_map>
 #include <utility>
 
 namespace maclint::cli {
@@ -41,9 +44,12 @@ std::vector<const Rule*> rules_of(const std::vector<std::string>& words) {
 /// So that what is set last holds: the nearer file's word over that of the file it extends, "MAC501" over
 /// "MAC5" within a file.
 std::vector<SeverityEntry> farthest_and_widest_first(std::vector<SeverityEntry> entries) {
-    std::ranges::stable_sort(entries, [](const SeverityEntry& a, const SeverityEntry& b) {
+    std::unordered_map<std::string, std::size_t> widths;
+    for (const SeverityEntry& entry : entries)
+        widths.try_emplace(entry.rules.word, rules_named(entry.rules.word).size());
+    std::ranges::stable_sort(entries, [&](const SeverityEntry& a, const SeverityEntry& b) {
         if (a.rules.source != b.rules.source) return a.rules.source > b.rules.source;
-        return rules_named(a.rules.word).size() > rules_named(b.rules.word).size();
+        return widths.at(a.rules.word) > widths.at(b.rules.word);
     });
     return entries;
 }
@@ -56,40 +62,104 @@ const NamedControl* control_for(const Dialect& dialect, const std::vector<NamedC
     return found == controls.end() ? nullptr : &*found;
 }
 
-std::optional<std::shared_ptr<const Configuration>> Settings::load(const std::string& path) {
+std::optional<std::shared_ptr<const Configuration>> Settings::load(const std::string& path,
+                                                                   const Reach& reach) {
     if (const auto known = by_path_.find(path); known != by_path_.end()) return known->second;
-    auto result = load_configuration(path);
+    auto result = load_configuration(path, reach);
     if (auto* notice = std::get_if<Notice>(&result)) {
         notices_.push_back(std::move(*notice));
         return by_path_[path] = std::nullopt;
     }
-    return by_path_[path] = std::get<std::shared_ptr<const Configuration>>(result);
+    const auto& loaded = std::get<std::shared_ptr<const Configuration>>(result);
+    if (reach.is_bounded())
+        for (const Source& source : loaded->sources) note_owner(source.path());
+    return by_path_[path] = loaded;
+}
+
+void Settings::note_owner(const std::string& path) {
+    const auto owners = platform::ownership_of(platform::path_of(path));
+    if (owners && is_of_stranger(*owners))
+        note_once(path, "this configuration belongs to another user. Look at what it says, or leave it out "
+                        "with --isolated.");
+}
+
+/// Where the folder is a repository of its own. One within another, such as a submodule, is no stranger to
+/// what that one says.
+void Settings::note_above(const Configuration& configuration, const fs::path& folder) {
+    if (!is_repository(folder) || repository_around(platform::path_of(configuration.folder))) return;
+    note_once(configuration.path,
+              "this configuration lies above the repository of the programs that it holds "
+              "for. Put one into the repository, or leave it out with --isolated.");
+}
+
+void Settings::note_once(const std::string& path, const std::string& message) {
+    if (noted_.emplace(path, message).second) notices_.push_back({NoticeKind::origin, path, message});
+}
+
+std::optional<Notice> Settings::refuse_link(const fs::path& folder, const std::string& shown) {
+    const fs::path link = folder / configuration_name;
+    if (!platform::link_target(link)) return std::nullopt;
+    const auto objection = Reach::of_folder(folder).objection("", link);
+    if (!objection) return std::nullopt;
+    return Notice{NoticeKind::configuration, shown,
+                  "is a link to a file that " + *objection +
+                      ". If you trust it, name that file with --config."};
 }
 
 std::optional<std::shared_ptr<const Configuration>> Settings::for_folder(const std::string& folder) {
     if (overrides_.isolated) return nullptr;
-    if (!overrides_.config_path.empty()) return load(overrides_.config_path);
+    if (!overrides_.config_path.empty()) return load(overrides_.config_path, Reach::of_command_line());
     if (const auto known = by_folder_.find(folder); known != by_folder_.end()) return known->second;
     const fs::path at = absolute(folder);
     if (const auto known = by_folder_.find(platform::text_of(at)); known != by_folder_.end())
         return by_folder_[folder] = known->second;
-    const fs::path candidate = at / configuration_name;
-    const std::string shown = platform::text_of(candidate.lexically_proximate(absolute(".")));
-    const platform::FileKind kind = platform::kind_of(candidate);
-    Loaded found = nullptr;
-    if (kind == platform::FileKind::regular) {
-        found = load(shown);
-    } else if (kind != platform::FileKind::missing) {
+    const std::string shown = platform::text_of((at / configuration_name).lexically_proximate(absolute(".")));
+    const Loaded found = in_folder(at, shown);
+    by_folder_[folder] = found; // as it is written, too: many files stand in it
+    return by_folder_[platform::text_of(at)] = found;
+}
+
+std::optional<std::shared_ptr<const Configuration>> Settings::in_folder(const fs::path& folder,
+                                                                        const std::string& shown) {
+    if (auto refused = refuse_link(folder, shown)) {
+        notices_.push_back(*std::move(refused));
+        return std::nullopt;
+    }
+    switch (platform::kind_of(folder / configuration_name)) {
+    case platform::FileKind::regular: return load(shown, Reach::of_folder(folder));
+    case platform::FileKind::missing: break;
+    default:
         notices_.push_back(
             {NoticeKind::configuration, shown,
              "is a folder, a pipe or a link that leads nowhere. Put a configuration in its place, "
              "or remove it."});
-        found = std::nullopt;
-    } else if (at.has_relative_path()) {
-        found = for_folder(platform::text_of(at.parent_path()));
+        return std::nullopt;
     }
-    by_folder_[folder] = found; // as it is written, too: many files stand in it
-    return by_folder_[platform::text_of(at)] = found;
+    if (!folder.has_relative_path()) return nullptr;
+    auto above = for_folder(platform::text_of(folder.parent_path()));
+    if (above && *above) note_above(**above, folder);
+    return above;
+}
+
+/// What the entries of "files" say: the last one that matches counts most, of controls for each language.
+void Settings::say_of_file(const Configuration& configuration, const std::string& path,
+                           FileSettings& settings) {
+    const auto entries = configuration.files_by_glob.that_take(path);
+    for (const std::size_t i : std::views::reverse(entries)) {
+        const FileEntry& entry = configuration.files[i];
+        const auto reason = [&] {
+            return shown(configuration.path) + ": files '" + shown(entry.glob.pattern) + "'";
+        };
+        if (!entry.dialect.empty() && settings.dialect_reason.empty()) {
+            settings.dialect = find_dialect(entry.dialect);
+            settings.dialect_reason = reason();
+        }
+        if (entry.control.empty()) continue;
+        const auto language = configuration.model_behind(entry.control)->language;
+        if (std::ranges::find(settings.controls, language, &NamedControl::language) ==
+            settings.controls.end())
+            settings.controls.push_back({configuration.control(entry.control), reason()});
+    }
 }
 
 std::optional<FileSettings> Settings::for_file(const std::string& path) {
@@ -99,20 +169,7 @@ std::optional<FileSettings> Settings::for_file(const std::string& path) {
     FileSettings settings;
     settings.configuration = *found;
     settings.max_file_size = overrides_.max_file_size;
-    if (*found) {
-        for (const FileEntry& entry : (*found)->files) {
-            if (!entry.glob.takes(path)) continue;
-            const std::string reason = shown((*found)->path) + ": files '" + shown(entry.glob.pattern) + "'";
-            if (!entry.dialect.empty()) {
-                settings.dialect = find_dialect(entry.dialect);
-                settings.dialect_reason = reason;
-            }
-            if (!entry.control.empty()) {
-                settings.controls.push_back({(*found)->control(entry.control), reason});
-            }
-        }
-        std::ranges::reverse(settings.controls); // the last entry that matches counts most
-    }
+    if (*found) say_of_file(**found, path, settings);
     if (overrides_.dialect != nullptr) {
         settings.dialect = overrides_.dialect;
         settings.dialect_reason = "--dialect";
@@ -133,11 +190,25 @@ std::optional<FileSettings> Settings::for_file(const std::string& path) {
 
 std::shared_ptr<const RuleStates> Settings::rules_for(const Configuration* configuration,
                                                       const std::string& path) {
-    std::vector<bool> ignores;
-    if (configuration != nullptr)
-        for (const PerFileIgnore& entry : configuration->per_file_ignores)
-            ignores.push_back(entry.glob.takes(path));
-    auto& known = rule_states_[{configuration, ignores}];
+    std::vector<std::size_t> ignores;
+    if (configuration != nullptr) ignores = configuration->ignores_by_glob.that_take(path);
+    if (const auto known = rule_states_.find({configuration, ignores}); known != rule_states_.end())
+        return known->second;
+    std::shared_ptr<const RuleStates> rules = whole_rules(configuration);
+    if (!ignores.empty()) {
+        auto fewer = std::make_shared<RuleStates>(*rules);
+        for (const std::size_t i : ignores) {
+            const PerFileIgnore& entry = configuration->per_file_ignores[i];
+            fewer->switch_off(rules_of(entry.rules), shown(configuration->path) + ": per-file-ignores '" +
+                                                         shown(entry.glob.pattern) + "'");
+        }
+        rules = std::move(fewer);
+    }
+    return rule_states_[{configuration, std::move(ignores)}] = std::move(rules);
+}
+
+std::shared_ptr<const RuleStates> Settings::whole_rules(const Configuration* configuration) {
+    auto& known = rule_states_[{configuration, {}}];
     if (known) return known;
     auto rules = std::make_shared<RuleStates>();
     if (configuration != nullptr) {
@@ -151,12 +222,6 @@ std::shared_ptr<const RuleStates> Settings::rules_for(const Configuration* confi
             rules->set_severity(rules_named(words.word), severity, name + ": severity");
     }
     apply_overrides(*rules);
-    for (std::size_t i = 0; i < ignores.size(); ++i) {
-        const PerFileIgnore& entry = configuration->per_file_ignores[i];
-        if (ignores[i])
-            rules->switch_off(rules_of(entry.rules), shown(configuration->path) + ": per-file-ignores '" +
-                                                         shown(entry.glob.pattern) + "'");
-    }
     return known = rules;
 }
 

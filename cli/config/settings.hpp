@@ -8,9 +8,11 @@
 #include "cli/notice.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,8 @@ struct Overrides {
 struct NamedControl {
     const ControlModel* control;
     std::string reason; ///< "--control", ".maclint.json: files '*.nc'"
+
+    [[nodiscard]] std::string_view language() const { return control->language; }
 };
 
 struct FileSettings {
@@ -67,16 +71,28 @@ class Settings {
 
   private:
     using Loaded = std::optional<std::shared_ptr<const Configuration>>;
-    Loaded load(const std::string& path);
+    Loaded load(const std::string& path, const Reach& reach);
+    /// The one of the folder, by the name that it is shown by, or of those above it.
+    Loaded in_folder(const std::filesystem::path& folder, const std::string& shown);
+    static std::optional<Notice> refuse_link(const std::filesystem::path& folder, const std::string& shown);
+    static void say_of_file(const Configuration& configuration, const std::string& path,
+                            FileSettings& settings);
+    void note_owner(const std::string& path);
+    void note_above(const Configuration& configuration, const std::filesystem::path& folder);
+    void note_once(const std::string& path, const std::string& message);
+    /// Without what single files go without.
+    std::shared_ptr<const RuleStates> whole_rules(const Configuration* configuration);
     std::shared_ptr<const RuleStates> rules_for(const Configuration* configuration, const std::string& path);
     void apply_overrides(RuleStates& rules) const;
 
     Overrides overrides_;
     std::map<std::string, Loaded> by_folder_;
     std::map<std::string, Loaded> by_path_;
-    std::map<std::pair<const Configuration*, std::vector<bool>>, std::shared_ptr<const RuleStates>>
+    /// By the entries of "per-file-ignores" that hold.
+    std::map<std::pair<const Configuration*, std::vector<std::size_t>>, std::shared_ptr<const RuleStates>>
         rule_states_;
     std::vector<Notice> notices_;
+    std::set<std::pair<std::string, std::string>> noted_;
 };
 
 /// The first of the controls that is for the dialect's language; nullptr: what the dialect assumes.

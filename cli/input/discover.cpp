@@ -58,10 +58,7 @@ Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
                 "'. Ask its owner for access or exclude it."};
 }
 
-bool takes_any(const std::vector<Glob>& globs, const fs::path& path) {
-    const std::string text = platform::text_of(path);
-    return std::ranges::any_of(globs, [&](const Glob& glob) { return glob.takes(text); });
-}
+bool takes_any(const GlobSet& globs, const fs::path& path) { return globs.takes(platform::text_of(path)); }
 
 class Walk {
   public:

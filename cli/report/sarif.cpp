@@ -34,13 +34,14 @@ struct NoticeRow {
     std::string_view description;
 };
 
-constexpr std::array<NoticeRow, 6> notice_rows{{
+constexpr std::array<NoticeRow, 7> notice_rows{{
     {NoticeKind::unreadable, "NOTE001", "A file could not be read or written."},
     {NoticeKind::configuration, "NOTE002", "A configuration file is wrong."},
     {NoticeKind::foreign, "NOTE003", "A file is in a language that maclint does not lint."},
     {NoticeKind::left_out, "NOTE004", "Something was not looked at."},
     {NoticeKind::nothing_checked, "NOTE005", "No program was checked."},
     {NoticeKind::baseline, "NOTE006", "The findings differ from those that are known."},
+    {NoticeKind::origin, "NOTE007", "A configuration is of another user, or from above the repository."},
 }};
 
 /// "jump-into-loop" as SARIF viewers want names: "JumpIntoLoop".

@@ -4,6 +4,8 @@
 #include "cli/config/settings.hpp"
 #include "tests/support/folder.hpp"
 
+#include <chrono>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,14 +18,14 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::shared_ptr<const Configuration> load(const TemporaryFolder& folder, std::string_view text) {
-    auto result = load_configuration(folder.write(".maclint.json", text));
+    auto result = load_configuration(folder.write(".maclint.json", text), Reach::of_folder(folder.path()));
     if (const auto* notice = std::get_if<Notice>(&result)) ADD_FAILURE() << notice->message;
     return std::get<0>(result);
 }
 
 std::string refusal(std::string_view text) {
     const TemporaryFolder folder;
-    auto result = load_configuration(folder.write(".maclint.json", text));
+    auto result = load_configuration(folder.write(".maclint.json", text), Reach::of_folder(folder.path()));
     const auto* notice = std::get_if<Notice>(&result);
     return notice == nullptr ? "accepted" : notice->message;
 }
@@ -162,6 +164,123 @@ TEST(Configuration, RefusesWordsThatNameNoRuleWhereverTheyStand) {
             << text;
     EXPECT_THAT(refusal(R"({"select": ["JUMP"]})"), HasSubstr("See 'maclint rules'"));
     EXPECT_THAT(refusal(R"({"select": ["all", "mac3", "Jump-Into-Loop"]})"), "accepted");
+}
+
+/// Every text that a configuration may hold, with a hole in its place.
+const std::vector<std::string>& texts() {
+    static const std::vector<std::string> all = {
+        R"({"extends": @})",
+        R"({"baseline": @})",
+        R"({"encoding": @})",
+        R"({"include": [@]})",
+        R"({"exclude": ["a", @]})",
+        R"({"select": [@]})",
+        R"({"ignore": [@]})",
+        R"({"severity": {@: "note"}})",
+        R"({"severity": {"MAC301": @}})",
+        R"({"per-file-ignores": {@: ["MAC301"]}})",
+        R"({"per-file-ignores": {"*": [@]}})",
+        R"({"files": [{"glob": @}]})",
+        R"({"files": [{"glob": "*", "control": @}]})",
+        R"({"files": [{"glob": "*", "dialect": @}]})",
+        R"({"controls": {@: {"model": "fanuc-16i"}}})",
+        R"({"controls": {"c": {"model": @}}})",
+        R"({"controls": {"c": {"model": "fanuc-16i", "machine": @}}})",
+        R"({"controls": {"c": {"model": "fanuc-16i", "stops-look-ahead": [@]}}})"};
+    return all;
+}
+
+TEST(Configuration, RefusesTextsThatNameNothingWhereverTheyStand) {
+    for (const std::string& text : texts())
+        for (const auto& [value, reason] : {std::pair(R"("")", " is empty."),
+                                            {R"(" \t")", " is empty."},
+                                            {R"("a\u0000b")", " holds a NUL"}}) {
+            const std::size_t hole = text.find('@');
+            const std::string whole = std::string(text).replace(hole, 1, value);
+            EXPECT_THAT(refusal(whole),
+                        AllOf(testing::StartsWith("line 1, column " + std::to_string(hole + 1) + ": "),
+                              HasSubstr(reason), testing::EndsWith(".")))
+                << whole;
+        }
+}
+
+TEST(Configuration, TakesTextsOfAnyLength) {
+    const std::string longest = '"' + std::string(100'000, 'x') + '"';
+    for (const std::string& text : texts()) {
+        const std::string message = refusal(std::string(text).replace(text.find('@'), 1, longest));
+        EXPECT_TRUE(message == "accepted" || message.ends_with('.') || message.ends_with('?')) << text;
+    }
+}
+
+/// A list of `count` texts, made by `make` of their numbers.
+template<class Make>
+std::string list_of(int count, const Make& make) {
+    std::string list;
+    for (int i = 0; i < count; ++i) list += (i == 0 ? "" : ",") + make(std::to_string(i));
+    return list;
+}
+
+/// What took a minute, or a gigabyte, when each was compared with all others or made at once.
+TEST(Configuration, OfAHundredThousandKeysAndControlsIsReadInSeconds) {
+    constexpr int many = 100'000;
+    const auto begun = std::chrono::steady_clock::now();
+    EXPECT_THAT(refusal("{" + list_of(many, [](const auto& i) { return "\"k" + i + "\":1"; }) + ",\"k7\":1}"),
+                HasSubstr("the key 'k7' stands here a second time"));
+    EXPECT_THAT(
+        refusal("{\"controls\":{" +
+                list_of(many, [](const auto& i) { return "\"c" + i + "\":{\"model\":\"nct\"}"; }) +
+                "},\"files\":[" +
+                list_of(many,
+                        [](const auto& i) { return R"({"glob":"a)" + i + R"(","control":"c)" + i + "\"}"; }) +
+                "],\"per-file-ignores\":{" +
+                list_of(many, [](const auto& i) { return "\"" + i + "*\":[\"ALL\"]"; }) + "}}"),
+        "accepted");
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(30));
+}
+
+TEST(Configuration, OfTenThousandGlobsIsAskedOfAThousandFilesInSeconds) {
+    const TemporaryFolder folder;
+    const auto glob = [](const char* before, const char* behind) {
+        return list_of(10'000, [&](const auto& i) { return '"' + (before + i) + behind + '"'; });
+    };
+    folder.write(
+        ".maclint.json",
+        "{\"exclude\":[" + glob("old", "*.nc") + "," + glob("**/a/", ".nc") + "],\"files\":[" +
+            list_of(10'000, [](const auto& i) { return R"({"glob":"*/x)" + i + R"(/*","control":"nct"})"; }) +
+            "],\"per-file-ignores\":{" +
+            list_of(10'000, [](const auto& i) { return "\"*" + i + ".nc\":[\"ALL\"]"; }) + "}}");
+    Settings settings({});
+    const auto begun = std::chrono::steady_clock::now();
+    for (int i = 0; i < 1'000; ++i) {
+        const std::string path =
+            (folder.path() / ("b/x" + std::to_string(i) + "/O" + std::to_string(i) + ".nc")).string();
+        const auto found = settings.for_file(path);
+        ASSERT_EQ(found->controls.size(), 1U) << path;
+        ASSERT_FALSE(state(*found, "MAC301").on) << path;
+        ASSERT_FALSE(found->configuration->exclude.takes(path)) << path;
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20));
+}
+
+TEST(Configuration, TakesOfManyEntriesTheLastForEachLanguage) {
+    const TemporaryFolder folder;
+    folder.write(".maclint.json", R"({"files": [{"glob": "*", "control": "fanuc-16i"},
+        {"glob": "O*", "control": "dinplus"}, {"glob": "*", "control": "fanuc-30i", "dialect": "fanuc"},
+        {"glob": "*.nc", "dialect": "auto"}, {"glob": "P*", "dialect": "fanuc", "control": "nct"}]})");
+    Settings settings({});
+    const auto found = settings.for_file((folder.path() / "O1.nc").string());
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->dialect, nullptr);
+    EXPECT_THAT(found->dialect_reason, testing::EndsWith(".maclint.json: files '*.nc'"));
+    EXPECT_EQ(control_for(*find_dialect("fanuc"), found->controls)->control->name, "fanuc-30i");
+    EXPECT_EQ(control_for(*find_dialect("dinplus"), found->controls)->control->name, "dinplus");
+}
+
+TEST(Configuration, RefusesToSelectNothing) {
+    EXPECT_THAT(refusal("{\n \"select\": []}"),
+                AllOf(HasSubstr("line 2, column "), HasSubstr("'select' is empty")));
+    EXPECT_THAT(refusal(R"({"ignore": [], "include": [], "exclude": [], "files": [], "controls": {}})"),
+                "accepted");
 }
 
 TEST(Configuration, OfTheNearestFolderUpwardHolds) {

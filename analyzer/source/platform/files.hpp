@@ -40,6 +40,15 @@ FileKind kind_of(const std::string& text) = delete; // path_of makes a path of i
 /// Absolute, all links followed; nothing is there: an error.
 [[nodiscard]] std::filesystem::path real_path(const std::filesystem::path& path, std::error_code& error);
 
+/// Users by their numbers.
+struct Ownership {
+    std::uint64_t owner;  ///< of a file, all links followed
+    std::uint64_t runner; ///< of this run
+};
+
+/// Nothing where the file cannot be looked at, and on Windows, where users have no numbers.
+[[nodiscard]] std::optional<Ownership> ownership_of(const std::filesystem::path& path);
+
 /// Bytes of a file, 0 when it cannot be looked at.
 [[nodiscard]] std::uintmax_t size_of(const std::filesystem::path& path);
 

@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 namespace maclint::platform {
 namespace {
 
@@ -62,6 +65,12 @@ bool are_same_file(const fs::path& one, const fs::path& other) {
 }
 
 fs::path real_path(const fs::path& path, std::error_code& error) { return fs::canonical(path, error); }
+
+std::optional<Ownership> ownership_of(const fs::path& path) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0) return std::nullopt;
+    return Ownership{status.st_uid, geteuid()};
+}
 
 std::uintmax_t size_of(const fs::path& path) {
     std::error_code error;

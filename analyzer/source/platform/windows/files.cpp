@@ -150,6 +150,8 @@ fs::path real_path(const fs::path& path, std::error_code& error) {
     }
 }
 
+std::optional<Ownership> ownership_of(const fs::path&) { return std::nullopt; }
+
 std::uintmax_t size_of(const fs::path& path) {
     const auto information = information_on(path);
     return information ? (std::uintmax_t{information->nFileSizeHigh} << 32U) + information->nFileSizeLow : 0;
