@@ -7,11 +7,13 @@
 #include "analyzer/source/platform/output.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/gate/baseline_file.hpp"
+#include "cli/input/checked_trees.hpp"
 #include "cli/input/own_report.hpp"
 #include "cli/input/program_name.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -69,6 +71,18 @@ std::vector<Target> targets_of(const CheckRequest& request) {
     return targets;
 }
 
+/// The baselines that may get pruned.
+std::vector<Target> pruned_by(const CheckRequest& request, const Settings& settings) {
+    constexpr std::string_view prune = "--prune-baseline";
+    if (!request.prune_baseline) return {};
+    if (!request.overrides.baseline.empty()) return {{prune, Written::baseline, request.overrides.baseline}};
+    std::vector<Target> targets;
+    for (const auto& configuration : settings.configurations())
+        if (!configuration->baseline.empty())
+            targets.push_back({prune, Written::baseline, configuration->baseline});
+    return targets;
+}
+
 Notice refusal(const Target& target, const std::string& where) {
     const std::string what(name_of(target.what));
     return {NoticeKind::configuration, "",
@@ -92,11 +106,26 @@ Notice refuse_twice(const Target& one, const Target& other) {
                 ". Name another file for one of them."};
 }
 
+/// Whether what came with the checked folders would lead a report or a baseline elsewhere.
+std::optional<Notice> refuse_ways(const CheckRequest& request, const Settings& settings,
+                                  std::vector<Target> targets) {
+    std::ranges::move(pruned_by(request, settings), std::back_inserter(targets));
+    if (targets.empty()) return std::nullopt;
+    std::vector<std::string> paths = request.paths;
+    std::ranges::replace(paths, "-", request.stdin_name);
+    const CheckedTrees trees(paths);
+    for (const Target& target : targets)
+        if (const auto objection = trees.objection_to_writing(target.path))
+            return refusal(target, *objection);
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<Notice> refuse_targets(const CheckRequest& request, const std::vector<InputFile>& files,
                                      const Settings& settings) {
     const std::vector<Target> targets = targets_of(request);
+    if (auto refused = refuse_ways(request, settings, targets)) return refused; // first: no link is followed
     for (const Target& target : targets) {
         const std::string& path = target.path;
         if (platform::is_standard_output(path))
