@@ -16,6 +16,17 @@ std::string in_capitals(std::string_view text) {
     return capitals;
 }
 
+std::string without_blanks(std::string_view text) {
+    std::string rest;
+    bool quoted = false;
+    for (const char c : text) {
+        const bool is_blank = c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\0';
+        if (c == '"') quoted = !quoted;
+        if (quoted || !is_blank) rest += quoted ? c : to_capital(c);
+    }
+    return rest;
+}
+
 namespace {
 
 /// A bit for each letter that the word has.

@@ -13,6 +13,10 @@ namespace maclint {
 /// ASCII letters become capitals.
 [[nodiscard]] std::string in_capitals(std::string_view text);
 
+/// The text of a block as controls read it: in capitals, without blanks and line ends; what stands in
+/// quotation marks stays as it is.
+[[nodiscard]] std::string without_blanks(std::string_view text);
+
 /// Edits (insert, delete, change, swap of neighbours) between two words of at most 16 bytes; `most` + 1 when
 /// they are more than `most`, or a word is longer.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most);

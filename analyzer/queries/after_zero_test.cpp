@@ -2,6 +2,7 @@
 #include "analyzer/queries/after_zero_test.hpp"
 
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/execution/given_up.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/exits.hpp"
@@ -109,9 +110,8 @@ class VacantPath {
 
     /// Whether the variable's name stands there with a sign of equality behind it.
     [[nodiscard]] bool may_assign(Span span) const {
-        std::string text(analysis_.program().slice(span));
-        std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
-        return text.find(analysis_.program().spell(variable_) + "=") != std::string::npos;
+        return without_blanks(analysis_.program().slice(span))
+                   .find(in_capitals(analysis_.program().spell(variable_)) + "=") != std::string::npos;
     }
 
     [[nodiscard]] bool is_tested_value(const Read& read) const {

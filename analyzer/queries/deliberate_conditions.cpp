@@ -2,11 +2,13 @@
 #include "analyzer/queries/deliberate_conditions.hpp"
 
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/origins.hpp"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <variant>
 
 namespace maclint::queries {
@@ -28,12 +30,12 @@ std::optional<Label> jump_target(const Program& program, EffectId effect) {
     return jump == nullptr ? std::nullopt : flow::constant_target(program, jump->target);
 }
 
-/// The text of what the condition guards.
-std::string_view guarded_text(const Program& program, EffectId effect) {
+/// The text of what the condition guards, without blanks.
+std::string guarded_text(const Program& program, EffectId effect) {
     const Guarded* guarded = guarded_by(program, effect);
     if (guarded == nullptr || guarded->effects.count != 1) return {};
     const Span span = program.effects[guarded->effects.first].span;
-    return program.text.substr(span.begin, span.end - span.begin);
+    return without_blanks(program.slice(span));
 }
 
 /// What the condition guards: IF[#1GT#2]THEN#1=#2 makes sure, whether it is needed or not.
@@ -84,8 +86,8 @@ DeliberateConditions::DeliberateConditions(const ProgramAnalysis& analysis)
     for (const dataflow::Condition& condition : analysis.facts().all<dataflow::Condition>()) {
         if (const auto target = jump_target(program, condition.effect))
             first_tests_.try_emplace(*target, condition.node);
-        else if (const auto text = guarded_text(program, condition.effect); !text.empty())
-            ++guarded_[text];
+        else if (std::string text = guarded_text(program, condition.effect); !text.empty())
+            ++guarded_[std::move(text)];
     }
 }
 

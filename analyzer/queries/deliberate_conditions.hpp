@@ -34,7 +34,7 @@ class DeliberateConditions {
     const ProgramAnalysis& analysis_;
     Settings settings_;
     std::map<Label, flow::NodeId> first_tests_; ///< facts are in the order of nodes
-    std::map<std::string_view, int> guarded_;   ///< how many conditions guard what reads like this
+    std::map<std::string, int> guarded_;        ///< how many conditions guard what reads like this
 };
 
 /// Why a condition is decided where it stands.

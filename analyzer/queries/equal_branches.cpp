@@ -1,10 +1,10 @@
 //! Follows both sides to where they meet, and compares their text.
 #include "analyzer/queries/equal_branches.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/program/block_view.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <string>
 
@@ -105,9 +105,7 @@ class Search {
     }
 
     void add(Branch& branch, Span part) const {
-        for (const char letter : program_.slice(part))
-            if (std::isspace(static_cast<unsigned char>(letter)) == 0) branch.text += letter;
-        branch.text += '\n';
+        branch.text += without_blanks(program_.slice(part)) + '\n';
         if (branch.span.empty()) branch.span = part;
         branch.span.end = std::max(branch.span.end, part.end);
     }

@@ -38,7 +38,7 @@ bool is_of_a_series(const ControlModel& control, Variable variable, const Progra
     const auto holds = [&](const auto& set) { return std::ranges::find(set, variable) != set.end(); };
     const auto letter = control.letter_of(variable);
     return letter && std::ranges::any_of(control.series, holds) &&
-           program.text[argument.span.begin] != *letter;
+           to_capital(program.text[argument.span.begin]) != *letter;
 }
 
 /// The first store of the variable, when no block before it in the text reads it.

@@ -18,6 +18,11 @@ TEST(EditDistance, CountsEdits) {
     EXPECT_EQ(edit_distance("WHLIEE", "WHILE", 2), 2U);
 }
 
+TEST(BlockText, IsInCapitalsAndWithoutBlanksButForTexts) {
+    EXPECT_EQ(without_blanks("g0 X 1.\t\r\nY2."), "G0X1.Y2.");
+    EXPECT_EQ(without_blanks("N1 L\"a b\" v1"), "N1L\"a b\"V1");
+}
+
 TEST(EditDistance, EndsAtTheMostThatIsAskedFor) {
     EXPECT_EQ(edit_distance("ABC", "XYZ", 1), 2U);
     EXPECT_EQ(edit_distance("ABC", "ABCDEF", 2), 3U);

@@ -22,7 +22,10 @@ std::string printed(const BlockLanguage& language, const syntax::Tree& tree) {
 
 } // namespace
 
-const BlockLanguage fanuc_blocks{fanuc::grammar, fanuc::make_cache_key, fanuc::cut_block};
+const BlockLanguage fanuc_blocks{fanuc::grammar, fanuc::make_cache_key,
+                                 [](std::string_view text, Offset begin, RawBlock& block) {
+                                     fanuc::cut_block(text, begin, fanuc::Reading::takes, block);
+                                 }};
 const BlockLanguage dinplus_blocks{dinplus::grammar, dinplus::make_cache_key, dinplus::cut_block};
 
 void add_blocks(const BlockLanguage& language, std::string_view text, std::set<std::string>& blocks) {

@@ -133,6 +133,15 @@ TEST(Detection, FragmentsOfDinPlusAreToldByVariablesAddressesAndCalls) {
         EXPECT_EQ(reported_of(text), din_plus) << text;
 }
 
+TEST(Detection, CommentsBetweenWordsOfDinPlusHideNoWord) {
+    const std::string din_plus(test::din_plus);
+    for (const char* text : {"N1 T3 G95 [feed] F0.25 G96 S200 M3\nN2 G0 X62 Z2\n",
+                             "N1 [tool]T3 G95 F0.25 G96 S200 M3[on]\nN2 G0 X62 Z2\n"})
+        EXPECT_EQ(reported_of(text), din_plus) << text;
+    // Brackets of others hold a variable, or stand before a sign of equality.
+    EXPECT_NE(reported_of("N1 T3 G95 F0.25 G96 [#1] S200 M3\nN2 G0 X62 Z2\n"), din_plus);
+}
+
 TEST(Detection, ACommentAtTheHeadOfDinPlusIsNoJson) {
     const std::string program = "\nPROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN1 G0 X5\nEND\n";
     for (const char* comment : {"[Part \"A1\"]", "[{ shaft }]", "[\"A1\"]", "[5]", "[]", "[ {\"A\"} ]"})

@@ -15,6 +15,34 @@ using test::read;
 using test::read_as;
 using ::testing::ElementsAre;
 
+// ---- blanks
+
+TEST(FanucBlanks, BetweenASkipMarkAndItsLevelMeanNothing) {
+    for (const char* block : {"/2 #1=5", "/ 2 #1=5", "/\t2#1=5"}) {
+        const auto file = read(block);
+        EXPECT_EQ(std::get<Block>(file.programs.front().items.front()).skip_levels, 1U << 2U) << block;
+        EXPECT_TRUE(file.syntax_errors.empty()) << block;
+    }
+    EXPECT_FALSE(read("/ 20 #1=5").syntax_errors.empty());
+}
+
+TEST(FanucBlanks, InANumberLeaveItUnknown) {
+    EXPECT_EQ(lower("GOTO 1 0"), "jump unreadable");
+    EXPECT_EQ(lower("#1=1 0"), "#1 := unreadable");
+    EXPECT_EQ(lower("M98 P1 0"), "values unreadable; call M98 subprogram call unreadable");
+    EXPECT_EQ(lower("GOTO 10"), "jump 10");
+}
+
+TEST(FanucBlanks, BehindALetterOForTheFigureAreOfTheNumber) {
+    EXPECT_THAT(lower("X1 GO 1"), testing::HasSubstr("'GO 1' -> G0 1"));
+    EXPECT_THAT(lower("GO 1"), testing::HasSubstr("letter-o-or-jump 'GO 1'"));
+}
+
+TEST(FanucBlanks, DoNotHideDataOfTheMachineBuilder) {
+    for (const char* block : {"G10L60P1[*BDB 1]", "G 10 L60 P1 [*BDB 1]"})
+        EXPECT_EQ(lower(block), "synchronise") << block;
+}
+
 // ---- variables
 
 TEST(FanucAssignment, GoesWhereTheTableSaysThatTheNumberLives) {
@@ -297,6 +325,9 @@ TEST(FanucProgram, PeckDrillingOfAMillIsNoTurningCycle) {
                              "O1\nG76P020060Q20R0.02\nG76X40.Z-20.P1200Q300F2.\nM99"})
         EXPECT_EQ(read(text).control->name, "fanuc-lathe") << text;
     EXPECT_EQ(read("O1\nG96S200\n#1=#_KEY[1]\nM30").control->name, "fanuc-lathe");
+    EXPECT_EQ(read("O1\nG\t96 S200\nM30").control->name, "fanuc-lathe");
+    EXPECT_EQ(read("O1\nG\t49\nG96S200\nM30").control->name, "fanuc");
+    EXPECT_EQ(read("O1\nX1 Z1 T 0101\nU2\nM30").control->name, "fanuc-lathe");
     EXPECT_EQ(read("O1(TURN\rG96S200\rM30").control->name, "fanuc-lathe"); // a comment ends at CR, too
 }
 

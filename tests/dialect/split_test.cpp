@@ -19,7 +19,7 @@ std::vector<std::string> blocks_of(std::string_view text) {
     std::vector<std::string> blocks;
     RawBlock block;
     for (Offset at = 0; at < text.size();) {
-        cut_block(text, at, block);
+        cut_block(text, at, Reading::takes, block);
         if (!block.span.empty()) blocks.emplace_back(text.substr(block.span.begin, block.span.length()));
         at = block.next > at ? block.next : at + 1;
     }
@@ -45,7 +45,7 @@ TEST(FanucSplitter, BlanksAndTapeLeaderAroundABlockAreNotPartOfIt) {
 
 TEST(FanucSplitter, CommentsAreToldWithTheirBlock) {
     RawBlock block;
-    cut_block("(A)G0(B", 0, block);
+    cut_block("(A)G0(B", 0, Reading::takes, block);
     EXPECT_THAT(block.comments, ElementsAre(Span{0, 3}, Span{5, 7}));
 }
 
@@ -64,9 +64,26 @@ TEST(FanucSplitter, AProgramNumberGluedToTheEndOfAProgramBeginsTheNextOne) {
               "O1:\n\n#1 := 1\nreturn\nO2:\n\n#1 := 2\nreturn\n");
 }
 
+TEST(FanucSplitter, BlanksAndCommentsBeforeTheNextProgramMeanNothing) {
+    EXPECT_THAT(blocks_of("M99 O0810(Z)\nm30\tO 20\nM 2 (A) (B) O3\nM99(A)O4"),
+                ElementsAre("M99", "O0810(Z)", "m30", "O 20", "M 2 (A) (B)", "O3", "M99(A)", "O4"));
+    EXPECT_THAT(blocks_of("M99 P 120 O7"), ElementsAre("M99 P 120", "O7"));
+    const std::string good = programs_of("O1\n#1=1\nM99O2(NEXT)\n#1=2\nM99\n");
+    EXPECT_EQ(programs_of("O1\n#1=1\nM99 O2(NEXT)\n#1=2\nM99\n"), good);
+}
+
+TEST(FanucSplitter, WhereAControlStopsAtItNoProgramBeginsInABlock) {
+    RawBlock block;
+    const std::string_view text = "M99O2";
+    cut_block(text, 0, Reading::stops, block);
+    EXPECT_EQ(block.span.end, text.size());
+    for (const ControlModel& control : fanuc_controls())
+        EXPECT_NE(program_behind_end(control), Reading::stops) << control.name;
+}
+
 TEST(FanucSplitter, OtherBlocksKeepTheirProgramNumber) {
-    EXPECT_THAT(blocks_of("M98O2\nM199O2\nM99 O2\nX30O2\nM30(O2)\nM99OX"),
-                ElementsAre("M98O2", "M199O2", "M99 O2", "X30O2", "M30(O2)", "M99OX"));
+    EXPECT_THAT(blocks_of("M98O2\nM199O2\nX99 O2\nX30O2\nM30(O2)\nM99OX\nM30 X O2"),
+                ElementsAre("M98O2", "M199O2", "X99 O2", "X30O2", "M30(O2)", "M99OX", "M30 X O2"));
 }
 
 TEST(FanucTape, ProgramsAfterAMarkAreReadWhenAnotherMarkFollows) {

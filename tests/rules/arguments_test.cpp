@@ -27,6 +27,8 @@ TEST(ArgumentUnused, IsOneThatNoBlockReadsOrThatIsOverwrittenFirst) {
     // I behind K: as which variable it arrives a parameter decides.
     EXPECT_THAT(judged("MAC211", call("X1. K2. I3.", "G0 X#24 Z#6\n")), IsEmpty());
     EXPECT_THAT(judged("MAC211", call("X1. K2. D3.", "G0 X#24 Z#6\n")), ElementsAre("warning 2"));
+    for (const char* arguments : {"X1. J2.", "x1. j2."})
+        EXPECT_THAT(judged("MAC211", call(arguments, "#5=3\nG0 X#24 Y#5\n")), ElementsAre("warning 2"));
     EXPECT_THAT(messages_raised("MAC211", call("X1. Z2.", "G0 X#24\n")),
                 ElementsAre(HasSubstr("O9001 does not read #26 (Z), which 'Z2.' passes")));
     EXPECT_THAT(messages_raised("MAC211", call("X1. Z2. R3. Q4.", "G0 X#24\n")),

@@ -16,6 +16,15 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
+TEST(ConstantCondition, IsNotNeededWhereAnotherDoesTheSameHoweverItIsWritten) {
+    const auto pair = [](const std::string& second) {
+        return "O9001\nIF[#6LT54]GOTO8\nIF[#6LT54]THEN#31=-1\nIF[#6LT55]THEN" + second + "\nX#31\nN8 M99\n";
+    };
+    EXPECT_THAT(lines_raised("MAC718", pair("#31=-1")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC718", pair(" # 31 = - 1")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC718", pair("#31=-2")), ElementsAre(3));
+}
+
 TEST(DivisionByZero, OfALiteralOrAStoredZeroIsReported) {
     EXPECT_THAT(lines_raised("MAC702", "O9001\n#5=#2/0\nX[5/0.0]\nM99\n"), ElementsAre(2, 3));
     EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\n#5=#2/#1\nM99\n"), ElementsAre(3));

@@ -63,6 +63,20 @@ void Line::split() {
     code_ = after_number(trim(without_comments_));
 }
 
+namespace {
+
+/// After the remark of DIN PLUS at `at`, where one stands: between words no other language has brackets
+/// without a variable.
+std::size_t after_remark(std::string_view code, std::size_t at) {
+    if (code[at] != '[') return at;
+    const std::size_t close = code.find_first_of("]#", at);
+    if (close == std::string_view::npos || code[close] == '#') return at;
+    const std::string_view next = trim(code.substr(close + 1));
+    return next.empty() || is_capital(next.front()) ? close + 1 : at;
+}
+
+} // namespace
+
 void Line::read_words() {
     word_count_ = 0;
     plain_ = false;
@@ -72,6 +86,10 @@ void Line::read_words() {
         while (at < code_.size() && is_blank(code_[at])) ++at;
     };
     for (; at < code_.size(); skip_blanks()) {
+        if (const std::size_t after = after_remark(code_, at); after != at) {
+            at = after;
+            continue;
+        }
         Word word{code_[at], 0, 0};
         if (!is_capital(word.letter)) return;
         ++at;
@@ -118,8 +136,9 @@ bool looks_like_block(std::string_view whole) {
     const std::string_view value = trim(code.substr(1));
     constexpr std::string_view values = "0123456789+-.#[<";
     if (value.empty() || values.find(value.front()) != std::string_view::npos) return true;
-    static constexpr std::string_view keywords[] = {"IF[",   "IF [",  "WHILE", "GOTO",  "END",  "DO",
-                                                    "POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"};
+    if (code.starts_with("IF") && trim(code.substr(2)).starts_with('[')) return true;
+    static constexpr std::string_view keywords[] = {"WHILE", "GOTO",  "END",   "DO",   "POPEN",
+                                                    "PCLOS", "DPRNT", "BPRNT", "SETVN"};
     return starts_with_any(code, keywords);
 }
 

@@ -42,8 +42,9 @@ bool extruder_zero(const Line& line) { return has_code(line, 'G', 92) && line.wo
 bool work_offset_by_g15(const Line& line) { return has_code(line, 'G', 15) && line.word('H') != nullptr; }
 bool macro_call(const Line& line) {
     const std::string_view code = line.code();
-    return code.starts_with("G6") && code.size() > 2 && (code[2] == '5' || code[2] == '6') &&
-           code.find('P') != std::string_view::npos;
+    if (!code.starts_with('G')) return false;
+    const std::string_view number = trim(code.substr(1));
+    return (number.starts_with("65") || number.starts_with("66")) && code.find('P') != std::string_view::npos;
 }
 
 bool extrusion(const Line& line) {
@@ -63,7 +64,8 @@ bool program_number(const Line& line) {
     while (!code.empty() && (code.back() == ';' || is_blank(code.back()))) code.remove_suffix(1);
     if (code.starts_with("%")) code.remove_prefix(1);
     if (code.size() < 2 || (code.front() != 'O' && code.front() != ':')) return false;
-    return skip_digits(code, 1) == code.size();
+    const std::size_t number = skip_blanks(code, 1);
+    return number != code.size() && skip_digits(code, number) == code.size();
 }
 
 bool loop(const Line& line) {

@@ -37,7 +37,7 @@ class ErrorExplainer {
     [[nodiscard]] std::string_view text(const Token& token) const {
         return text_.substr(token.span.begin, token.span.length());
     }
-    [[nodiscard]] std::string capitals(const Token& token) const { return in_capitals(text(token)); }
+    [[nodiscard]] std::string capitals(const Token& token) const { return without_blanks(text(token)); }
 
     [[nodiscard]] std::optional<SyntaxError> parenthesis_as_bracket() const;
     [[nodiscard]] std::optional<SyntaxError> bracket_mismatch() const;

@@ -44,7 +44,7 @@ class LetterOFinder {
     [[nodiscard]] std::string_view written(std::size_t i) const {
         return text_.substr(tokens_[i].span.begin, tokens_[i].span.length());
     }
-    [[nodiscard]] std::string capitals(std::size_t i) const { return in_capitals(written(i)); }
+    [[nodiscard]] std::string capitals(std::size_t i) const { return without_blanks(written(i)); }
     [[nodiscard]] bool is(std::size_t i, int step, Kind kind) const {
         const std::size_t other = i + static_cast<std::size_t>(step);
         return other < tokens_.size() && tokens_[other].kind == kind;

@@ -87,17 +87,20 @@ bool is_pair(std::string_view signs) {
 
 /// Whether G10 stands in the head of a block.
 bool sets_data(std::string_view head) {
-    for (std::size_t at = 0; at + 2 < head.size(); ++at)
-        if (to_capital(head[at]) == 'G' && head.substr(at + 1, 2) == "10" &&
-            (at + 3 == head.size() || !is_digit(head[at + 3])))
-            return true;
+    for (std::size_t at = 0; at < head.size(); ++at) {
+        if (to_capital(head[at]) != 'G') continue;
+        const std::string_view number = head.substr(pass(head, static_cast<Offset>(at + 1), Start::blank));
+        if (number.starts_with("10") && (number.size() == 2 || !is_digit(number[2]))) return true;
+    }
     return false;
 }
 
 /// `G10L60P1[*BDB...]`: after the value of a word, brackets hold data of the machine builder, no expression.
 void blank_out_data(std::string_view block, std::string& key) {
     const std::size_t open = block.find('[');
-    if (open == std::string_view::npos || open == 0 || !is_digit(block[open - 1])) return;
+    if (open == std::string_view::npos) return;
+    const std::size_t value = block.substr(0, open).find_last_not_of(" \t");
+    if (value == std::string_view::npos || !is_digit(block[value])) return;
     const std::size_t close = block.find(']', open);
     if (close == std::string_view::npos || block.find('#') != std::string_view::npos) return;
     if (!sets_data(block.substr(0, open))) return;
@@ -150,7 +153,7 @@ Lexer::Passed Lexer::pass_ordinary() {
 Kind Lexer::cut() {
     const ByteClass first = class_of(text_[at_]);
     switch (first.start) {
-    case Start::letter: at_ = pass(text_, at_, Start::letter); return Kind::letters;
+    case Start::letter: return cut_letters();
     case Start::number: at_ = pass(text_, at_, Start::number); return Kind::number;
     case Start::variable: return cut_variable();
     case Start::comment: at_ = after_comment(text_, at_); return Kind::comment;
@@ -166,6 +169,18 @@ Kind Lexer::cut() {
     }
     ++at_;
     return first.kind;
+}
+
+/// The jump word may have blanks inside: `GO TO`.
+Kind Lexer::cut_letters() {
+    at_ = pass(text_, at_, Start::letter);
+    const std::string_view before = text_.substr(0, at_);
+    if (!before.ends_with("GO") && !before.ends_with("go")) return Kind::letters;
+    const Offset next = pass(text_, at_, Start::blank);
+    const Offset end = pass(text_, next, Start::letter);
+    const std::string_view word = text_.substr(next, end - next);
+    if (word == "TO" || word == "to") at_ = end;
+    return Kind::letters;
 }
 
 /// What begins with `#`; in a name in `<` `>` a '(' is a letter like any other.

@@ -30,7 +30,7 @@ constexpr bool ends_block(char c) { return c == ';' || is_line_break(c); }
 
 struct Token {
     enum class Kind : std::uint8_t {
-        letters,      ///< letters in a row: keywords, functions, addresses
+        letters,      ///< letters in a row, and `GO TO`: keywords, functions, addresses
         number,       ///< digits and points in a row
         variable,     ///< `#101`
         foreign_name, ///< `#<_depth>` of other controls
@@ -71,6 +71,7 @@ class Lexer {
 
   private:
     Token::Kind cut();
+    Token::Kind cut_letters();
     Token::Kind cut_variable();
 
     std::string_view text_;

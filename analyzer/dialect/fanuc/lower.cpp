@@ -68,6 +68,11 @@ void BlockLowering::check_numbers(std::span<const syntax::Node* const> items) {
             report(SyntaxErrorKind::unreadable, span(*items[i]), "an address before the number");
 }
 
+/// The 2 of `/ 2`.
+bool BlockLowering::is_skip_level(const Node& node) const {
+    return kind_of(node) == Kind::bare_value && text(node).size() == 1 && text(node) != "0";
+}
+
 /// Takes sequence number and skip marks off the front of a block; the rest is what it does.
 std::span<const syntax::Node* const> BlockLowering::take_head(Block& block,
                                                               std::span<const Node* const> items) const {
@@ -76,7 +81,9 @@ std::span<const syntax::Node* const> BlockLowering::take_head(Block& block,
         const Node& node = *items[taken];
         const Kind kind = kind_of(node);
         if (kind == Kind::skip) {
-            block.skip_levels |= skip_level(text(node));
+            const bool apart = taken + 1 < items.size() && is_skip_level(*items[taken + 1]);
+            if (apart) ++taken;
+            block.skip_levels |= skip_level(apart ? text(*items[taken]) : text(node));
         } else if (kind == Kind::sequence_number && !block.sequence_number) {
             block.sequence_number = read_integer(text(node));
             block.sequence_number_span = span(node);
@@ -98,12 +105,15 @@ void BlockLowering::lower_items(std::span<const Node* const> items) {
             if (builder_->effect_count() != first) guard(unreadable(mark), first, {mark.begin, block_.end});
             return;
         }
+        std::size_t after = i;
+        while (after < items.size() && is_word(kind_of(*items[after]))) ++after;
+        const std::size_t next = std::max(after, i + 1);
+        const bool goes_on = next < items.size() && kind_of(*items[next]) == Kind::bare_value;
+        goes_on_ = goes_on ? items[next - 1] : nullptr;
         if (!is_word(kind)) {
             lower_statement(*items[i++]);
             continue;
         }
-        std::size_t after = i;
-        while (after < items.size() && is_word(kind_of(*items[after]))) ++after;
         lower_words(items.subspan(i, after - i));
         i = after;
     }
@@ -126,7 +136,7 @@ void BlockLowering::lower_assignment(const Node& node) {
     const Node* left = child(node, Field::left);
     const Node* right = child(node, Field::right);
     if (left == nullptr || right == nullptr) return;
-    const ExpressionId value = lower_expression(*right);
+    const ExpressionId value = goes_on_ == &node ? unreadable(span(*right)) : lower_expression(*right);
     store(*left, value, span(node));
 }
 
@@ -183,7 +193,7 @@ void BlockLowering::lower_goto(const Node& node) {
     const Node* target = child(node, Field::target);
     if (target == nullptr) return;
     if (kind_of(*target) == Kind::label) check_label(*target);
-    effect({Jump{lower_expression(*target)}, span(node)});
+    effect({Jump{goes_on_ == &node ? unreadable(span(*target)) : lower_expression(*target)}, span(node)});
 }
 
 void BlockLowering::lower_if(const Node& node) {

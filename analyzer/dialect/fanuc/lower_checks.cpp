@@ -95,7 +95,7 @@ void BlockLowering::check_empty_word(const Node& word) {
 
 /// `GO1`, `XO`: the letter O where a figure 0 belongs.
 void BlockLowering::check_letter_o(const Node& word) {
-    const Span all = span(word);
+    const Span all = with_rest_of_number(word);
     const std::optional<Span> jump = find_jump_with_zero(program_->text, all);
     if (jump &&
         std::ranges::any_of(items_, [&](const Node* item) { return kind_of(*item) == Kind::if_statement; })) {
@@ -103,9 +103,9 @@ void BlockLowering::check_letter_o(const Node& word) {
         report(SyntaxErrorKind::unknown_keyword, *jump, "GOTO" + std::string(number));
         return;
     }
-    const std::string_view written = text(word);
+    const std::string_view written = program_->slice(all);
     std::string mended(written);
-    Remedy remedy{"Write the figure 0 for the letter O", !may_be_jump(word)};
+    Remedy remedy{"Write the figure 0 for the letter O", !may_be_jump(all)};
     for (std::size_t i = 0; i < written.size(); ++i) {
         if (to_capital(written[i]) != 'O') continue;
         mended[i] = '0';
@@ -117,14 +117,23 @@ void BlockLowering::check_letter_o(const Node& word) {
     refuse(kind, all, std::move(mended), std::move(remedy));
 }
 
+/// The word, with a number that goes on behind a blank: `GO 1`.
+Span BlockLowering::with_rest_of_number(const Node& word) const {
+    const auto item = std::ranges::find(items_, &word);
+    if (item == items_.end() || item + 1 == items_.end() || kind_of(**(item + 1)) != Kind::bare_value)
+        return span(word);
+    return join(span(word), span(**(item + 1)));
+}
+
 /// `GO5` alone in its block.
-bool BlockLowering::may_be_jump(const Node& word) const {
+bool BlockLowering::may_be_jump(Span word) const {
     const auto other = std::ranges::find_if(items_, [&](const Node* item) {
-        return item != &word && kind_of(*item) != Kind::sequence_number && kind_of(*item) != Kind::skip;
+        return !word.contains(span(*item).begin) && kind_of(*item) != Kind::sequence_number &&
+               kind_of(*item) != Kind::skip;
     });
-    const std::string_view written = text(word);
-    return other == items_.end() && written.size() > 2 && in_capitals(written.substr(0, 2)) == "GO" &&
-           std::ranges::all_of(written.substr(2), is_digit);
+    const std::string written = without_blanks(program_->slice(word));
+    return other == items_.end() && written.size() > 2 && written.starts_with("GO") &&
+           std::ranges::all_of(std::string_view(written).substr(2), is_digit);
 }
 
 /// [2.3]

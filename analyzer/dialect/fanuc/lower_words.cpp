@@ -83,6 +83,7 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
         if (incremental) check_increment({span(*inner).begin, span(*inner).begin + 1});
         word.value = lower_expression(*value);
     }
+    if (&node == goes_on_) word.value = unreadable(span(node));
     if (word.value) word.literal = literal_value(*word.value);
     builder_->add_word(
         {address_text(word.letter, word.comma), written_value(word.value), incremental, span(node)});

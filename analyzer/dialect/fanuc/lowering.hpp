@@ -32,6 +32,7 @@ class BlockLowering : private TreeLowering {
     // ---- the block and its statements (lower.cpp)
     [[nodiscard]] std::span<const Node* const> take_head(Block& block,
                                                          std::span<const Node* const> items) const;
+    [[nodiscard]] bool is_skip_level(const Node& node) const;
     void lower_items(std::span<const Node* const> items);
     void lower_statement(const Node& node);
     void lower_assignment(const Node& node);
@@ -95,7 +96,8 @@ class BlockLowering : private TreeLowering {
     void check_depth(const Node& node, int depth);
     void check_empty_word(const Node& word);
     void check_letter_o(const Node& word);
-    [[nodiscard]] bool may_be_jump(const Node& word) const;
+    [[nodiscard]] Span with_rest_of_number(const Node& word) const;
+    [[nodiscard]] bool may_be_jump(Span word) const;
     void check_double_sharp(const Node& variable);
 
     // ---- ways of writing that not every control takes (lower_forms.cpp)
@@ -115,6 +117,9 @@ class BlockLowering : private TreeLowering {
     std::vector<NcWord> words_; ///< that stand side by side
     std::vector<ExpressionId> computed_;
     std::vector<Argument> arguments_;
+    /// Behind its number stands a blank and another one: for a control that passes blanks over they are one
+    /// number [1.6, T], and what it is counts as unknown.
+    const Node* goes_on_ = nullptr;
     bool depth_reported_ = false;
     bool comparison_reported_ = false;
     bool in_condition_ = false; ///< of IF or WHILE

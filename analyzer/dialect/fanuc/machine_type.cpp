@@ -100,10 +100,11 @@ bool is_written_for_lathe(std::string_view text) {
         if (letter < 'A' || letter > 'Z') continue;
         const Offset value = at;
         while (at < text.size() &&
-               (is_digit(text[at]) || text[at] == '.' || text[at] == '-' || text[at] == ' '))
+               (is_digit(text[at]) || text[at] == '.' || text[at] == '-' || is_blank(text[at])))
             ++at;
         std::string_view digits = text.substr(value, at - value);
-        while (!digits.empty() && digits.back() == ' ') digits.remove_suffix(1);
+        while (!digits.empty() && is_blank(digits.front())) digits.remove_prefix(1);
+        while (!digits.empty() && is_blank(digits.back())) digits.remove_suffix(1);
         const bool address = value < 2 || !is_letter(text[value - 2]); // not the end of a name or a function
         if (!digits.empty())
             take_word(letter, digits, block, signs);

@@ -84,7 +84,7 @@ class Family {
         return at;
     }
 
-    void cut(Offset at, RawBlock& raw) const { cut_block(text_, at, raw); }
+    void cut(Offset at, RawBlock& raw) const { cut_block(text_, at, program_behind_end(control_), raw); }
 
     /// The number of a program is a block of it, too. A memory dump says in lines of their own in which
     /// folder of the control the next programs are.
@@ -221,6 +221,7 @@ class Family {
         };
         while (at < span.end && text_[at] == '/') {
             ++at;
+            pass(is_blank, span.length());
             block.skip_levels |=
                 static_cast<std::uint16_t>(1U << read_integer(pass(is_digit, 1)).value_or(1));
             pass(is_blank, span.length());

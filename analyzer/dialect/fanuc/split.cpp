@@ -6,6 +6,7 @@
 #include "analyzer/source/encoding.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace maclint::fanuc {
 namespace {
@@ -68,29 +69,44 @@ bool begins_program(std::string_view text, Offset at) {
     return find_program_head(text, {at, size_of(text)}).has_value();
 }
 
-/// Whether `block` ends in M02, M30 or M99, with or without the block that M99 returns to.
-bool ends_program(std::string_view block) {
-    const auto digits_begin = [&](std::size_t end) {
-        while (end > 0 && is_digit(block[end - 1])) --end;
-        return end;
-    };
-    std::size_t number = digits_begin(block.size());
-    if (number > 1 && to_capital(block[number - 1]) == 'P') {
-        block = block.substr(0, number - 1);
-        while (!block.empty() && is_blank(block.back())) block.remove_suffix(1);
-        number = digits_begin(block.size());
-    }
-    if (number == 0 || to_capital(block[number - 1]) != 'M') return false;
-    const auto code = read_integer(block.substr(number));
-    return code == 2 || code == 30 || code == 99;
+/// Takes the blanks off the end.
+void trim_end(std::string_view& text) {
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
 }
 
-/// Whether a program number stands at `at`, glued to the end of the program before it: where that ended
-/// without an end of block, the control punches `M99O0810`.
-bool glued_program(std::string_view text, Offset begin, Offset at) {
-    if (to_capital(text[at]) != 'O' || at == begin || !is_digit(text[at - 1])) return false;
-    if (at + 1 == text.size() || !is_digit(text[at + 1])) return false;
-    return ends_program(text.substr(begin, at - begin));
+/// Takes the number off the end, and the letter before it: empty where another or none stands there.
+std::optional<std::string_view> take_word(std::string_view& text, char letter) {
+    std::string_view rest = text;
+    while (!rest.empty() && is_digit(rest.back())) rest.remove_suffix(1);
+    const std::string_view number = text.substr(rest.size());
+    trim_end(rest);
+    if (number.empty() || rest.empty() || to_capital(rest.back()) != letter) return std::nullopt;
+    rest.remove_suffix(1);
+    text = rest;
+    return number;
+}
+
+/// Whether `code` ends in M02, M30 or M99, with or without the block that M99 returns to.
+bool ends_program(std::string_view code) {
+    if (take_word(code, 'P')) trim_end(code);
+    const std::optional<std::string_view> number = take_word(code, 'M');
+    const auto function = number ? read_integer(*number) : std::nullopt;
+    return function == 2 || function == 30 || function == 99;
+}
+
+/// Whether a program number stands at `at`, in the block of the end of the program before it. Blanks and
+/// `comments` in between mean nothing.
+bool begins_behind_end(std::string_view text, Offset begin, Offset at, std::span<const Span> comments) {
+    if (to_capital(text[at]) != 'O' || at == begin) return false;
+    const Offset number = skip_blanks(text, at + 1);
+    if (number == text.size() || !is_digit(text[number])) return false;
+    std::string_view code = text.substr(begin, at - begin);
+    trim_end(code);
+    for (std::size_t i = comments.size(); i > 0 && comments[i - 1].end == begin + code.size(); --i) {
+        code.remove_suffix(comments[i - 1].length());
+        trim_end(code);
+    }
+    return ends_program(code);
 }
 
 /// The first line at or after `from` that holds a program number and nothing else but comments: what
@@ -119,7 +135,7 @@ Offset skip_blanks(std::string_view text, Offset at) {
     return at;
 }
 
-void cut_block(std::string_view text, Offset begin, RawBlock& block) {
+void cut_block(std::string_view text, Offset begin, Reading program_behind_end, RawBlock& block) {
     block.comments.clear();
     block.open_comment = false;
     block.code = 0;
@@ -143,7 +159,8 @@ void cut_block(std::string_view text, Offset begin, RawBlock& block) {
             block.open_comment = !is_closed(text.substr(span.begin, span.length()));
         } else {
             const bool at_mark = text[span.begin] == '%' && span.begin > first && ends_line(text, span.begin);
-            if (at_mark || glued_program(text, first, span.begin)) {
+            const bool may_begin = program_behind_end != Reading::stops;
+            if (at_mark || (may_begin && begins_behind_end(text, first, span.begin, block.comments))) {
                 block.next = span.begin;
                 return;
             }

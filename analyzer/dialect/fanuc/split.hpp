@@ -1,6 +1,7 @@
 //! Cuts a Fanuc file into blocks: comments, ends of block, tape marks and program heads.
 #pragma once
 
+#include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/raw_block.hpp"
 #include "analyzer/source/span.hpp"
 
@@ -15,8 +16,8 @@ namespace maclint::fanuc {
 [[nodiscard]] Offset skip_blanks(std::string_view text, Offset at);
 
 /// The block that begins at `begin`. It ends at `;`, at a line end, before a tape mark at the end of its
-/// line, or before the number of the next program in `M99O0810`.
-void cut_block(std::string_view text, Offset begin, RawBlock& block);
+/// line, or before the number of the next program in `M99O0810`, where the control reads one there.
+void cut_block(std::string_view text, Offset begin, Reading program_behind_end, RawBlock& block);
 
 /// The first tape mark at or after `from`, which is the head of a line or after a mark.
 /// A mark is a `%` outside of comments that begins a block or ends a line.

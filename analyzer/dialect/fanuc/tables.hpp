@@ -67,6 +67,8 @@ enum class Reading : std::uint8_t {
 };
 /// `form` is one that stands in the table of forms.
 [[nodiscard]] Reading reading_of(const ControlModel& control, SyntaxErrorKind form);
+/// Of a program number behind the end of the program before it: `M99O0810`, `M99 O0810`.
+[[nodiscard]] Reading program_behind_end(const ControlModel& control);
 /// "haas": the controls that take the form, for the text of a message; empty: none.
 [[nodiscard]] std::string controls_that_take(SyntaxErrorKind form);
 

@@ -21,18 +21,23 @@ struct ControlRow {
     bool decimals;           ///< variables like #30003.036 read settings and parameters
     bool increments;         ///< an I between address and value makes it incremental [NCT-9]
     std::string_view alarms; ///< the list of its alarms
+    /// `M99O0810`, as a control punches it where a program ended without an end of block: O begins the next
+    /// program. Dumps of programs have it [T].
+    Reading program_behind_end;
 };
+
+constexpr Reading takes = Reading::takes, quiet = Reading::unknown;
 
 // clang-format off
 const std::array<ControlRow, 7> rows{{
-    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012  decimals  ZI5    alarms
-    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false, false, false, "FANUC 16i/18i/21i"},
-    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false, false, false, "FANUC 16i/18i/21i"},
-    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false, false, false, "FANUC 16i/18i/21i"},
-    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false, false, "FANUC 30i/0i-D"},
-    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false, false, "FANUC 30i/0i-D"},
-    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  false, false, false, true,  "NCT"},
-    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, true,  true,  true,  false, ""},
+    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012  decimals  ZI5    alarms              M99O2
+    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false, false, false, "FANUC 16i/18i/21i", takes},
+    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false, false, false, "FANUC 16i/18i/21i", takes},
+    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false, false, false, "FANUC 16i/18i/21i", takes},
+    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false, false, "FANUC 30i/0i-D",    takes},
+    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false, false, "FANUC 30i/0i-D",    takes},
+    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  false, false, false, true,  "NCT",               quiet},
+    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, true,  true,  true,  false, "",                  quiet},
 }};
 // clang-format on
 
@@ -121,6 +126,11 @@ bool has_variables_with_decimals(const ControlModel& control) {
 bool has_incremental_words(const ControlModel& control) {
     const auto* row = std::ranges::find(rows, control.model, &ControlRow::model);
     return row != rows.end() && row->increments;
+}
+
+Reading program_behind_end(const ControlModel& control) {
+    const auto* row = std::ranges::find(rows, control.model, &ControlRow::model);
+    return row == rows.end() ? Reading::unknown : row->program_behind_end;
 }
 
 std::string controls_with_incremental_words() {
