@@ -12,7 +12,7 @@ WORDS = set(re.search(r"^    build\) .*\n    (lint [\w |]*)\)", DEV, re.M).group
 
 def pages():
     """Texts that people read, and scripts that name words to them."""
-    return [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("tests/mutation/*.md"), *ROOT.glob(".ci/*"), *ROOT.glob("cmake/*"),
+    return [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("tests/mutation/*.md"), *ROOT.glob("tests/metamorphic/*.md"), *ROOT.glob(".ci/*"), *ROOT.glob("cmake/*"),
             *ROOT.glob("packaging/*.py"), ROOT / "CMakeLists.txt"]
 
 

@@ -1,0 +1,20 @@
+"""Rules that speak of how a program is written, and why a change may matter to them."""
+
+# change: {rule: reason}
+EXEMPT = {
+    'comment-at-end': {
+        'MAC460': 'a remark behind a jump says that what it passes is passed on purpose',
+    },
+    'renumbered': {
+        'MAC302': 'it compares the digits of two numbers: 6 and 60 are alike, 7 and 61 are not',
+    },
+}
+
+# Of these only the lines are compared where blanks have changed.
+TELLS_A_PIECE = {
+    'MAC121': 'it quotes the piece at which reading broke off, and counts blocks with the same piece together',
+}
+
+
+def is_exempt(change, code):
+    return code in EXEMPT.get(change, {})
