@@ -48,8 +48,8 @@ std::optional<std::string> Reach::objection(std::string_view written, const fs::
 }
 
 bool Reach::holds(const fs::path& real) const {
-    if (is_within(real, repository_ ? *repository_ : *folder_)) return true;
-    return !repository_ && is_within(*folder_, real.parent_path());
+    if (platform::lies_in(real, repository_ ? *repository_ : *folder_)) return true;
+    return !repository_ && platform::lies_in(*folder_, real.parent_path());
 }
 
 bool is_of_stranger(const platform::Ownership& ownership) {

@@ -3,7 +3,7 @@
 
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
-#include "cli/gate/git_folders.hpp"
+#include "cli/gate/git_refusals.hpp"
 #include "cli/gate/renamed_files.hpp"
 #include "cli/suggest.hpp"
 

@@ -252,7 +252,7 @@ class Matching {
         std::vector<std::vector<int>> trace; // how far each diagonal was after so many differences
         std::vector<int> far(2 * most + 3, 0);
         const auto at = [&](std::vector<int>& list, int diagonal) -> int& {
-            return list[static_cast<std::size_t>(diagonal + most + 1)];
+            return *(list.begin() + diagonal + most + 1);
         };
         int best = 0;
         for (int d = 0;; ++d) {
@@ -296,7 +296,7 @@ class Matching {
     void walk_back(const Parts& parts, const std::vector<std::vector<int>>& trace, int x, int k) {
         for (int d = static_cast<int>(trace.size()) - 1; d >= 0; --d) {
             const auto before = [&](int diagonal) {
-                return trace[static_cast<std::size_t>(d)][static_cast<std::size_t>(diagonal + d + 1)];
+                return *(trace[static_cast<std::size_t>(d)].begin() + diagonal + d + 1);
             };
             const bool down = k == -d || (k != d && before(k - 1) < before(k + 1));
             const int begin = d == 0 ? 0 : down ? before(k + 1) : before(k - 1) + 1;

@@ -50,7 +50,7 @@ CheckedTrees::CheckedTrees(const std::vector<std::string>& paths) {
 }
 
 bool CheckedTrees::hold(const fs::path& path) const {
-    return std::ranges::any_of(roots_, [&](const fs::path& root) { return is_within(path, root); });
+    return std::ranges::any_of(roots_, [&](const fs::path& root) { return platform::lies_in(path, root); });
 }
 
 std::optional<std::string> CheckedTrees::objection_to_writing(const std::string& path) const {

@@ -6,6 +6,7 @@
 #include "analyzer/source/platform/paths.hpp"
 #include "analyzer/source/source.hpp"
 #include "cli/config/glob.hpp"
+#include "cli/input/git_folders.hpp"
 #include "cli/input/links.hpp"
 #include "cli/input/repository.hpp"
 #include "cli/input/size_limits.hpp"
@@ -160,28 +161,6 @@ bool matches(const IgnoreRule& rule, const std::vector<std::string_view>& names)
     return matches_name(rule.names.front(), names.back());
 }
 
-/// The folder of a repository's own files; for a work tree beside it a file names it.
-fs::path git_folder(const fs::path& root) {
-    fs::path at = root / ".git";
-    if (leaves_drive(at, root)) return at;
-    if (platform::kind_of(at) == platform::FileKind::folder) return at;
-    const auto named_in = [](const fs::path& file, std::string_view key) {
-        if (platform::kind_of(file) != platform::FileKind::regular) return std::string();
-        const auto read = read_file(platform::text_of(file), git_pointer_limit);
-        const auto* source = std::get_if<Source>(&read);
-        std::string text(source == nullptr ? std::string_view() : source->bytes());
-        text.resize(std::min(text.size(), text.find_first_of("\r\n")));
-        return text.starts_with(key) ? text.substr(key.size()) : std::string();
-    };
-    const std::string named = named_in(at, "gitdir: ");
-    if (named.empty() || leaves_drive(platform::path_of(named), root)) return at;
-    const fs::path folder = root / platform::path_of(named);
-    if (leaves_drive("commondir", folder)) return folder;
-    const std::string common = named_in(folder / "commondir", "");
-    if (common.empty() || leaves_drive(platform::path_of(common), folder)) return folder;
-    return folder / platform::path_of(common);
-}
-
 } // namespace
 
 std::vector<IgnoreRule> read_ignore_rules(std::string_view text) {
@@ -214,7 +193,7 @@ const GitIgnore::Known& GitIgnore::known_of(const std::string& folder) {
     const fs::path path = platform::path_of(folder);
     Known known;
     if (is_repository(path)) {
-        const fs::path git = git_folder(path);
+        const fs::path git = git_folders_of(path).common;
         const fs::path exclude = git / "info" / "exclude";
         known = {leaves_drive(exclude, git) ? nullptr : with_file(nullptr, folder, exclude), true};
     } else if (path.has_relative_path()) {

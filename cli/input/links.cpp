@@ -4,8 +4,6 @@
 #include "analyzer/source/platform/files.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,66 +12,53 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Search {
-  public:
-    Search(const fs::path& path, std::span<const fs::path> folders)
-        : folders_(folders)
-        , at_(path.root_path()) {
-        go(path.relative_path());
-    }
-
-    LinkEnd run() {
-        constexpr int most_links = 40; // as systems have it
-        for (int links = 0; !ahead_.empty();) {
-            const fs::path name = std::move(ahead_.back());
-            ahead_.pop_back();
-            if (name.empty() || name == ".") continue;
-            if (name == "..") {
-                at_ = at_.parent_path();
-                continue;
-            }
-            at_ /= name;
-            const auto target = platform::link_target(at_);
-            if (!target) continue;
-            if (++links > most_links) return LinkEnd::nowhere;
-            if (!follow(*target)) return LinkEnd::outside;
-        }
-        const bool inside = std::ranges::any_of(
-            folders_, [&](const fs::path& folder) { return platform::lies_in(at_, folder); });
-        return inside ? LinkEnd::inside : LinkEnd::outside;
-    }
-
-  private:
-    /// False where none of the folders is.
-    bool follow(const fs::path& target) {
-        if (target.has_root_name() && (!target.has_root_directory() || !is_on_drive(target))) return false;
-        at_ = target.is_absolute()          ? target.root_path()
-              : target.has_root_directory() ? at_.root_path()
-                                            : at_.parent_path();
-        go(target.relative_path());
-        return true;
-    }
-
-    [[nodiscard]] bool is_on_drive(const fs::path& target) const {
-        return std::ranges::any_of(folders_, [&](const fs::path& folder) {
-            return platform::lies_in(target.root_name(), folder.root_name());
-        });
-    }
-
-    void go(const fs::path& relative) {
-        std::vector<fs::path> names(relative.begin(), relative.end());
-        std::ranges::move(names.rbegin(), names.rend(), std::back_inserter(ahead_));
-    }
-
-    std::span<const fs::path> folders_;
-    fs::path at_;                 ///< without links
-    std::vector<fs::path> ahead_; ///< the next one last
-};
+void put_before(std::vector<fs::path>& ahead, const fs::path& relative) {
+    const std::vector<fs::path> names(relative.begin(), relative.end());
+    ahead.insert(ahead.end(), names.rbegin(), names.rend());
+}
 
 } // namespace
 
+std::optional<fs::path> follow_links(const fs::path& path, const MayFollow& may_follow) {
+    constexpr int most_links = 40; // as systems have it
+    fs::path at = path.root_path();
+    std::vector<fs::path> ahead; // the next name last
+    put_before(ahead, path.relative_path());
+    for (int links = 0; !ahead.empty();) {
+        const fs::path name = std::move(ahead.back());
+        ahead.pop_back();
+        if (name.empty() || name == ".") continue;
+        if (name == "..") {
+            at = at.parent_path();
+            continue;
+        }
+        at /= name;
+        const auto target = platform::link_target(at);
+        if (!target) continue;
+        if (++links > most_links || !may_follow(*target)) return std::nullopt;
+        at = target->is_absolute()          ? target->root_path()
+             : target->has_root_directory() ? at.root_path()
+                                            : at.parent_path();
+        put_before(ahead, target->relative_path());
+    }
+    return at;
+}
+
 LinkEnd end_of(const fs::path& path, std::span<const fs::path> folders) {
-    return Search(path, folders).run();
+    const auto is_on_drive = [&](const fs::path& target) {
+        return std::ranges::any_of(folders, [&](const fs::path& folder) {
+            return platform::lies_in(target.root_name(), folder.root_name());
+        });
+    };
+    bool leaves = false;
+    const auto end = follow_links(path, [&](const fs::path& target) {
+        leaves = target.has_root_name() && (!target.has_root_directory() || !is_on_drive(target));
+        return !leaves;
+    });
+    if (!end) return leaves ? LinkEnd::outside : LinkEnd::nowhere;
+    const bool inside =
+        std::ranges::any_of(folders, [&](const fs::path& folder) { return platform::lies_in(*end, folder); });
+    return inside ? LinkEnd::inside : LinkEnd::outside;
 }
 
 bool leaves_drive(const fs::path& path, const fs::path& folder) {

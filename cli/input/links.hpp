@@ -3,9 +3,19 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <span>
 
 namespace maclint::cli {
+
+/// Whether a link may be followed whose target is written so.
+using MayFollow = std::function<bool(const std::filesystem::path& target)>;
+
+/// The end of an absolute path when all links on the way are followed, whether anything is there or not;
+/// nothing where one may not be followed, or they lead in a circle.
+[[nodiscard]] std::optional<std::filesystem::path> follow_links(const std::filesystem::path& path,
+                                                                const MayFollow& may_follow);
 
 enum class LinkEnd : std::uint8_t {
     inside,  ///< one of the folders, whether anything is there or not

@@ -1,14 +1,13 @@
 //! Both kinds of slashes count, and the case of letters does not, as on Windows.
 #include "cli/input/other_server.hpp"
 
-#include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
+#include "cli/input/links.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <string>
-#include <vector>
 
 namespace maclint::cli {
 namespace {
@@ -47,12 +46,6 @@ std::string_view drive_of(std::string_view path) {
     return has ? path.substr(0, 1) : std::string_view{};
 }
 
-/// Puts the names of a path before those that are still to be gone through, which stand last one first.
-void put_before(std::vector<fs::path>& names, const fs::path& path) {
-    const std::vector<fs::path> more(path.begin(), path.end());
-    names.insert(names.end(), more.rbegin(), more.rend());
-}
-
 } // namespace
 
 bool names_other_server(std::string_view written, std::string_view from) {
@@ -70,30 +63,13 @@ bool names_other_drive(std::string_view written, std::string_view from) {
 }
 
 bool leads_to_other_server(const fs::path& path, std::string_view from) {
-    constexpr int most_links = 40; // as systems have it
-    fs::path at = path.root_path();
-    std::vector<fs::path> names;
-    put_before(names, path.relative_path());
-    for (int links = 0; !names.empty() && links <= most_links;) {
-        const fs::path name = std::move(names.back());
-        names.pop_back();
-        if (name.empty() || name == ".") continue;
-        if (name == "..") {
-            at = at.parent_path();
-            continue;
-        }
-        const auto target = platform::link_target(at / name);
-        if (!target) {
-            at /= name;
-            continue;
-        }
-        ++links;
-        const std::string written = platform::text_of(*target);
-        if (names_other_server(written, from) && !begins_with_volume(with_slashes(written))) return true;
-        if (target->has_root_directory()) at = target->has_root_name() ? target->root_path() : at.root_path();
-        put_before(names, target->relative_path());
-    }
-    return false;
+    bool found = false;
+    static_cast<void>(follow_links(path, [&](const fs::path& target) {
+        const std::string written = platform::text_of(target);
+        found = names_other_server(written, from) && !begins_with_volume(with_slashes(written));
+        return !found;
+    }));
+    return found;
 }
 
 } // namespace maclint::cli

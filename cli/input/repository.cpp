@@ -3,11 +3,6 @@
 
 #include "analyzer/source/platform/files.hpp"
 #include "cli/input/links.hpp"
-#include "analyzer/source/platform/paths.hpp"
-#include "cli/input/other_server.hpp"
-
-#include <algorithm>
-#include <iterator>
 
 namespace maclint::cli {
 
@@ -22,11 +17,6 @@ std::optional<std::filesystem::path> repository_around(const std::filesystem::pa
     for (std::filesystem::path at = folder; at.has_relative_path(); at = at.parent_path())
         if (is_repository(at)) return at;
     return std::nullopt;
-}
-
-bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
-    const auto [end, other] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-    return end == folder.end() || (end->empty() && std::next(end) == folder.end()); // "/shop/"
 }
 
 } // namespace maclint::cli

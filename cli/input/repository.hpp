@@ -12,7 +12,4 @@ namespace maclint::cli {
 /// The nearest folder upward, the folder itself included, that holds a repository.
 [[nodiscard]] std::optional<std::filesystem::path> repository_around(const std::filesystem::path& folder);
 
-/// Whether a path is the folder or lies below it, name by name; both absolute and without links.
-[[nodiscard]] bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder);
-
 } // namespace maclint::cli

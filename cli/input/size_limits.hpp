@@ -28,4 +28,7 @@ inline constexpr SizeLimit ignore_file_limit{mebibyte, "What it names is checked
 /// A .git that is a file, and what it leads to: a path and a word before it.
 inline constexpr SizeLimit git_pointer_limit{mebibyte / 16, "Correct it."};
 
+/// Other object folders, a path each.
+inline constexpr SizeLimit git_list_limit{mebibyte, "Correct it, or leave --since out."};
+
 } // namespace maclint::cli

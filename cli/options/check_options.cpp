@@ -51,8 +51,7 @@ void declare_discovery(CLI::App& check, CheckWords& words) {
     check
         .add_option("--max-file-size", words.max_file_size,
                     "Larger files are an error and are not read: 500M, 2G or bytes (default: 1G)")
-        ->type_name("SIZE")
-        ->each([](const std::string& word) { static_cast<void>(size_in_bytes("--max-file-size", word)); });
+        ->type_name("SIZE");
     check.add_flag("--error-on-empty", words.error_on_empty, "A run that checks no program is an error");
 }
 

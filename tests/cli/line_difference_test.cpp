@@ -61,6 +61,16 @@ TEST(LineDifference, FindsBlocksThatStayedBetweenManyThatChanged) {
     for (std::uint32_t i = 0; i < ranges.size(); ++i) EXPECT_EQ(ranges[i], (LineRange{3 * i + 1, 3 * i + 1}));
 }
 
+/// Lines that stand once keep their order as far as that goes, however many differ.
+TEST(LineDifference, OfTwoBlocksThatChangedPlacesOneStays) {
+    std::string first;
+    std::string second;
+    for (int i = 0; i < 2000; ++i) first += "N" + std::to_string(i) + " X1\n";
+    for (int i = 2000; i < 3000; ++i) second += "N" + std::to_string(i) + " X1\n";
+    EXPECT_THAT(changed_lines(first + second, second + first),
+                ElementsAre(LineRange{1, 1000}, LineRange{3000, 3001}));
+}
+
 using Lines = std::vector<std::string>;
 
 std::string text_of(const Lines& lines) {

@@ -83,7 +83,7 @@ class Configurations : public test::InRepository {
     }
     void refuses(const std::string& in, const std::string& text, const std::string& message) const {
         folder.write(in + "/.maclint.json", text);
-        const test::Finished finished = check(in);
+        const test::Finished finished = check(in, {"--quiet"});
         EXPECT_EQ(finished.status, 2) << text;
         EXPECT_THAT(finished.err,
                     AllOf(StartsWith("maclint: error: .maclint.json: line 1, column "), HasSubstr(message),

@@ -24,6 +24,9 @@ class Thread {
     std::unique_ptr<State> state_;
 };
 
+/// Whether there is memory for one more thread; the allocator does not ask, and faults.
+[[nodiscard]] bool has_memory_for_thread() noexcept;
+
 /// Whether there is memory for what is done before `main`.
 [[nodiscard]] bool has_memory_to_start() noexcept;
 

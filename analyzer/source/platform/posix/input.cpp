@@ -2,6 +2,8 @@
 //! can be given up.
 #include "analyzer/source/platform/input.hpp"
 
+#include "analyzer/source/platform/threads.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -16,6 +18,7 @@
 #include <poll.h>
 #include <sys/stat.h>
 #if __has_include(<sys/vfs.h>)
+#include <sys/sysmacros.h>
 #include <sys/vfs.h>
 #endif
 #include <unistd.h>
@@ -38,9 +41,10 @@ chrono::milliseconds until(Clock::time_point end) {
 }
 
 /// What `work` gives; nothing when it does not come back in time. Its thread then waits alone, for as long as
-/// the process lives, so it must own all that it touches.
+/// the process lives, so it must own all that it touches. Without memory for a thread the work is waited for.
 template<class Work>
 auto given_up_after(chrono::milliseconds patience, Work work) -> std::optional<decltype(work())> {
+    if (!has_memory_for_thread()) return work();
     const auto task = std::make_shared<std::packaged_task<decltype(work())()>>(std::move(work));
     auto result = task->get_future();
     try {
@@ -95,6 +99,9 @@ constexpr auto local_file_systems = std::to_array<unsigned long>({
     0x482B,     // hfs+
 });
 
+/// Whether the number of a file system is that of a disk; others have one that is made up (major 0).
+bool is_block_device(dev_t device) { return major(device) != 0; }
+
 bool is_of_a_disk(int descriptor) {
     struct statfs status = {};
     if (::fstatfs(descriptor, &status) != 0) return false;
@@ -102,11 +109,13 @@ bool is_of_a_disk(int descriptor) {
     return std::ranges::find(local_file_systems, type) != local_file_systems.end();
 }
 #else
+bool is_block_device(dev_t /*device*/) { return false; }
 bool is_of_a_disk(int /*descriptor*/) { return false; }
 #endif
 
 /// The same, asked once a file system and thread; one whose program does not answer is none of a disk.
 bool is_of_a_disk(int descriptor, dev_t device, chrono::milliseconds patience) {
+    if (is_block_device(device)) return true;
     static constinit thread_local dev_t last_device = 0;
     static constinit thread_local bool last_answer = false;
     if (last_device != device || device == 0) {

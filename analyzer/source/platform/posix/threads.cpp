@@ -55,7 +55,7 @@ Thread::~Thread() {
 
 std::optional<Thread> Thread::start(std::function<void()> work) {
     auto state = std::unique_ptr<State>(new (std::nothrow) State{std::move(work)});
-    if (!state || !are_free(stack_size + arena_size)) return std::nullopt;
+    if (!state || !has_memory_for_thread()) return std::nullopt;
     pthread_attr_t attributes;
     if (pthread_attr_init(&attributes) != 0) return std::nullopt;
     const bool started = pthread_attr_setstacksize(&attributes, stack_size) == 0 &&
@@ -65,6 +65,8 @@ std::optional<Thread> Thread::start(std::function<void()> work) {
     state->runs.wait(false);
     return Thread(std::move(state));
 }
+
+bool has_memory_for_thread() noexcept { return are_free(stack_size + arena_size); }
 
 bool has_memory_to_start() noexcept { return are_free(8 * mebibyte); }
 

@@ -29,6 +29,8 @@ std::optional<Thread> Thread::start(std::function<void()> work) {
     }
 }
 
+bool has_memory_for_thread() noexcept { return true; }
+
 bool has_memory_to_start() noexcept { return true; }
 
 bool run_with_stack(const std::function<void()>& work) {

@@ -1,6 +1,6 @@
 //! Paths in a .git that lead to another server. They are told from others by their look, on every system.
-#include "cli/gate/git_folders.hpp"
-#include "cli/gate/server_path.hpp"
+#include "cli/gate/git_refusals.hpp"
+#include "cli/input/git_folders.hpp"
 #include "tests/support/folder.hpp"
 #include "tests/support/process.hpp"
 
@@ -14,36 +14,13 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Optional;
 
-TEST(ServerPath, IsToldByTwoSlashesOfEitherKind) {
-    for (const char* path : {R"(\\server\share)", "//server/share/x", R"(\/server\share)", R"(/\server)",
-                             R"(\\?\UNC\server\share)", "//?/unc/server/share", R"(\\.\UNC\server\share)",
-                             "\\?"
-                             R"(?\UNC\server\share)",
-                             "//"})
-        EXPECT_TRUE(names_server(path)) << path;
-    for (const char* path :
-         {"", "/", "/server/share", R"(C:\x\\y)", "C:/x", "x//y", R"(..\..\x)", "~/x", "C://x"})
-        EXPECT_FALSE(names_server(path)) << path;
-}
-
-TEST(ServerPath, OfTheSameShareIsNotAnother) {
-    EXPECT_TRUE(are_on_same_share(R"(\\Server\Shop\lathe)", "//server/shop/.git/modules/x"));
-    EXPECT_TRUE(are_on_same_share(R"(\\?\UNC\server\shop\x)", "//server/shop"));
-    EXPECT_FALSE(are_on_same_share("//server/shop/x", "//server/other/x"));
-    EXPECT_FALSE(are_on_same_share("//server/shop/x", "//server2/shop/x"));
-    EXPECT_FALSE(are_on_same_share("//server/shop/x", "//server/shop2"));
-    EXPECT_FALSE(are_on_same_share("//server/shop/x", "C:/shop"));
-    EXPECT_FALSE(are_on_same_share("//server", "//server"));
-    EXPECT_FALSE(are_on_same_share("//?/C:/x", "//?/C:/x")); // it may be anything
-}
-
 struct ServerRow {
     std::string_view file; ///< from the repository
     std::string_view text;
     bool is_refused;
 };
 
-class GitFolders : public testing::Test {
+class GitRefusals : public testing::Test {
   protected:
     [[nodiscard]] bool refuses(const ServerRow& row) const {
         const test::TemporaryFolder folder;
@@ -57,7 +34,7 @@ class GitFolders : public testing::Test {
     }
 };
 
-TEST_F(GitFolders, MayNotBeOnAnotherServer) {
+TEST_F(GitRefusals, OfPathsOnAnotherServer) {
     if (test::run_shell("/", "git --version").status != 0) GTEST_SKIP() << "there is no git";
     for (const ServerRow& row : std::to_array<ServerRow>({
              {".git", "gitdir: //server/share/x\n", true},
@@ -84,7 +61,7 @@ TEST_F(GitFolders, MayNotBeOnAnotherServer) {
         EXPECT_EQ(refuses(row), row.is_refused) << row.file << "\n" << row.text;
 }
 
-TEST_F(GitFolders, AreSearchedThroughAllThatNameEachOther) {
+TEST_F(GitRefusals, AreSearchedThroughAllThatNameEachOther) {
     if (test::run_shell("/", "git --version").status != 0) GTEST_SKIP() << "there is no git";
     const test::TemporaryFolder folder;
     const auto refused = [&] { return refuse_other_servers(folder.path().string()).has_value(); };
@@ -102,17 +79,19 @@ TEST_F(GitFolders, AreSearchedThroughAllThatNameEachOther) {
     EXPECT_FALSE(refused());
     folder.write("more/info/alternates", "//server/share/objects\n");
     EXPECT_TRUE(refused());
+    folder.write("more/info/alternates", std::string(2'000'000, '#') + "\n//server/share/objects\n");
+    EXPECT_TRUE(refused()) << "too large to look through";
 }
 
-TEST_F(GitFolders, AreFoundByTheirNames) {
+TEST(GitFolders, AreFoundByTheirNames) {
     const test::TemporaryFolder folder;
-    const std::string root = folder.path().string();
+    const auto& root = folder.path();
     folder.write(".git/HEAD", "");
     EXPECT_EQ(git_folders_of(root).own, folder.path() / ".git");
     EXPECT_EQ(git_folders_of(root).common, folder.path() / ".git");
-    folder.write("tree/.git", "gitdir: " + root + "/.git/worktrees/tree\n");
+    folder.write("tree/.git", "gitdir: " + root.string() + "/.git/worktrees/tree\n");
     folder.write(".git/worktrees/tree/commondir", "../..\n");
-    const auto [own, common] = git_folders_of((folder.path() / "tree").string());
+    const auto [own, common] = git_folders_of(root / "tree");
     EXPECT_EQ(own, folder.path() / ".git/worktrees/tree");
     EXPECT_EQ(common.lexically_normal(), folder.path() / ".git/");
 }

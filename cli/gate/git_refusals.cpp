@@ -1,18 +1,21 @@
 //! gitrepository-layout(5) says which files name others, git-config(1) which settings do.
-#include "cli/gate/git_folders.hpp"
+#include "cli/gate/git_refusals.hpp"
 
 #include "analyzer/source/platform/files.hpp"
-#include "analyzer/source/platform/input.hpp"
 #include "analyzer/source/platform/paths.hpp"
+#include "analyzer/source/read.hpp"
 #include "cli/gate/git_call.hpp"
-#include "cli/gate/server_path.hpp"
+#include "cli/input/git_folders.hpp"
+#include "cli/input/other_server.hpp"
+#include "cli/input/size_limits.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <set>
-#include <span>
+#include <utility>
+#include <variant>
 
 namespace maclint::cli {
 namespace {
@@ -21,21 +24,6 @@ namespace fs = std::filesystem;
 using platform::FileKind;
 using platform::path_of;
 using platform::text_of;
-
-/// A small file, or its beginning; empty when there is none.
-std::string beginning_of(const fs::path& path) {
-    const platform::OpenFile file(text_of(path));
-    if (file.error() != 0 || file.kind() != FileKind::regular) return {};
-    std::string bytes(65536, '\0');
-    std::size_t filled = 0;
-    while (filled < bytes.size()) {
-        const auto [count, error] = platform::read_some(file.descriptor(), std::span(bytes).subspan(filled));
-        if (count == 0 || error != 0) break;
-        filled += count;
-    }
-    bytes.resize(filled);
-    return bytes;
-}
 
 std::string without_line_end(std::string text) {
     text.erase(text.find_last_not_of("\r\n") + 1);
@@ -70,30 +58,24 @@ std::string unquoted(std::string_view name) {
     return out;
 }
 
-/// What a .git that is a file says.
-std::optional<std::string> named_by_git_file(const fs::path& git) {
-    constexpr std::string_view prefix = "gitdir: ";
-    const std::string text = platform::kind_of(git) == FileKind::regular ? beginning_of(git) : "";
-    if (!text.starts_with(prefix)) return std::nullopt;
-    return without_line_end(text.substr(prefix.size()));
-}
-
 /// Files and settings that name others, followed as far as they lead to no other server.
 class ServerSearch {
   public:
-    explicit ServerSearch(const std::string& root)
-        : root_(root) {}
+    explicit ServerSearch(std::string root)
+        : root_(std::move(root)) {}
 
     [[nodiscard]] std::optional<Notice> refuse() {
+        constexpr std::string_view prefix = "gitdir: ";
         const fs::path git = path_of(root_) / ".git";
         fs::path own = git;
-        if (const auto named = named_by_git_file(git)) {
-            if (!allows(git, *named)) return refusal_;
-            own = path_of(root_) / path_of(*named);
+        if (const std::string text = text_in(git); text.starts_with(prefix)) {
+            const std::string named = without_line_end(text.substr(prefix.size()));
+            if (!allows(git, named)) return refusal_;
+            own = path_of(root_) / path_of(named);
         }
         fs::path common = own;
         const fs::path file = own / "commondir";
-        if (const std::string named = without_line_end(beginning_of(file)); !named.empty()) {
+        if (const std::string named = without_line_end(text_in(file)); !named.empty()) {
             if (!allows(file, named)) return refusal_;
             common = own / path_of(named);
         }
@@ -106,11 +88,22 @@ class ServerSearch {
   private:
     /// Whether a file may name a path; from the first on that may not, nothing more is looked at.
     bool allows(const fs::path& file, const std::string& named) {
-        if (names_server(named) && !are_on_same_share(named, root_) && !refusal_)
+        if (names_other_server(named, root_) && !refusal_)
             refusal_ = refusal_of_since("--since does not ask git about '" + shown(root_) + "': '" +
                                         shown(text_of(file)) + "' names a path on another server, '" +
                                         shown(named) + "'. Take it out, or leave --since out.");
         return !refusal_;
+    }
+
+    /// What a file holds; nothing when there is none. One that cannot be read whole may name anything.
+    std::string text_in(const fs::path& file) {
+        if (platform::kind_of(file) != FileKind::regular) return {};
+        const auto read = read_file(text_of(file), git_list_limit);
+        if (const auto* const source = std::get_if<Source>(&read)) return std::string(source->bytes());
+        if (!refusal_)
+            refusal_ = refusal_of_since("--since does not ask git about '" + shown(root_) +
+                                        "': " + std::get<InputError>(read).message);
+        return {};
     }
 
     bool is_new(const fs::path& path) {
@@ -121,7 +114,7 @@ class ServerSearch {
     void look_at_alternates(const fs::path& objects) {
         if (!is_new(objects)) return;
         const fs::path file = objects / "info" / "alternates";
-        const std::string text = beginning_of(file);
+        const std::string text = text_in(file);
         for (std::string_view rest = text; !rest.empty();) {
             std::string line(rest.substr(0, rest.find('\n')));
             rest.remove_prefix(std::min(rest.size(), line.size() + 1));
@@ -165,16 +158,8 @@ class ServerSearch {
 
 } // namespace
 
-GitFolders git_folders_of(const std::string& root) {
-    const fs::path git = path_of(root) / ".git";
-    const auto named = named_by_git_file(git);
-    const fs::path own = named ? path_of(root) / path_of(*named) : git;
-    const std::string common = without_line_end(beginning_of(own / "commondir"));
-    return {own, common.empty() ? own : own / path_of(common)};
-}
-
 std::optional<Notice> refuse_special_files(const std::string& root) {
-    const auto [own, common] = git_folders_of(root);
+    const auto [own, common] = git_folders_of(path_of(root));
     const std::array files = {own / "HEAD",
                               own / "commondir",
                               own / "config.worktree",
@@ -195,7 +180,8 @@ std::optional<Notice> refuse_special_files(const std::string& root) {
 std::optional<Notice> refuse_other_servers(const std::string& root) { return ServerSearch(root).refuse(); }
 
 bool is_sparse(const std::string& root) {
-    return platform::kind_of(git_folders_of(root).own / "info" / "sparse-checkout") == FileKind::regular;
+    return platform::kind_of(git_folders_of(path_of(root)).own / "info" / "sparse-checkout") ==
+           FileKind::regular;
 }
 
 } // namespace maclint::cli

@@ -1,22 +1,12 @@
-//! What lies in a repository's .git, as far as it decides where git looks, read without following it.
+//! Repositories that git is not asked about, because of where it would look; they are read without following.
 #pragma once
 
 #include "cli/notice.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
 namespace maclint::cli {
-
-/// Where git keeps what it knows of a working tree.
-struct GitFolders {
-    std::filesystem::path own;    ///< of this working tree
-    std::filesystem::path common; ///< of all working trees of the repository; mostly the same
-};
-
-/// Of the folder that holds the .git. Where that is not as it should be, git itself will say so.
-[[nodiscard]] GitFolders git_folders_of(const std::string& root);
 
 /// A pipe or a device in the place of a file that git reads would stop it for ever.
 [[nodiscard]] std::optional<Notice> refuse_special_files(const std::string& root);

@@ -1,0 +1,42 @@
+//! Reads a .git that is a file, and `commondir`.
+#include "cli/input/git_folders.hpp"
+
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
+#include "analyzer/source/read.hpp"
+#include "cli/input/links.hpp"
+#include "cli/input/size_limits.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace maclint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The path that the first line of a file names behind a word; empty: none.
+std::string named_in(const fs::path& file, std::string_view word) {
+    if (platform::kind_of(file) != platform::FileKind::regular) return {};
+    const auto read = read_file(platform::text_of(file), git_pointer_limit);
+    const auto* const source = std::get_if<Source>(&read);
+    std::string line(source == nullptr ? std::string_view() : source->bytes());
+    line.resize(std::min(line.size(), line.find_first_of("\r\n")));
+    return line.starts_with(word) ? line.substr(word.size()) : std::string();
+}
+
+} // namespace
+
+GitFolders git_folders_of(const fs::path& root) {
+    const fs::path git = root / ".git";
+    if (leaves_drive(git, root)) return {git, git};
+    const fs::path named = platform::path_of(named_in(git, "gitdir: "));
+    if (leaves_drive(named, root)) return {git, git};
+    const fs::path own = named.empty() ? git : root / named;
+    if (leaves_drive("commondir", own)) return {own, own};
+    const fs::path common = platform::path_of(named_in(own / "commondir", ""));
+    return {own, common.empty() || leaves_drive(common, own) ? own : own / common};
+}
+
+} // namespace maclint::cli
