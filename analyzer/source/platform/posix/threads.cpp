@@ -1,6 +1,8 @@
 //! POSIX threads with a stack of our own size.
 #include "analyzer/source/platform/threads.hpp"
 
+#include "analyzer/source/platform/kept_by_thread.hpp"
+
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
@@ -74,7 +76,12 @@ bool run_with_stack(const std::function<void()>& work) {
     rlimit limit{};
     const bool is_small = getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
                           limit.rlim_cur < stack_size;
-    if (is_small) return Thread::start(work).has_value();
+    if (is_small)
+        return Thread::start([&work] {
+                   const ThreadWork keeps;
+                   work();
+               })
+            .has_value();
     work();
     return true;
 }
