@@ -108,6 +108,11 @@ void ChangedLines::keep(const Source& source, std::vector<LineRange> ranges) {
     files_[&source] = std::move(file);
 }
 
+bool ChangedLines::touch_any_line(const Source& source) const {
+    const auto entry = files_.find(&source);
+    return entry == files_.end() || !entry->second.ranges.empty();
+}
+
 bool ChangedLines::touch(const Source& source, Span span) const {
     const auto entry = files_.find(&source);
     if (entry == files_.end()) return true;

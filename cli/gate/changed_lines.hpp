@@ -34,6 +34,8 @@ class ChangedLines {
     /// program that others call from where git knows no such revision: in a library, a submodule, no
     /// repository at all.
     [[nodiscard]] bool touch(const Source& source, Span span) const;
+    /// The same of all lines of a file together.
+    [[nodiscard]] bool touch_any_line(const Source& source) const;
 
   private:
     /// What has changed in one file.

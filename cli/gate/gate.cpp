@@ -2,6 +2,7 @@
 #include "cli/gate/gate.hpp"
 
 #include "cli/suggest.hpp"
+#include "rules/rule.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -41,14 +42,23 @@ std::vector<Notice> compare(ChangedLines& changed, const Result& result) {
     return changed.compare(sources_shown(result), checked);
 }
 
+/// What the command itself raises hangs on more than the line that it is shown at: that a file is no program,
+/// or one for another control, on any line, and whether a comment allows something on what other lines hold.
+bool hangs_on_whole_file(const Finding& finding) {
+    return std::holds_alternative<RaisedByCommand>(finding.rule->check);
+}
+
+bool shows_change(const Finding& finding, const ChangedLines& changed) {
+    if (hangs_on_whole_file(finding) && changed.touch_any_line(*finding.source)) return true;
+    return any_place(finding, [&](const Source& source, Span span) { return changed.touch(source, span); });
+}
+
 /// Nothing when none that counts is left out.
 std::optional<Notice> leave_unchanged_out(Result& result, const ChangedLines& changed,
                                           const std::string& since) {
     std::size_t count = 0;
     std::erase_if(result.findings, [&](const FilteredFinding& filtered) {
-        const bool shows_change = any_place(
-            filtered.finding, [&](const Source& source, Span span) { return changed.touch(source, span); });
-        if (shows_change) return false;
+        if (shows_change(filtered.finding, changed)) return false;
         if (!filtered.suppressed) ++count;
         return true;
     });

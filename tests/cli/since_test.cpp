@@ -292,6 +292,30 @@ TEST_F(Since, KnowsABaselineToo) {
     EXPECT_EQ(finished.out, "no new findings (1 checked)\n1 known finding of base.json not shown\n");
 }
 
+TEST_F(Since, WhatHangsOnTheWholeFileCountsByAnyLine) {
+    std::string noise;
+    for (int i = 0; i < 4000; ++i) noise += static_cast<char>(i * 37 % 256);
+    std::string program;
+    for (int i = 0; i < 100; ++i) program += "G0 X" + std::to_string(i) + ".\n";
+    const std::string foreign = "O100\n#1=R_SKIP[1]\nIF[#1EQ0]GOTO9\nALARM(\"NO TOUCH\")\n"
+                                "W_G53G59_COOR[1,1]=#1\nGOTO7\nN9M99\n";
+    folder.write("a.nc", program);
+    folder.write("b.nc", foreign);
+    commit();
+    const auto found_in = [&](const std::string& file) {
+        return shell("$maclint --since HEAD --quiet --format concise " + file);
+    };
+    EXPECT_EQ(found_in("b.nc").out, "");
+    folder.write("a.nc", program + noise);
+    folder.write("b.nc", foreign + "G0 X1.\n");
+    EXPECT_THAT(found_in("a.nc").out, StartsWith("a.nc:1:1: error[MAC003]"));
+    EXPECT_EQ(found_in("a.nc").status, 1);
+    EXPECT_THAT(found_in("b.nc").out, AllOf(StartsWith("b.nc:2:"), HasSubstr("[MAC005]")));
+    commit();
+    EXPECT_EQ(found_in("a.nc").status, 0);
+    EXPECT_EQ(found_in("b.nc").status, 0);
+}
+
 TEST_F(Since, SaysWhatIsMissing) {
     const auto refused = [&](const std::string& script, const std::string& message) {
         const Finished finished = shell(script);
