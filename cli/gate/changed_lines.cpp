@@ -5,7 +5,6 @@
 #include "analyzer/source/platform/output.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/gate/compared_files.hpp"
-#include "cli/gate/git_call.hpp"
 #include "cli/input/repository.hpp"
 #include "cli/suggest.hpp"
 
@@ -37,7 +36,7 @@ std::variant<ChangedLines, Notice> ChangedLines::since(const std::string& revisi
         changed.histories_.try_emplace(*root);
     }
     for (auto& [root, history] : changed.histories_) {
-        auto opened = RepositoryHistory::open(root, revision);
+        auto opened = RepositoryHistory::open(changed.place_of(root), revision);
         if (auto* const refused = std::get_if<HistoryRefusal>(&opened)) return std::move(refused->notice);
         history = std::get<RepositoryHistory>(std::move(opened));
     }
@@ -53,10 +52,16 @@ const std::optional<std::string>& ChangedLines::root_of(const std::string& path)
     return entry->second;
 }
 
+GitPlace ChangedLines::place_of(const std::string& root) const {
+    GitPlace place{.root = root};
+    for (const auto& [other, history] : histories_) place.checked_roots.push_back(other);
+    return place;
+}
+
 const RepositoryHistory* ChangedLines::history_of(const std::string& root, std::vector<Notice>& notices) {
     const auto [entry, is_new] = histories_.try_emplace(root);
     if (is_new) {
-        auto opened = RepositoryHistory::open(root, revision_);
+        auto opened = RepositoryHistory::open(place_of(root), revision_);
         if (auto* const refused = std::get_if<HistoryRefusal>(&opened)) {
             if (refused->why == HistoryRefusal::Why::unusable)
                 notices.push_back(

@@ -45,6 +45,7 @@ class ChangedLines {
     };
 
     [[nodiscard]] const std::optional<std::string>& root_of(const std::string& path);
+    [[nodiscard]] GitPlace place_of(const std::string& root) const;
     /// Nothing where git does not tell of the revision.
     [[nodiscard]] const RepositoryHistory* history_of(const std::string& root, std::vector<Notice>& notices);
     void keep(const Source& source, std::vector<LineRange> ranges);

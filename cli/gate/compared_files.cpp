@@ -3,8 +3,8 @@
 
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
-#include "cli/gate/git_refusals.hpp"
 #include "cli/gate/renamed_files.hpp"
+#include "cli/input/git_folders.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ class Comparison {
             }
         }
         compare_texts(pairs);
-        if (has_new && !is_sparse(history_.root())) compare_texts(renamed_pairs());
+        if (has_new && !is_sparse(platform::path_of(history_.root()))) compare_texts(renamed_pairs());
         tell();
         return std::move(compared_);
     }
@@ -112,7 +112,9 @@ class Comparison {
         std::map<std::string, const Source*> added;
         for (const FileToCompare& file : files_)
             if (!history_.id_of(file.path)) added.try_emplace(file.path, file.source);
-        const auto gone = gone_like(added);
+        std::size_t lines = 0;
+        for (const auto& [path, source] : added) lines += LineBag::count_lines(source->bytes());
+        const auto gone = gone_like(added, lines);
         if (gone.empty()) return {};
         std::vector<NamedLines> newer;
         for (const auto& [path, source] : added) newer.push_back({path, LineBag(source->bytes())});
@@ -128,8 +130,10 @@ class Comparison {
     }
 
     /// The files that are gone and are about as large as one that is new, as far as the repository has them.
-    std::vector<NamedLines> gone_like(const std::map<std::string, const Source*>& added) {
+    /// `lines` is how many the new ones have together.
+    std::vector<NamedLines> gone_like(const std::map<std::string, const Source*>& added, std::size_t lines) {
         constexpr std::size_t most = 256 * megabyte;
+        constexpr std::size_t most_lines = 4'000'000; // of both sides: they are held at once, 64 MB
         std::vector<std::size_t> added_sizes;
         for (const auto& [path, source] : added) added_sizes.push_back(source->size());
         std::ranges::sort(added_sizes);
@@ -163,18 +167,24 @@ class Comparison {
         std::vector<NamedLines> gone;
         if (bytes > most) return gone;
         auto failure = history_.read(near_ids, [&](std::size_t index, const std::string& text) {
+            lines += LineBag::count_lines(text);
+            if (lines > most_lines) return;
             gone.push_back({std::string(near_paths[index]), LineBag(text)});
         });
         if (failure) fail(*std::move(failure));
-        return gone;
+        if (lines <= most_lines) return gone;
+        bound_was_met_ = true; // which of those that were read come first must not matter
+        return {};
     }
 
     [[nodiscard]] bool is_gone(std::string_view path) const {
+        // No tree that git writes has such names, and they would lead out of the folder.
+        const auto named = platform::path_of(path);
+        if (named.has_root_path() || std::ranges::find(named, "..") != named.end()) return false;
         // No file of Windows has such a name, and put behind a folder's it may lead to a server.
         if (platform::paths_may_name_servers() && path.find_first_of("\\:") != std::string_view::npos)
             return false;
-        return platform::kind_of(platform::path_of(history_.root()) / platform::path_of(path)) ==
-               platform::FileKind::missing;
+        return platform::kind_of(platform::path_of(history_.root()) / named) == platform::FileKind::missing;
     }
 
     /// "'a.nc' and 3 others".

@@ -14,7 +14,7 @@ constexpr std::size_t longest_answer = std::size_t{1} << 24U;
 platform::ProcessRequest request_for(const GitQuestion& question) {
     using platform::path_of;
     using platform::text_of;
-    platform::ProcessRequest request{.words = {"git", "--no-pager", "-C", question.root}};
+    platform::ProcessRequest request{.words = {"git", "--no-pager", "-C", question.place.root}};
     // core.fsmonitor, core.hooksPath: nothing that is asked comes to them, and if it did. protocol.allow: for
     // what the folder's own settings leave open.
     for (const char* setting : {"core.fsmonitor=false", "core.hooksPath=/dev/null", "protocol.allow=never"}) {
@@ -24,7 +24,9 @@ platform::ProcessRequest request_for(const GitQuestion& question) {
     request.words.insert(request.words.end(), question.words.begin(), question.words.end());
     request.input = question.input;
     request.left_out_prefix = "GIT_"; // a hook of another repository has its GIT_DIR there
-    request.kept = {"GIT_CONFIG_GLOBAL", "GIT_CONFIG_SYSTEM", "GIT_CONFIG_NOSYSTEM"}; // the user's own files
+    request.kept = {"GIT_CONFIG_NOSYSTEM"};
+    // Where the user's own files are; git itself would look from the folder that is checked.
+    request.paths = {"GIT_CONFIG_GLOBAL", "GIT_CONFIG_SYSTEM", "HOME", "XDG_CONFIG_HOME"};
     request.set = {
         "GIT_OPTIONAL_LOCKS=0",
         // Nothing is fetched: no protocol has that name, no alias can (git runs aliases as protocols, and one
@@ -32,10 +34,11 @@ platform::ProcessRequest request_for(const GitQuestion& question) {
         "GIT_ALLOW_PROTOCOL=no_protocol",
         "GIT_NO_LAZY_FETCH=1",
         "GIT_TERMINAL_PROMPT=0",
-        "GIT_CEILING_DIRECTORIES=" + text_of(path_of(question.root).parent_path()),
+        "GIT_CEILING_DIRECTORIES=" + text_of(path_of(question.place.root).parent_path()),
         "LC_ALL=C",
     };
-    request.not_below = question.root;
+    request.not_below = question.place.checked_roots;
+    request.not_below.push_back(question.place.root);
     return request;
 }
 
@@ -53,6 +56,7 @@ GitAnswer answer_to(const platform::ProcessRequest& request) {
 std::string words_of(const platform::ProcessEnd& end) {
     using platform::EndedBy;
     if (end.by == EndedBy::silence) return "it has been silent for a minute";
+    if (end.by == EndedBy::time) return "it has not come to an end in ten minutes";
     if (end.by == EndedBy::taker) return "it says too much";
     const std::string line = end.errors.substr(0, end.errors.find('\n'));
     return line.empty() ? "it ended with status " + std::to_string(end.status)
@@ -67,8 +71,8 @@ platform::ProcessEnd ask_git(const GitQuestion& question, const platform::TakeOu
 
 GitAnswer ask_git(const GitQuestion& question) { return answer_to(request_for(question)); }
 
-GitAnswer list_settings(const std::string& root, const std::string& file) {
-    auto request = request_for({.root = root, .words = {}});
+GitAnswer list_settings(const GitPlace& place, const std::string& file) {
+    auto request = request_for({.place = place, .words = {}});
     request.words = {"git", "config", "--file", file, "--no-includes", "--list", "-z"};
     request.set.emplace_back("GIT_DIR=/dev/null"); // it looks for no repository, and so at no other settings
     return answer_to(request);
@@ -77,6 +81,10 @@ GitAnswer list_settings(const std::string& root, const std::string& file) {
 Notice refusal_of_since(const std::string& message) { return {NoticeKind::configuration, "", message}; }
 
 Notice git_failed(const std::string& root, const platform::ProcessEnd& end) {
+    if (!end.passed_over.empty())
+        return refusal_of_since("--since does not run '" + shown(end.passed_over) +
+                                "', which a folder that is checked holds or leads to, and PATH has no other "
+                                "git. Put one there, or leave --since out.");
     if (end.by == platform::EndedBy::nothing_started)
         return refusal_of_since(
             "--since runs git, and no git is found here. Install it, or leave --since out.");

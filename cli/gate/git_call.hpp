@@ -10,11 +10,16 @@
 
 namespace maclint::cli {
 
-/// A folder that holds a .git, absolute and without links, and what git is asked there. Only words that read
-/// no index, no attributes and no working file may be asked: these are what filters, hooks, fsmonitor and
-/// textconv hang on.
-struct GitQuestion {
+/// A folder that holds a .git, absolute and without links.
+struct GitPlace {
     std::string root;
+    std::vector<std::string> checked_roots = {}; ///< others that are checked: no git of theirs is run, either
+};
+
+/// What git is asked there. Only words that read no index, no attributes and no working file may be asked:
+/// these are what filters, hooks, fsmonitor and textconv hang on.
+struct GitQuestion {
+    GitPlace place;
     std::vector<std::string> words;
     std::string_view input = {};
 };
@@ -29,7 +34,7 @@ struct GitAnswer {
 [[nodiscard]] GitAnswer ask_git(const GitQuestion& question);
 
 /// Lists the settings of a file, "key\nvalue" with a null behind each, and follows nothing that it names.
-[[nodiscard]] GitAnswer list_settings(const std::string& root, const std::string& file);
+[[nodiscard]] GitAnswer list_settings(const GitPlace& place, const std::string& file);
 
 /// --since cannot do its work.
 [[nodiscard]] Notice refusal_of_since(const std::string& message);

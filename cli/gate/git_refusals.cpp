@@ -4,8 +4,8 @@
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "analyzer/source/read.hpp"
-#include "cli/gate/git_call.hpp"
 #include "cli/input/git_folders.hpp"
+#include "cli/input/links.hpp"
 #include "cli/input/other_server.hpp"
 #include "cli/input/size_limits.hpp"
 #include "cli/suggest.hpp"
@@ -58,24 +58,57 @@ std::string unquoted(std::string_view name) {
     return out;
 }
 
+/// gitrepository-layout(5), but for the texts of objects and of single references: files whose lines git
+/// reads, and so may quote.
+constexpr auto read_by_git = std::to_array<std::string_view>({
+    "HEAD",
+    "ORIG_HEAD",
+    "FETCH_HEAD",
+    "MERGE_HEAD",
+    "CHERRY_PICK_HEAD",
+    "REVERT_HEAD",
+    "BISECT_HEAD",
+    "REBASE_HEAD",
+    "AUTO_MERGE",
+    "config",
+    "config.worktree",
+    "commondir",
+    "gitdir",
+    "packed-refs",
+    "shallow",
+    "index",
+    "info/refs",
+    "info/grafts",
+    "info/exclude",
+    "info/attributes",
+    "info/sparse-checkout",
+    "logs/HEAD",
+    "objects/info/packs",
+    "objects/info/alternates",
+    "objects/info/http-alternates",
+    "objects/info/commit-graph",
+    "objects/info/commit-graphs/commit-graph-chain",
+    "objects/pack/multi-pack-index",
+    "reftable/tables.list",
+});
+
 /// Files and settings that name others, followed as far as they lead to no other server.
 class ServerSearch {
   public:
-    explicit ServerSearch(std::string root)
-        : root_(std::move(root)) {}
+    explicit ServerSearch(const GitPlace& place)
+        : place_(place)
+        , root_(place.root) {}
 
     [[nodiscard]] std::optional<Notice> refuse() {
-        constexpr std::string_view prefix = "gitdir: ";
         const fs::path git = path_of(root_) / ".git";
         fs::path own = git;
-        if (const std::string text = text_in(git); text.starts_with(prefix)) {
-            const std::string named = without_line_end(text.substr(prefix.size()));
+        if (const std::string named = path_named_in(text_in(git), "gitdir: "); !named.empty()) {
             if (!allows(git, named)) return refusal_;
             own = path_of(root_) / path_of(named);
         }
         fs::path common = own;
         const fs::path file = own / "commondir";
-        if (const std::string named = without_line_end(text_in(file)); !named.empty()) {
+        if (const std::string named = path_named_in(text_in(file), ""); !named.empty()) {
             if (!allows(file, named)) return refusal_;
             common = own / path_of(named);
         }
@@ -127,7 +160,7 @@ class ServerSearch {
 
     void look_at_settings(const fs::path& file) {
         if (!is_new(file) || platform::kind_of(file) != FileKind::regular) return;
-        const GitAnswer listed = list_settings(root_, text_of(file));
+        const GitAnswer listed = list_settings(place_, text_of(file));
         for (std::string_view rest = listed.text; !rest.empty() && !refusal_;) {
             const std::string_view setting = rest.substr(0, rest.find('\0'));
             rest.remove_prefix(std::min(rest.size(), setting.size() + 1));
@@ -151,7 +184,8 @@ class ServerSearch {
         look_at_settings(file.parent_path() / path_of(value));
     }
 
-    std::string root_;
+    const GitPlace& place_;
+    const std::string& root_;
     std::set<fs::path> seen_;
     std::optional<Notice> refusal_;
 };
@@ -159,29 +193,28 @@ class ServerSearch {
 } // namespace
 
 std::optional<Notice> refuse_special_files(const std::string& root) {
-    const auto [own, common] = git_folders_of(path_of(root));
-    const std::array files = {own / "HEAD",
-                              own / "commondir",
-                              own / "config.worktree",
-                              common / "config",
-                              common / "packed-refs",
-                              common / "shallow",
-                              common / "objects" / "info" / "alternates"};
-    const auto special = std::ranges::find_if(files, [](const fs::path& file) {
-        const FileKind kind = platform::kind_of(file);
-        return kind == FileKind::pipe || kind == FileKind::other;
-    });
-    if (special == files.end()) return std::nullopt;
-    return refusal_of_since("--since cannot ask git about '" + shown(root) + "': '" +
-                            shown(text_of(*special)) +
-                            "' is a pipe or a device. Mend the repository, or leave --since out.");
+    const auto folders = git_folders_of(path_of(root));
+    const auto follow = [](const fs::path& path) {
+        return follow_links(path, [](const fs::path&) { return true; }).value_or(path);
+    };
+    const std::array ends = {follow(folders.own), follow(folders.common)};
+    for (const fs::path& folder : {folders.own, folders.common}) {
+        for (const std::string_view name : read_by_git) {
+            const fs::path file = folder / path_of(name);
+            const FileKind kind =
+                end_of(file, ends) == LinkEnd::inside ? platform::kind_of(file) : FileKind::link;
+            std::string_view what;
+            if (kind == FileKind::link) what = "' is a link that leads out of the repository's .git";
+            if (kind == FileKind::pipe || kind == FileKind::other) what = "' is a pipe or a device";
+            if (!what.empty())
+                return refusal_of_since("--since cannot ask git about '" + shown(root) + "': '" +
+                                        shown(text_of(file)) + std::string(what) +
+                                        ". Mend the repository, or leave --since out.");
+        }
+    }
+    return std::nullopt;
 }
 
-std::optional<Notice> refuse_other_servers(const std::string& root) { return ServerSearch(root).refuse(); }
-
-bool is_sparse(const std::string& root) {
-    return platform::kind_of(git_folders_of(path_of(root)).own / "info" / "sparse-checkout") ==
-           FileKind::regular;
-}
+std::optional<Notice> refuse_other_servers(const GitPlace& place) { return ServerSearch(place).refuse(); }
 
 } // namespace maclint::cli

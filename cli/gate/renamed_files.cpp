@@ -90,7 +90,12 @@ Files without(std::span<const NamedLines> files, const std::set<std::string_view
 
 } // namespace
 
+std::size_t LineBag::count_lines(std::string_view text) {
+    return static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
+}
+
 LineBag::LineBag(std::string_view text) {
+    lines_.reserve(count_lines(text));
     while (!text.empty()) {
         const FirstLine line(text);
         text.remove_prefix(line.size);

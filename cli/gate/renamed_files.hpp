@@ -15,6 +15,8 @@ namespace maclint::cli {
 class LineBag {
   public:
     explicit LineBag(std::string_view text);
+    /// At most how many lines a text has; each takes 16 bytes in a bag.
+    [[nodiscard]] static std::size_t count_lines(std::string_view text);
 
     /// The share of the larger text's bytes that stand in lines of both, from 0 to 1.
     [[nodiscard]] double share_with(const LineBag& other) const;

@@ -4,12 +4,12 @@
 
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
-#include "cli/gate/git_call.hpp"
 #include "cli/gate/git_refusals.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <span>
 #include <utility>
 
 namespace maclint::cli {
@@ -21,29 +21,43 @@ using Why = HistoryRefusal::Why;
 /// Some three million files. A few trees that hold each other can have more than any disk.
 constexpr std::size_t longest_listing = std::size_t{1} << 28U;
 
-std::optional<Notice> refuse_repository(const std::string& root) {
+std::optional<Notice> refuse_repository(const GitPlace& place) {
+    const std::string& root = place.root;
     if (platform::paths_may_name_servers())
-        if (auto refused = refuse_other_servers(root)) return refused;
+        if (auto refused = refuse_other_servers(place)) return refused;
     if (auto refused = refuse_special_files(root)) return refused;
-    const GitAnswer top = ask_git({root, {"rev-parse", "--show-toplevel"}});
+    const GitAnswer top = ask_git({place, {"rev-parse", "--show-toplevel"}});
     if (!top.end.succeeded()) return git_failed(root, top.end);
     if (platform::are_same_file(platform::path_of(top.text), platform::path_of(root))) return std::nullopt;
     return refusal_of_since("--since cannot compare '" + shown(root) + "': by its .git its files lie in '" +
                             shown(top.text) + "'. Take 'core.worktree' out there, or leave --since out.");
 }
 
-std::variant<std::string, HistoryRefusal> commit_of(const std::string& root, const std::string& revision) {
+/// "^HEAD" and ranges give more than one.
+bool is_id(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+std::variant<std::string, HistoryRefusal> commit_of(const GitPlace& place, const std::string& revision) {
     // Behind ":/" all is text that a commit's message holds, and what is found is a commit.
     const std::string named = revision.starts_with(":/") ? revision : revision + "^{commit}";
-    GitAnswer answer = ask_git({root, {"rev-parse", "--verify", "--quiet", named}});
-    if (answer.end.succeeded() && !answer.text.empty()) return std::move(answer.text);
-    if (answer.end.by == EndedBy::itself && answer.end.errors.empty())
+    GitAnswer answer = ask_git({place, {"rev-parse", "--verify", "--quiet", named}});
+    if (answer.end.succeeded() && is_id(answer.text)) return std::move(answer.text);
+    if (answer.end.by != EndedBy::itself)
+        return HistoryRefusal{Why::unusable, git_failed(place.root, answer.end)};
+    if (answer.end.errors.empty() && answer.text.empty())
         return HistoryRefusal{Why::revision_unknown,
-                              refusal_of_since("--since names no revision that git knows in '" + shown(root) +
-                                               "': '" + shown(revision) +
+                              refusal_of_since("--since names no revision that git knows in '" +
+                                               shown(place.root) + "': '" + shown(revision) +
                                                "'. Write a commit, a branch or a tag; where only a part of "
                                                "the history was fetched, fetch the rest.")};
-    return HistoryRefusal{Why::unusable, git_failed(root, answer.end)};
+    // Git has answered before about this repository: it is the revision that is not right.
+    const std::string words = answer.end.errors.substr(0, answer.end.errors.find('\n'));
+    return HistoryRefusal{Why::unusable,
+                          refusal_of_since("--since names no commit in '" + shown(place.root) + "': '" +
+                                           shown(revision) + "'" +
+                                           (words.empty() ? "" : ", git says '" + shown(words) + "'") +
+                                           ". Write a commit, a branch or a tag.")};
 }
 
 /// Reads what `git cat-file` writes for each id: "ID KIND SIZE" or "ID missing" on a line, then perhaps the
@@ -114,29 +128,48 @@ class BatchReader {
     bool is_well_ = true;
 };
 
-std::optional<Notice> ask_for_texts(const std::string& root, const std::vector<std::string_view>& ids,
+/// Whether git ended because a partial clone lacks what it was asked for. Newer ones than 2.39 say that it is
+/// missing, and go on.
+bool ended_for_lack(const platform::ProcessEnd& end) {
+    return end.by == EndedBy::itself && end.status != 0 &&
+           end.errors.find("from promisor remote") != std::string::npos;
+}
+
+std::optional<Notice> ask_for_texts(const GitPlace& place, std::span<const std::string_view> ids,
                                     BatchReader::Holds holds, const BatchReader::Take& take) {
-    if (ids.empty()) return std::nullopt;
-    std::string input;
-    for (const std::string_view id : ids) input.append(id).push_back('\n');
-    BatchReader reader(holds, take);
+    constexpr int most_calls = 100; // a few seconds
     const char* const how = holds == BatchReader::Holds::sizes ? "--batch-check" : "--batch";
-    const auto end =
-        ask_git({root, {"cat-file", how}, input}, [&](std::string_view part) { return reader.take(part); });
-    if (end.succeeded() && reader.count() == ids.size()) return std::nullopt;
-    return git_failed(root, end);
+    std::size_t done = 0;
+    for (int calls = 0; done < ids.size() && calls < most_calls; ++calls) {
+        std::string input;
+        for (const std::string_view id : ids.subspan(done)) input.append(id).push_back('\n');
+        const BatchReader::Take take_of_all = [&](std::size_t index, auto size, std::string text) {
+            take(done + index, size, std::move(text));
+        };
+        BatchReader reader(holds, take_of_all);
+        const auto end = ask_git({place, {"cat-file", how}, input},
+                                 [&](std::string_view part) { return reader.take(part); });
+        const std::size_t asked = ids.size() - done;
+        if (end.succeeded() && reader.count() == asked) return std::nullopt;
+        if (!ended_for_lack(end) || reader.count() >= asked) return git_failed(place.root, end);
+        done += reader.count();
+        take(done++, std::nullopt, {});
+    }
+    for (; done < ids.size(); ++done) take(done, std::nullopt, {});
+    return std::nullopt;
 }
 
 } // namespace
 
-std::variant<RepositoryHistory, HistoryRefusal> RepositoryHistory::open(const std::string& root,
+std::variant<RepositoryHistory, HistoryRefusal> RepositoryHistory::open(const GitPlace& place,
                                                                         const std::string& revision) {
-    if (auto refused = refuse_repository(root)) return HistoryRefusal{Why::unusable, *std::move(refused)};
-    auto commit = commit_of(root, revision);
+    const std::string& root = place.root;
+    if (auto refused = refuse_repository(place)) return HistoryRefusal{Why::unusable, *std::move(refused)};
+    auto commit = commit_of(place, revision);
     if (auto* const refused = std::get_if<HistoryRefusal>(&commit)) return std::move(*refused);
     RepositoryHistory history;
-    history.root_ = root;
-    const auto end = ask_git({root, {"ls-tree", "-r", "-z", "--full-tree", std::get<std::string>(commit)}},
+    history.place_ = place;
+    const auto end = ask_git({place, {"ls-tree", "-r", "-z", "--full-tree", std::get<std::string>(commit)}},
                              [&](std::string_view part) {
                                  history.listing_ += part;
                                  return history.listing_.size() <= longest_listing;
@@ -197,7 +230,7 @@ std::variant<std::vector<std::optional<std::uint64_t>>, Notice>
 RepositoryHistory::sizes_of(const std::vector<std::string_view>& ids) const {
     std::vector<std::optional<std::uint64_t>> sizes(ids.size());
     auto failure =
-        ask_for_texts(root_, ids, BatchReader::Holds::sizes,
+        ask_for_texts(place_, ids, BatchReader::Holds::sizes,
                       [&](std::size_t index, std::optional<std::uint64_t> size, const std::string&) {
                           if (index < sizes.size()) sizes[index] = size;
                       });
@@ -207,7 +240,7 @@ RepositoryHistory::sizes_of(const std::vector<std::string_view>& ids) const {
 
 std::optional<Notice> RepositoryHistory::read(const std::vector<std::string_view>& ids,
                                               const TakeText& take) const {
-    return ask_for_texts(root_, ids, BatchReader::Holds::texts,
+    return ask_for_texts(place_, ids, BatchReader::Holds::texts,
                          [&](std::size_t index, std::optional<std::uint64_t> size, std::string text) {
                              if (size && index < ids.size()) take(index, std::move(text));
                          });

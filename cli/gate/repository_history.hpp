@@ -1,6 +1,7 @@
 //! The files of a git repository as they were at one revision.
 #pragma once
 
+#include "cli/gate/git_call.hpp"
 #include "cli/notice.hpp"
 
 #include <cstdint>
@@ -25,8 +26,7 @@ struct HistoryRefusal {
 
 class RepositoryHistory {
   public:
-    /// `root` holds the .git and is absolute, without links.
-    [[nodiscard]] static std::variant<RepositoryHistory, HistoryRefusal> open(const std::string& root,
+    [[nodiscard]] static std::variant<RepositoryHistory, HistoryRefusal> open(const GitPlace& place,
                                                                               const std::string& revision);
 
     struct File {
@@ -51,7 +51,7 @@ class RepositoryHistory {
     [[nodiscard]] std::optional<Notice> read(const std::vector<std::string_view>& ids,
                                              const TakeText& take) const;
 
-    [[nodiscard]] const std::string& root() const { return root_; }
+    [[nodiscard]] const std::string& root() const { return place_.root; }
 
   private:
     struct Entry {
@@ -61,7 +61,7 @@ class RepositoryHistory {
     [[nodiscard]] std::string_view path_of(const Entry& entry) const;
     [[nodiscard]] std::string_view id_of(const Entry& entry) const;
 
-    std::string root_;
+    GitPlace place_;
     std::string listing_;        ///< as `git ls-tree -r -z` writes it
     std::vector<Entry> entries_; ///< sorted by path
     std::uint32_t id_size_ = 0;

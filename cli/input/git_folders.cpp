@@ -16,17 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path that the first line of a file names behind a word; empty: none.
 std::string named_in(const fs::path& file, std::string_view word) {
     if (platform::kind_of(file) != platform::FileKind::regular) return {};
     const auto read = read_file(platform::text_of(file), git_pointer_limit);
     const auto* const source = std::get_if<Source>(&read);
-    std::string line(source == nullptr ? std::string_view() : source->bytes());
-    line.resize(std::min(line.size(), line.find_first_of("\r\n")));
-    return line.starts_with(word) ? line.substr(word.size()) : std::string();
+    return path_named_in(source == nullptr ? std::string_view() : source->bytes(), word);
 }
 
 } // namespace
+
+std::string path_named_in(std::string_view text, std::string_view word) {
+    text = text.substr(0, text.find_last_not_of("\r\n") + 1);
+    text = text.substr(0, text.find('\0')); // git is written in C
+    return text.starts_with(word) ? std::string(text.substr(word.size())) : std::string();
+}
 
 GitFolders git_folders_of(const fs::path& root) {
     const fs::path git = root / ".git";
@@ -37,6 +40,11 @@ GitFolders git_folders_of(const fs::path& root) {
     if (leaves_drive("commondir", own)) return {own, own};
     const fs::path common = platform::path_of(named_in(own / "commondir", ""));
     return {own, common.empty() || leaves_drive(common, own) ? own : own / common};
+}
+
+bool is_sparse(const fs::path& root) {
+    return platform::kind_of(git_folders_of(root).own / "info" / "sparse-checkout") ==
+           platform::FileKind::regular;
 }
 
 } // namespace maclint::cli

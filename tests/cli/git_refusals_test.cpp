@@ -25,7 +25,7 @@ class GitRefusals : public testing::Test {
     [[nodiscard]] bool refuses(const ServerRow& row) const {
         const test::TemporaryFolder folder;
         folder.write(std::string(row.file), row.text);
-        const auto refused = refuse_other_servers(folder.path().string());
+        const auto refused = refuse_other_servers({folder.path().string()});
         if (refused) {
             EXPECT_TRUE(refused->is_error());
             EXPECT_THAT(refused->message, HasSubstr("names a path on another server, '"));
@@ -64,7 +64,7 @@ TEST_F(GitRefusals, OfPathsOnAnotherServer) {
 TEST_F(GitRefusals, AreSearchedThroughAllThatNameEachOther) {
     if (test::run_shell("/", "git --version").status != 0) GTEST_SKIP() << "there is no git";
     const test::TemporaryFolder folder;
-    const auto refused = [&] { return refuse_other_servers(folder.path().string()).has_value(); };
+    const auto refused = [&] { return refuse_other_servers({folder.path().string()}).has_value(); };
     folder.write(".git", "gitdir: own\n");
     folder.write("own/commondir", "../common\n");
     folder.write("common/config", "[include]\npath = ../a.cfg\n[include]\npath = ~/x\n");
@@ -94,6 +94,17 @@ TEST(GitFolders, AreFoundByTheirNames) {
     const auto [own, common] = git_folders_of(root / "tree");
     EXPECT_EQ(own, folder.path() / ".git/worktrees/tree");
     EXPECT_EQ(common.lexically_normal(), folder.path() / ".git/");
+}
+
+/// A second line is one of the path, as git has it: otherwise git and maclint would look at two folders.
+TEST(GitFolders, AreNamedByTheWholeText) {
+    const test::TemporaryFolder folder;
+    folder.write(".git", "gitdir: a\nb\r\n\n");
+    EXPECT_EQ(git_folders_of(folder.path()).own, folder.path() / "a\nb");
+    EXPECT_EQ(path_named_in("gitdir: a\r\n", "gitdir: "), "a");
+    EXPECT_EQ(path_named_in("../..\n", ""), "../..");
+    EXPECT_EQ(path_named_in("x: a", "gitdir: "), "");
+    EXPECT_EQ(path_named_in(std::string_view("gitdir: a\0b\n", 12), "gitdir: "), "a");
 }
 
 } // namespace

@@ -316,6 +316,76 @@ TEST_F(Since, WhatHangsOnTheWholeFileCountsByAnyLine) {
     EXPECT_EQ(found_in("b.nc").status, 0);
 }
 
+TEST_F(Since, RunsNoGitOfAnyFolderThatIsChecked) {
+    folder.write("O1001.nc", worse);
+    ASSERT_EQ(shell("mkdir bin && ln -s \"$(command -v git)\" bin/git && git init -q other && cd other && "
+                    "cp ../O1001.nc . && git config user.name a && git config user.email a && git add -A && "
+                    "git commit -q -m x && mkdir bin && "
+                    "printf '#!/bin/sh\\ntouch %s/ran\\n' \"$PWD\" > bin/git && chmod +x bin/git")
+                  .status,
+              0);
+    const Finished none = shell("PATH=$PWD/bin $maclint --since HEAD O1001.nc");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_THAT(none.err, AllOf(HasSubstr("--since does not run '"), HasSubstr("/bin/git', which a folder"),
+                                Not(HasSubstr("Install"))));
+    EXPECT_EQ(found("O1001.nc other/O1001.nc --since HEAD"), "O1001.nc:5:12:\n1");
+    ASSERT_EQ(shell("export PATH=$PWD/other/bin:$PATH; $maclint --since HEAD O1001.nc other/O1001.nc").status,
+              1);
+    EXPECT_FALSE(fs::exists(folder.path() / "other/ran"));
+}
+
+/// git is told to work in the repository's folder, and would look there.
+TEST_F(Since, FindsTheUsersOwnFilesFromTheUsersFolder) {
+    folder.write("user.cfg", "[[");
+    folder.write(".gitconfig", "[[");
+    folder.write("below/user.cfg", "");
+    folder.write("O1001.nc", worse);
+    for (const char* name : {"GIT_CONFIG_GLOBAL=user.cfg", "GIT_CONFIG_SYSTEM=user.cfg", "HOME=."})
+        EXPECT_EQ(shell("cd below && env -u GIT_CONFIG_NOSYSTEM " + std::string(name) +
+                        " $maclint --since HEAD --quiet ../O1001.nc")
+                      .status,
+                  1)
+            << name;
+}
+
+TEST_F(Since, OfAPartialCloneOnlyTheFilesThatItLacksCountWhole) {
+    for (const char* name : {"O1.nc", "O2.nc", "O3.nc", "O4.nc"})
+        folder.write(name, std::string(bad) + "(" + name + ")\n");
+    commit();
+    ASSERT_EQ(shell("git config core.repositoryFormatVersion 1; git config extensions.partialClone x; "
+                    "git config remote.x.promisor true; git config remote.x.url ../nowhere; "
+                    "for f in O2.nc O4.nc; do blob=$(git rev-parse HEAD:$f); "
+                    "rm -f .git/objects/$(echo $blob | cut -c1-2)/$(echo $blob | cut -c3-); done")
+                  .status,
+              0);
+    const Finished finished = shell("$maclint --format concise --select MAC301 --since HEAD | sed 's/ .*//'");
+    EXPECT_THAT(finished.out, AllOf(HasSubstr("O2.nc:3:1:\nO4.nc:3:1:\n"), Not(HasSubstr("O1.nc")),
+                                    Not(HasSubstr("O3.nc"))));
+    EXPECT_THAT(finished.err,
+                AllOf(HasSubstr("--since lacks 'O2.nc' and 1 other as of 'HEAD'"), Not(HasSubstr("Mend"))));
+}
+
+TEST_F(Since, TooManyLinesToFindWhatWasRenamedAreSaid) {
+    folder.write("O2.nc", std::string(bad) + std::string(2'100'000, '\n'));
+    commit();
+    ASSERT_EQ(shell("mv O2.nc O3.nc").status, 0);
+    const Finished finished = shell("$maclint --since HEAD --select MAC301 O3.nc");
+    EXPECT_THAT(finished.err, HasSubstr("too much is gone since 'HEAD'"));
+    EXPECT_EQ(finished.status, 1);
+}
+
+/// Nothing is looked up outside, not even whether it is there.
+TEST_F(Since, ANameThatLeadsOutOfTheFolderIsNotGone) {
+    ASSERT_EQ(shell("blob=$(git rev-parse HEAD:O1001.nc); "
+                    "tree=$(printf '100644 blob %s\\tgone.nc\\n' $blob | git mktree); "
+                    "tree=$(printf '040000 tree %s\\t..\\n' $tree | git mktree); "
+                    "git tag odd $(git commit-tree -m x $tree)")
+                  .status,
+              0);
+    ASSERT_THAT(shell("git ls-tree -r --name-only odd").out, HasSubstr("../gone.nc"));
+    EXPECT_EQ(found("--since odd O1001.nc"), "O1001.nc:3:1:\n1");
+}
+
 TEST_F(Since, SaysWhatIsMissing) {
     const auto refused = [&](const std::string& script, const std::string& message) {
         const Finished finished = shell(script);
@@ -324,6 +394,9 @@ TEST_F(Since, SaysWhatIsMissing) {
         EXPECT_THAT(finished.err, AllOf(StartsWith("maclint: error: "), HasSubstr(message))) << script;
     };
     refused("$maclint --since nowhere", "--since names no revision that git knows");
+    for (const char* revision : {"^HEAD", "@{u}", "HEAD^{tree}", "HEAD..HEAD"})
+        refused("$maclint --since '" + std::string(revision) + "'", "--since names no ");
+    refused("$maclint --since '^HEAD'", "--since names no commit in '");
     refused("$maclint --since ''", "--since has an empty value");
     refused("$maclint --since --output=x", "--since wants a git revision");
     refused("PATH=/nowhere $maclint --since HEAD", "no git is found here");

@@ -94,6 +94,17 @@ TEST(Process, EndsWhatIsSilent) {
               EndedBy::itself);
 }
 
+TEST(Process, EndsWhatGoesOnForTooLong) {
+    using namespace std::chrono_literals;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto end = run_process(
+        {.words = {"sh", "-c", "while :; do sleep 0.05; echo; done"}, .patience = 20s, .longest = 400ms},
+        ignore);
+    EXPECT_EQ(end.by, EndedBy::time);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 15s);
+    EXPECT_EQ(run_process({.words = {"sh", "-c", "sleep 60"}, .longest = 100ms}, ignore).by, EndedBy::time);
+}
+
 TEST(Process, EndsWhatSaysMoreThanIsWanted) {
     EXPECT_EQ(run_process({.words = {"yes"}}, [](std::string_view) { return false; }).by, EndedBy::taker);
 }
@@ -148,12 +159,48 @@ TEST_F(ProcessEnvironment, RunsNothingOfAFolderThatIsLeftOut) {
     std::filesystem::create_symlink(program, other.path() / "maclint-here");
     for (const auto& path : {folder.path() / "bin", other.path()}) {
         ::setenv("PATH", path.c_str(), 1);
-        EXPECT_EQ(run_process({.words = {"maclint-here"}, .not_below = folder.path().string()}, ignore).by,
+        EXPECT_EQ(run_process({.words = {"maclint-here"}, .not_below = {folder.path().string()}}, ignore).by,
                   EndedBy::nothing_started);
         EXPECT_TRUE(
-            run_process({.words = {"maclint-here"}, .not_below = folder.path().string() + "-not"}, ignore)
+            run_process({.words = {"maclint-here"}, .not_below = {folder.path().string() + "-not"}}, ignore)
                 .succeeded());
     }
+}
+
+/// A folder that is left out is known by any of the ways there.
+TEST_F(ProcessEnvironment, RunsNothingThatTheWayLeadsToThroughAFolderThatIsLeftOut) {
+    const test::TemporaryFolder folder;
+    const test::TemporaryFolder other;
+    const std::string program = other.write("bin/maclint-here", "#!/bin/sh\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    std::filesystem::create_directory(folder.path() / "own");
+    std::filesystem::create_symlink(program, folder.path() / "own/maclint-here");
+    std::filesystem::create_directory_symlink(other.path() / "bin", folder.path() / "bin");
+    std::filesystem::create_directory_symlink(folder.path() / "own", other.path() / "way");
+    const ProcessRequest request{.words = {"maclint-here"},
+                                 .not_below = {"/nowhere", folder.path().string()}};
+    for (const auto& path : {folder.path() / "own", folder.path() / "bin", other.path() / "way",
+                             other.path() / "bin/.." / ".." / folder.path().filename() / "bin"}) {
+        ::setenv("PATH", path.c_str(), 1);
+        const auto end = run_process(request, ignore);
+        EXPECT_EQ(end.by, EndedBy::nothing_started) << path;
+        EXPECT_EQ(end.passed_over, (path / "maclint-here").string());
+        ::setenv("PATH", (path.string() + ":" + other.path().string() + "/bin").c_str(), 1);
+        EXPECT_TRUE(run_process(request, ignore).succeeded()) << path;
+    }
+}
+
+TEST_F(ProcessEnvironment, MakesPathsAbsolute) {
+    ::setenv("MACLINT_ONE", "a/b", 1);
+    ::setenv("MACLINT_TWO", "/c", 1);
+    ::setenv("MACLINT_THREE", "", 1);
+    ::setenv("MACLINT_FOUR", "a", 1);
+    const std::string all = written_by({.words = {"env"},
+                                        .left_out_prefix = "MACLINT_",
+                                        .paths = {"MACLINT_ONE", "MACLINT_TWO", "MACLINT_THREE"}});
+    const std::string here = std::filesystem::current_path().string();
+    EXPECT_THAT(all, AllOf(HasSubstr("MACLINT_ONE=" + here + "/a/b\n"), HasSubstr("MACLINT_TWO=/c\n"),
+                           HasSubstr("MACLINT_THREE=\n"), Not(HasSubstr("MACLINT_FOUR"))));
 }
 
 } // namespace

@@ -86,23 +86,49 @@ bool is_below(const fs::path& path, const fs::path& folder) {
     return std::ranges::mismatch(folder, path).in1 == folder.end();
 }
 
+/// Whether the way to a program leads through one of the folders: PATH as it is written, without its links,
+/// or the program's own link.
+bool leads_through(const fs::path& place, const std::vector<std::string>& folders) {
+    std::error_code none;
+    const std::array ways = {place.lexically_normal(), fs::canonical(place.parent_path(), none),
+                             fs::canonical(place, none)};
+    return std::ranges::any_of(folders, [&](const std::string& folder) {
+        return std::ranges::any_of(ways, [&](const fs::path& way) { return is_below(way, folder); });
+    });
+}
+
+struct FoundProgram {
+    std::string place, passed_over; ///< empty: none
+};
+
 /// Where PATH has the program, by its absolute entries alone: others mean the folder that is checked.
-std::optional<std::string> place_of(const std::string& program, const std::string& not_below) {
+FoundProgram find_program(const std::string& program, const std::vector<std::string>& not_below) {
     const char* const path = std::getenv("PATH"); // NOLINT(concurrency-mt-unsafe): nobody sets it
     std::string_view entries = path == nullptr ? "/usr/bin:/bin" : path;
+    FoundProgram found;
     while (true) {
         const std::string_view entry = entries.substr(0, entries.find(':'));
         const fs::path place = fs::path(entry) / program;
         std::error_code none;
-        if (place.is_absolute() && fs::is_regular_file(place, none) && access(place.c_str(), X_OK) == 0 &&
-            (not_below.empty() || !is_below(fs::canonical(place, none), not_below)))
-            return place.string();
-        if (entry.size() == entries.size()) return std::nullopt;
+        if (place.is_absolute() && fs::is_regular_file(place, none) && access(place.c_str(), X_OK) == 0) {
+            std::string& kept = leads_through(place, not_below) ? found.passed_over : found.place;
+            if (kept.empty()) kept = place.string();
+        }
+        if (!found.place.empty() || entry.size() == entries.size()) return found;
         entries.remove_prefix(entry.size() + 1);
     }
 }
 
 std::string_view name_of(std::string_view variable) { return variable.substr(0, variable.find('=')); }
+
+/// An empty path stays empty: it names nothing.
+std::string with_absolute_path(const std::string& variable) {
+    const fs::path path = variable.substr(std::min(variable.size(), variable.find('=') + 1));
+    std::error_code error;
+    const fs::path absolute = fs::absolute(path, error);
+    if (path.empty() || error) return variable;
+    return std::string(name_of(variable)) + "=" + absolute.string();
+}
 
 std::vector<std::string> environment_for(const ProcessRequest& request) {
     const auto is_set = [&](std::string_view name) {
@@ -112,9 +138,19 @@ std::vector<std::string> environment_for(const ProcessRequest& request) {
         return !request.left_out_prefix.empty() && name.starts_with(request.left_out_prefix) &&
                std::ranges::find(request.kept, name) == request.kept.end();
     };
+    const auto is_path = [&](std::string_view name) {
+        return std::ranges::find(request.paths, name) != request.paths.end();
+    };
     std::vector<std::string> variables = request.set;
-    for (char** at = environ; at != nullptr && *at != nullptr; ++at)
-        if (!is_set(name_of(*at)) && !is_left_out(name_of(*at))) variables.emplace_back(*at);
+    for (char** at = environ; at != nullptr && *at != nullptr; ++at) {
+        const std::string_view name = name_of(*at);
+        if (is_set(name)) continue;
+        if (is_path(name)) {
+            variables.push_back(with_absolute_path(*at));
+        } else if (!is_left_out(name)) {
+            variables.emplace_back(*at);
+        }
+    }
     return variables;
 }
 
@@ -183,11 +219,17 @@ EndedBy serve(Pipes& pipes, const ProcessRequest& request, const TakeOutput& tak
     };
     std::string_view rest = request.input;
     if (rest.empty()) pipes.input.close_writer();
+    using Clock = std::chrono::steady_clock;
+    const auto latest = Clock::now() + request.longest;
     while (pipes.output.is_open() || pipes.errors.is_open()) {
         std::array<pollfd, 3> waiting{{{pipes.output.reader(), POLLIN, 0},
                                        {pipes.errors.reader(), POLLIN, 0},
                                        {pipes.input.writer(), POLLOUT, 0}}};
-        const int ready = poll(waiting.data(), waiting.size(), static_cast<int>(request.patience.count()));
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(latest - Clock::now());
+        if (left.count() <= 0) return EndedBy::time;
+        const int ready =
+            poll(waiting.data(), waiting.size(), static_cast<int>(std::min(request.patience, left).count()));
+        if (ready == 0 && left <= request.patience) return EndedBy::time;
         if (ready == 0) return EndedBy::silence;
         if (ready < 0 && errno == EINTR) continue;
         if (ready < 0) return EndedBy::silence;
@@ -217,10 +259,11 @@ int status_of(pid_t child) {
 ProcessEnd run_process(const ProcessRequest& request, const TakeOutput& take) {
     Pipes pipes;
     ProcessEnd end;
-    const auto program = place_of(request.words.front(), request.not_below);
-    if (!program || !pipes.are_open()) return end;
+    const auto program = find_program(request.words.front(), request.not_below);
+    if (program.place.empty()) end.passed_over = program.passed_over;
+    if (program.place.empty() || !pipes.are_open()) return end;
     const OwnSignals signals;
-    const auto child = spawn(*program, request, pipes);
+    const auto child = spawn(program.place, request, pipes);
     if (!child) return end;
     pipes.input.close_reader();
     pipes.output.close_writer();

@@ -51,17 +51,29 @@ bool is_below(const std::filesystem::path& path, const std::filesystem::path& fo
            }).in1 == folder.end();
 }
 
-bool may_run(const std::filesystem::path& place, const std::string& not_below) {
-    if (!place.is_absolute() || kind_of(place) != FileKind::regular) return false;
+/// Whether the way to a program leads through one of the folders: PATH as it is written, without its links,
+/// or the program's own link.
+bool leads_through(const std::filesystem::path& place, const std::vector<std::string>& folders) {
+    std::error_code folder_error;
     std::error_code error;
-    const auto real = path_of(text_of(real_path(place, error)));
-    return not_below.empty() || (!error && !is_below(real, path_of(not_below)));
+    const std::array ways = {path_of(text_of(place.lexically_normal())),
+                             path_of(text_of(real_path(place.parent_path(), folder_error))),
+                             path_of(text_of(real_path(place, error)))};
+    if (!folders.empty() && (folder_error || error)) return true;
+    return std::ranges::any_of(folders, [&](const std::string& folder) {
+        return std::ranges::any_of(ways, [&](const auto& way) { return is_below(way, path_of(folder)); });
+    });
 }
+
+struct FoundProgram {
+    std::optional<std::filesystem::path> place, passed_over;
+};
 
 /// Where PATH has the program, by its absolute entries alone. CreateProcess would look beside maclint and in
 /// the current folder first, and run what lies among the programs that are to be checked.
-std::optional<std::filesystem::path> place_of(const std::string& program, const std::string& not_below) {
+FoundProgram find_program(const std::string& program, const std::vector<std::string>& not_below) {
     const std::wstring entries = variable(L"PATH");
+    FoundProgram found;
     std::wstring entry;
     bool in_quotes = false; // a semicolon there is one of the name
     for (const wchar_t c : entries + L';') {
@@ -71,15 +83,28 @@ std::optional<std::filesystem::path> place_of(const std::string& program, const 
             entry += c;
         } else {
             const auto place = std::filesystem::path(entry) / path_of(program + ".exe");
-            if (may_run(place, not_below)) return place;
             entry.clear();
+            if (!place.is_absolute() || kind_of(place) != FileKind::regular) continue;
+            auto& kept = leads_through(place, not_below) ? found.passed_over : found.place;
+            if (!kept) kept = place;
+            if (found.place) break;
         }
     }
-    return std::nullopt;
+    return found;
 }
 
 /// "NAME" of "NAME=value"; names such as "=C:" are the system's own.
 std::wstring_view name_of(std::wstring_view variable) { return variable.substr(0, variable.find(L'=', 1)); }
+
+/// An empty path stays empty: it names nothing.
+std::wstring with_absolute_path(const std::wstring& variable) {
+    const std::filesystem::path path =
+        variable.substr(std::min(variable.size(), name_of(variable).size() + 1));
+    std::error_code error;
+    const auto absolute = std::filesystem::absolute(path, error);
+    if (path.empty() || error) return variable;
+    return std::wstring(name_of(variable)) + L"=" + absolute.wstring();
+}
 
 /// As the system wants it: sorted, each with a null behind it, and another at the end.
 std::wstring environment_for(const ProcessRequest& request) {
@@ -95,9 +120,19 @@ std::wstring environment_for(const ProcessRequest& request) {
                std::ranges::none_of(request.kept,
                                     [&](const std::string& kept) { return compare(wide(kept), name) == 0; });
     };
+    const auto is_path = [&](std::wstring_view name) {
+        return std::ranges::any_of(request.paths,
+                                   [&](const std::string& path) { return compare(wide(path), name) == 0; });
+    };
     if (wchar_t* const all = GetEnvironmentStringsW(); all != nullptr) {
         for (const wchar_t* at = all; *at != L'\0'; at += std::wstring_view(at).size() + 1)
-            if (!is_set(name_of(at)) && !is_left_out(name_of(at))) variables.emplace_back(at);
+            if (is_set(name_of(at))) {
+                continue;
+            } else if (is_path(name_of(at))) {
+                variables.push_back(with_absolute_path(at));
+            } else if (!is_left_out(name_of(at))) {
+                variables.emplace_back(at);
+            }
         FreeEnvironmentStringsW(all);
     }
     std::ranges::sort(variables, [](const std::wstring& one, const std::wstring& other) {
@@ -175,17 +210,20 @@ class Family {
     HANDLE process_ = nullptr;
 };
 
-/// Ends a family that is silent for too long; what comes and goes is told to it.
+/// Ends a family that is silent or runs for too long; what comes and goes is told to it.
 class Watch {
   public:
-    Watch(const Family& family, std::chrono::milliseconds patience)
-        : thread_([this, &family, patience] {
+    Watch(const Family& family, const ProcessRequest& request)
+        : thread_([this, &family, patience = request.patience, longest = request.longest] {
+            const auto latest = std::chrono::steady_clock::now() + longest;
             std::unique_lock lock(mutex_);
             while (!is_over_) {
                 const std::uint64_t before = parts_;
-                changed_.wait_for(lock, patience, [this] { return is_over_; });
-                if (is_over_ || parts_ != before) continue;
-                was_silent_ = true;
+                const auto end_of_patience = std::chrono::steady_clock::now() + patience;
+                changed_.wait_until(lock, std::min(latest, end_of_patience), [this] { return is_over_; });
+                const bool is_late = std::chrono::steady_clock::now() >= latest;
+                if (is_over_ || (parts_ != before && !is_late)) continue;
+                ended_by_ = is_late ? EndedBy::time : EndedBy::silence;
                 family.end();
                 return;
             }
@@ -198,15 +236,15 @@ class Watch {
         const std::scoped_lock lock(mutex_);
         ++parts_;
     }
-    /// Whether the family was ended.
-    bool stop() {
+    /// What ended the family.
+    EndedBy stop() {
         {
             const std::scoped_lock lock(mutex_);
             is_over_ = true;
         }
         changed_.notify_all();
         if (thread_.joinable()) thread_.join();
-        return was_silent_;
+        return ended_by_;
     }
 
   private:
@@ -214,7 +252,7 @@ class Watch {
     std::condition_variable changed_;
     std::uint64_t parts_ = 0;
     bool is_over_ = false;
-    bool was_silent_ = false;
+    EndedBy ended_by_ = EndedBy::itself;
     std::thread thread_; // last: it uses the others
 };
 
@@ -263,11 +301,12 @@ std::optional<PROCESS_INFORMATION> create(const std::filesystem::path& program, 
 
 ProcessEnd run_process(const ProcessRequest& request, const TakeOutput& take) {
     ProcessEnd end;
-    const auto program = place_of(request.words.front(), request.not_below);
-    if (!program) return end;
+    const auto program = find_program(request.words.front(), request.not_below);
+    if (!program.place && program.passed_over) end.passed_over = text_of(*program.passed_over);
+    if (!program.place) return end;
     Pipes pipes;
     if (!pipes.are_open()) return end;
-    const auto made = create(*program, request, pipes);
+    const auto made = create(*program.place, request, pipes);
     if (!made) return end;
     const Handle process(made->hProcess);
     const Handle thread(made->hThread);
@@ -277,7 +316,7 @@ ProcessEnd run_process(const ProcessRequest& request, const TakeOutput& take) {
     Pipe::close(pipes.input.reader);
     Pipe::close(pipes.output.writer);
     Pipe::close(pipes.errors.writer);
-    Watch watch(family, request.patience);
+    Watch watch(family, request);
     std::thread writing([&] { write_parts(pipes.input.writer, watch, request.input); });
     std::thread complaining([&] {
         constexpr std::size_t most = 4096; // of what is wrong
@@ -291,8 +330,8 @@ ProcessEnd run_process(const ProcessRequest& request, const TakeOutput& take) {
     complaining.join();
     writing.join();
     WaitForSingleObject(process.get(), INFINITE);
-    const bool was_silent = watch.stop();
-    end.by = !all_taken ? EndedBy::taker : was_silent ? EndedBy::silence : EndedBy::itself;
+    const EndedBy ended_by = watch.stop();
+    end.by = all_taken ? ended_by : EndedBy::taker;
     DWORD status = 0;
     GetExitCodeProcess(process.get(), &status);
     end.status = static_cast<int>(status);
