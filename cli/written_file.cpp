@@ -24,12 +24,14 @@ std::optional<std::string> refusal(int error) {
 } // namespace
 
 std::optional<std::string> write_file(const std::string& path, std::string_view text) {
-    switch (platform::kind_of(platform::path_of(path))) {
-    case platform::FileKind::missing:
-    case platform::FileKind::broken_link:
-    case platform::FileKind::regular:
-        return refusal(platform::replace_file(platform::written_path(path), text)); // it replaces no link
-    default: break;
+    if (!platform::names_open_file(path)) {
+        switch (platform::kind_of(platform::path_of(path))) {
+        case platform::FileKind::missing:
+        case platform::FileKind::broken_link:
+        case platform::FileKind::regular:
+            return refusal(platform::replace_file(platform::written_path(path), text)); // replaces no link
+        default: break;
+        }
     }
     const int error = platform::write_in_place(path, text);
     if (error == ENXIO)

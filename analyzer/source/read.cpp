@@ -123,14 +123,40 @@ std::variant<Source, InputError> to_source(std::string path, std::variant<std::s
     return Source::from_bytes(std::move(path), std::get<std::string>(std::move(result)));
 }
 
-} // namespace
-
-std::variant<Source, InputError> read_file(std::string path, const SizeLimit& limit) {
-    platform::OpenFile file(path);
+std::variant<Source, InputError> read_open(platform::OpenFile& file, std::string path,
+                                           const SizeLimit& limit) {
     if (file.error() != 0) return system_refused(path, file.error());
     if (auto refused = refuse_kind(path, file.kind())) return *std::move(refused);
     auto bytes = read_all(file, path, limit, patience_with_files);
     return to_source(std::move(path), std::move(bytes));
+}
+
+} // namespace
+
+std::variant<Source, InputError> read_file(std::string path, const SizeLimit& limit) {
+    platform::OpenFile file(path);
+    return read_open(file, std::move(path), limit);
+}
+
+std::variant<Source, InputError> read_regular_file(std::string path, const SizeLimit& limit) {
+    platform::OpenFile file(path);
+    if (file.error() == 0 && file.kind() == platform::FileKind::pipe)
+        return cannot_read(path, "it is a pipe. Name a file instead.");
+    return read_open(file, std::move(path), limit);
+}
+
+std::string beginning_of_file(const std::string& path, std::size_t most) {
+    platform::OpenFile file(path);
+    if (file.error() != 0 || file.kind() != platform::FileKind::regular) return {};
+    std::string bytes(most, '\0');
+    std::size_t filled = 0;
+    while (filled < most) {
+        const auto portion = file.read_some(std::span(bytes).subspan(filled), patience_with_files);
+        if (!portion || portion->error != 0 || portion->count == 0) break;
+        filled += portion->count;
+    }
+    bytes.resize(filled);
+    return bytes;
 }
 
 std::variant<Source, InputError> read_standard_input(std::string path, const SizeLimit& limit) {

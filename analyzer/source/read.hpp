@@ -3,6 +3,7 @@
 
 #include "analyzer/source/source.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -23,6 +24,13 @@ inline constexpr std::uintmax_t largest_source = std::numeric_limits<Offset>::ma
 /// Reads a file or a pipe. Folders, devices, what is larger than the limit, and what keeps the system waiting
 /// for more than some seconds are refused.
 [[nodiscard]] std::variant<Source, InputError> read_file(std::string path, const SizeLimit& limit);
+
+/// The same of what must be no pipe: nobody is waited for.
+[[nodiscard]] std::variant<Source, InputError> read_regular_file(std::string path, const SizeLimit& limit);
+
+/// Up to so many bytes from the beginning of a regular file; none where there is no such file or it cannot be
+/// read.
+[[nodiscard]] std::string beginning_of_file(const std::string& path, std::size_t most);
 
 /// Reads standard input to its end; `path` is what findings will name.
 [[nodiscard]] std::variant<Source, InputError> read_standard_input(std::string path, const SizeLimit& limit);

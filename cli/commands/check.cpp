@@ -139,7 +139,7 @@ int deliver(const CheckRequest& request, Report report) {
 int run_check(const CheckRequest& request) {
     const std::string begin = utc_now();
     const auto begun = std::chrono::steady_clock::now();
-    Settings settings(request.overrides);
+    Settings settings(request.overrides, own_folders(request.paths));
     if (const auto refused = refuse_settings(request.overrides, settings)) {
         print_notice(*refused);
         return exit_error;

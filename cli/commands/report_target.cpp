@@ -6,13 +6,16 @@
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/output.hpp"
 #include "analyzer/source/platform/paths.hpp"
+#include "analyzer/source/read.hpp"
 #include "cli/gate/baseline_file.hpp"
 #include "cli/input/checked_trees.hpp"
 #include "cli/input/own_report.hpp"
 #include "cli/input/program_name.hpp"
+#include "cli/input/size_limits.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -42,13 +45,23 @@ bool is_configuration(const Settings& settings, const std::string& path) {
     });
 }
 
+/// The beginning tells it: what is in the way may be as large as it likes.
 bool holds_program(const std::string& path) {
     if (platform::kind_of(platform::path_of(path)) != platform::FileKind::regular) return false;
-    const auto result = Source::read_file(path);
-    const auto* source = std::get_if<Source>(&result);
-    if (source == nullptr || classify(source->bytes()) != Content::text) return false;
-    if (is_own_report(source->bytes())) return false;
-    return !detect_dialect(*source).not_nc_text;
+    std::string bytes = beginning_of_file(path, mebibyte);
+    if (bytes.size() == mebibyte) bytes.resize(bytes.rfind('\n') + 1); // whole lines; no line end: nothing
+    const Source beginning = Source::from_bytes(path, std::move(bytes));
+    if (classify(beginning.bytes()) != Content::text || is_own_report(beginning.bytes())) return false;
+    return !detect_dialect(beginning).not_nc_text;
+}
+
+/// Whether the next run would take the file for one, all links followed; on some systems in any case.
+bool is_named_like_configuration(const std::string& path) {
+    const auto is_named_so = [](const std::filesystem::path& file) {
+        return in_lower_case(platform::text_of(file.filename())) == configuration_name;
+    };
+    const auto file = platform::path_of(path);
+    return is_named_so(file) || is_named_so(platform::place_of(file));
 }
 
 enum class Written : std::uint8_t { report, baseline };
@@ -139,6 +152,8 @@ std::optional<Notice> refuse_targets(const CheckRequest& request, const std::vec
         if (target.what == Written::report && holds_baseline(path))
             return refuse_over(target, "is a baseline");
         if (holds_program(path)) return refuse_over(target, "holds an NC program");
+        if (is_named_like_configuration(path))
+            return refusal(target, "to '" + shown(path) + "', which is named like a configuration");
         if (is_named_like_program(path))
             return refusal(target, "to '" + shown(path) + "', which is named like an NC program");
     }

@@ -100,8 +100,11 @@ class Loader {
         return key == "controls" || key == "severity" || key == "per-file-ignores";
     }
 
+    /// Only what the command line names may be a pipe: many that are found would be waited for one by one.
     Source open(const std::string& path) {
-        auto result = read_file(path, configuration_limit);
+        const bool named = !reach_.is_bounded() && configuration_->sources.empty();
+        auto result =
+            named ? read_file(path, configuration_limit) : read_regular_file(path, configuration_limit);
         if (const auto* error = std::get_if<InputError>(&result))
             throw Rejected{{NoticeKind::configuration, path, error->message}};
         return std::get<Source>(std::move(result));
@@ -395,7 +398,15 @@ class Loader {
         reject(configuration_->sources.back(), span, message);
     }
 
-    [[noreturn]] static void reject(const Source& source, Span span, const std::string& message) {
+    [[noreturn]] void reject(const Source& source, Span span, const std::string& message) const {
+        if (!reach_.may_quote(platform::path_of(source.path())))
+            reject_at(source, span,
+                      "this is wrong here, but text of a folder above is not shown. Name this file with "
+                      "--config to be told more");
+        reject_at(source, span, message);
+    }
+
+    [[noreturn]] static void reject_at(const Source& source, Span span, const std::string& message) {
         const Position at = source.position(span.begin);
         const std::string place = "line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
         const bool ends = message.ends_with('?') || message.ends_with('.');

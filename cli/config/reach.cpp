@@ -7,16 +7,15 @@
 #include "cli/input/other_server.hpp"
 #include "cli/input/repository.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace maclint::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path place_of(const fs::path& path) {
-    return platform::path_of(platform::written_path(platform::text_of(path)));
-}
 
 /// Whether all that is on the way can be looked at: else nobody knows where it leads.
 bool is_known(const fs::path& path) {
@@ -28,11 +27,18 @@ bool is_known(const fs::path& path) {
 
 } // namespace
 
-Reach Reach::of_folder(const fs::path& folder) {
+Reach Reach::of_folder(const fs::path& folder, const std::vector<fs::path>& own) {
     Reach reach;
-    reach.folder_ = place_of(folder);
+    reach.folder_ = platform::place_of(folder);
     reach.repository_ = repository_around(*reach.folder_);
+    if (!reach.repository_)
+        std::ranges::copy_if(own, std::back_inserter(reach.own_),
+                             [&](const fs::path& tree) { return platform::lies_in(*reach.folder_, tree); });
     return reach;
+}
+
+bool Reach::may_quote(const fs::path& file) const {
+    return !folder_ || has_in_its_trees(platform::place_of(file));
 }
 
 std::optional<std::string> Reach::objection(std::string_view written, const fs::path& file) const {
@@ -43,13 +49,34 @@ std::optional<std::string> Reach::objection(std::string_view written, const fs::
     if (names_other_server(written, from) || leads_to_other_server(absolute, from))
         return "is on another server";
     if (names_other_drive(written, from)) return "is on another drive";
-    if (is_known(absolute) && holds(place_of(absolute))) return std::nullopt;
+    if (is_known(absolute) && holds(platform::place_of(absolute))) return std::nullopt;
     return repository_ ? "lies outside of this repository" : "lies outside of this folder and those above it";
 }
 
+bool Reach::has_in_its_trees(const fs::path& real) const {
+    return platform::lies_in(real, repository_ ? *repository_ : *folder_) ||
+           std::ranges::any_of(own_, [&](const fs::path& tree) { return platform::lies_in(real, tree); });
+}
+
 bool Reach::holds(const fs::path& real) const {
-    if (platform::lies_in(real, repository_ ? *repository_ : *folder_)) return true;
-    return !repository_ && platform::lies_in(*folder_, real.parent_path());
+    return has_in_its_trees(real) || (!repository_ && platform::lies_in(*folder_, real.parent_path()));
+}
+
+std::vector<fs::path> own_folders(const std::vector<std::string>& named) {
+    std::vector<fs::path> own;
+    const auto add = [&](fs::path place) {
+        if (place.has_relative_path()) own.push_back(std::move(place));
+    };
+    for (const std::string& path : named)
+        if (platform::kind_of(platform::path_of(path)) == platform::FileKind::folder)
+            add(platform::place_of(platform::path_of(path)));
+    std::error_code gone;
+    fs::path working = fs::current_path(gone);
+    if (gone) return own;
+    working = platform::place_of(working);
+    const auto home = platform::home_folder();
+    if (!home || !platform::lies_in(platform::place_of(*home), working)) add(std::move(working));
+    return own;
 }
 
 bool is_of_stranger(const platform::Ownership& ownership) {

@@ -18,9 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path absolute(const std::string& path) {
+/// Absolute and normal, "." and "folder/" like the folder's name: each folder is known once.
+fs::path folder_named(const std::string& path) {
     std::error_code ignored;
-    return fs::absolute(platform::path_of(path), ignored).lexically_normal();
+    const fs::path whole = fs::absolute(platform::path_of(path), ignored).lexically_normal();
+    return whole.has_filename() || !whole.has_relative_path() ? whole : whole.parent_path();
 }
 
 std::vector<const Rule*> rules_of(const std::vector<RuleWord>& words) {
@@ -96,10 +98,10 @@ void Settings::note_once(const std::string& path, const std::string& message) {
     if (noted_.emplace(path, message).second) notices_.push_back({NoticeKind::origin, path, message});
 }
 
-std::optional<Notice> Settings::refuse_link(const fs::path& folder, const std::string& shown) {
+std::optional<Notice> Settings::refuse_link(const fs::path& folder, const std::string& shown) const {
     const fs::path link = folder / configuration_name;
     if (!platform::link_target(link)) return std::nullopt;
-    const auto objection = Reach::of_folder(folder).objection("", link);
+    const auto objection = Reach::of_folder(folder, own_).objection("", link);
     if (!objection) return std::nullopt;
     return Notice{NoticeKind::configuration, shown,
                   "is a link to a file that " + *objection +
@@ -110,10 +112,11 @@ std::optional<std::shared_ptr<const Configuration>> Settings::for_folder(const s
     if (overrides_.isolated) return nullptr;
     if (!overrides_.config_path.empty()) return load(overrides_.config_path, Reach::of_command_line());
     if (const auto known = by_folder_.find(folder); known != by_folder_.end()) return known->second;
-    const fs::path at = absolute(folder);
+    const fs::path at = folder_named(folder);
     if (const auto known = by_folder_.find(platform::text_of(at)); known != by_folder_.end())
         return by_folder_[folder] = known->second;
-    const std::string shown = platform::text_of((at / configuration_name).lexically_proximate(absolute(".")));
+    const std::string shown =
+        platform::text_of((at / configuration_name).lexically_proximate(folder_named(".")));
     const Loaded found = in_folder(at, shown);
     by_folder_[folder] = found; // as it is written, too: many files stand in it
     return by_folder_[platform::text_of(at)] = found;
@@ -126,7 +129,7 @@ std::optional<std::shared_ptr<const Configuration>> Settings::in_folder(const fs
         return std::nullopt;
     }
     switch (platform::kind_of(folder / configuration_name)) {
-    case platform::FileKind::regular: return load(shown, Reach::of_folder(folder));
+    case platform::FileKind::regular: return load(shown, Reach::of_folder(folder, own_));
     case platform::FileKind::missing: break;
     default:
         notices_.push_back(

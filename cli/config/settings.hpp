@@ -56,8 +56,10 @@ struct FileSettings {
 /// Finds settings and remembers what many files share. For one thread.
 class Settings {
   public:
-    explicit Settings(Overrides overrides)
-        : overrides_(std::move(overrides)) {}
+    /// `own`: folders in which configurations may name what they like, see own_folders.
+    explicit Settings(Overrides overrides, std::vector<std::filesystem::path> own = {})
+        : overrides_(std::move(overrides))
+        , own_(std::move(own)) {}
 
     /// Nothing when the configuration that holds for the file is wrong; see take_notices.
     [[nodiscard]] std::optional<FileSettings> for_file(const std::string& path);
@@ -74,7 +76,8 @@ class Settings {
     Loaded load(const std::string& path, const Reach& reach);
     /// The one of the folder, by the name that it is shown by, or of those above it.
     Loaded in_folder(const std::filesystem::path& folder, const std::string& shown);
-    static std::optional<Notice> refuse_link(const std::filesystem::path& folder, const std::string& shown);
+    [[nodiscard]] std::optional<Notice> refuse_link(const std::filesystem::path& folder,
+                                                    const std::string& shown) const;
     static void say_of_file(const Configuration& configuration, const std::string& path,
                             FileSettings& settings);
     void note_owner(const std::string& path);
@@ -86,6 +89,7 @@ class Settings {
     void apply_overrides(RuleStates& rules) const;
 
     Overrides overrides_;
+    std::vector<std::filesystem::path> own_;
     std::map<std::string, Loaded> by_folder_;
     std::map<std::string, Loaded> by_path_;
     /// By the entries of "per-file-ignores" that hold.

@@ -153,12 +153,9 @@ nlohmann::ordered_json json_of(const BaselineEntry& entry) {
 fs::path located(const std::string& path) {
     std::error_code none;
     const fs::path absolute = fs::absolute(platform::path_of(path), none).lexically_normal();
-    const auto real_of = [](const fs::path& of) {
-        return platform::path_of(platform::written_path(platform::text_of(of)));
-    };
     const auto last_name = [](const fs::path& of) { return in_lower_case(platform::text_of(of.filename())); };
-    const fs::path folder = real_of(absolute.parent_path());
-    fs::path real = real_of(absolute);
+    const fs::path folder = platform::place_of(absolute.parent_path());
+    fs::path real = platform::place_of(absolute);
     const bool is_link = real.parent_path() != folder || last_name(real) != last_name(absolute);
     return is_link ? folder / absolute.filename() : std::move(real);
 }
@@ -167,11 +164,12 @@ bool is_hexadecimal(char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <=
 
 } // namespace
 
-std::variant<Baseline, Notice> read_baseline(const std::string& path) {
+std::variant<Baseline, Notice> read_baseline(const std::string& path, NamedBy named_by) {
     if (platform::kind_of(platform::path_of(path)) == platform::FileKind::missing)
         return refusal(path, "there is no such baseline. Write it with '--write-baseline " + shown(path) +
                                  "', or leave the name out.");
-    const auto result = read_file(path, baseline_limit);
+    const auto result = named_by == NamedBy::command_line ? read_file(path, baseline_limit)
+                                                          : read_regular_file(path, baseline_limit);
     if (const auto* error = std::get_if<InputError>(&result)) return refusal(path, error->message);
     try {
         return Reader(std::get<Source>(result)).read();
@@ -194,12 +192,8 @@ std::string baseline_text(Baseline baseline) {
 }
 
 bool holds_baseline(const std::string& path) {
-    if (platform::kind_of(platform::path_of(path)) != platform::FileKind::regular) return false;
-    const auto read = Source::read_file(path);
-    const auto* source = std::get_if<Source>(&read);
     constexpr std::size_t head = 64;
-    return source != nullptr && source->bytes().substr(0, head).find('"' + std::string(version_key) + '"') !=
-                                    std::string_view::npos;
+    return beginning_of_file(path, head).find('"' + std::string(version_key) + '"') != std::string::npos;
 }
 
 std::string name_in_baseline(const std::string& path, const std::string& folder) {

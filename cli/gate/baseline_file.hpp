@@ -4,6 +4,7 @@
 #include "cli/notice.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,9 +32,14 @@ struct BaselineEntry {
 /// In the order of files, rules and fingerprints, each place once.
 using Baseline = std::vector<BaselineEntry>;
 
+enum class NamedBy : std::uint8_t {
+    command_line,  ///< it may be a pipe
+    configuration, ///< it is a file: many are found, and each pipe would be waited for
+};
+
 /// In that order, and entries of one place as one, whatever a merge made of the file. What is wrong with it
 /// ends the run.
-[[nodiscard]] std::variant<Baseline, Notice> read_baseline(const std::string& path);
+[[nodiscard]] std::variant<Baseline, Notice> read_baseline(const std::string& path, NamedBy named_by);
 
 /// The text of the file: sorted, a line an entry.
 [[nodiscard]] std::string baseline_text(Baseline baseline);

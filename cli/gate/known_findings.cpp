@@ -136,8 +136,8 @@ Notice nothing_to_prune(const std::string& path) {
     return note(path, "nothing is to be pruned: nothing that was looked at is gone.");
 }
 
-Notice prune(const std::string& path, const Share& share) {
-    const auto read = read_baseline(path); // others may have written it since the run began
+Notice prune(const std::string& path, NamedBy named_by, const Share& share) {
+    const auto read = read_baseline(path, named_by); // others may have written it since the run began
     if (const auto* refused = std::get_if<Notice>(&read)) return *refused;
     const auto& baseline = std::get<Baseline>(read);
     const Matched matched = match(baseline, share.places, share.looked_at, share.existing());
@@ -154,7 +154,7 @@ Notice prune(const std::string& path, const Share& share) {
 std::variant<Baseline, Notice> read_before(const std::string& path) {
     const auto at = platform::path_of(path);
     if (platform::kind_of(at) != platform::FileKind::regular || platform::size_of(at) == 0) return Baseline{};
-    auto read = read_baseline(path);
+    auto read = read_baseline(path, NamedBy::command_line);
     if (auto* notice = std::get_if<Notice>(&read)) {
         if (!holds_baseline(path))
             notice->message = "--write-baseline does not write over this file, which is no baseline of "
@@ -190,7 +190,7 @@ std::variant<KnownFindings, Notice> KnownFindings::read(BaselineWishes wishes, c
     for (const SnapshotFile& file : snapshot.files)
         if (file.input.asked && !file.settings.baseline.empty()) paths.insert(file.settings.baseline);
     for (const std::string& path : paths) {
-        auto baseline = read_baseline(path);
+        auto baseline = read_baseline(path, known.wishes_.named_by());
         if (auto* notice = std::get_if<Notice>(&baseline)) return std::move(*notice);
         known.baselines_[path] = std::get<Baseline>(std::move(baseline));
     }
@@ -220,7 +220,8 @@ std::vector<Notice> KnownFindings::mark(const Snapshot& snapshot, Result& result
         if (wishes_.prune && says_the_same(baseline, matched.rest))
             notices.push_back(nothing_to_prune(path)); // no lock: the folder may be one to read only
         else if (wishes_.prune)
-            notices.push_back(write_alone(path, [&, &path = path] { return prune(path, share); }));
+            notices.push_back(
+                write_alone(path, [&, &path = path] { return prune(path, wishes_.named_by(), share); }));
         else if (matched.gone > 0)
             notices.push_back(note(path, gone_text(matched.gone)));
     }

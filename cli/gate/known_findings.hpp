@@ -18,6 +18,10 @@ struct BaselineWishes {
     std::string read;  ///< --baseline, which files of the snapshot name, too; empty: each file's own
     std::string write; ///< --write-baseline; empty: no
     bool prune = false;
+
+    [[nodiscard]] NamedBy named_by() const {
+        return read.empty() ? NamedBy::configuration : NamedBy::command_line;
+    }
 };
 
 /// Read before files are analysed, so that nobody waits for a name that is wrong.

@@ -15,17 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path place_of(const fs::path& path) {
-    return platform::path_of(platform::written_path(platform::text_of(path)));
-}
-
-fs::path absolute(const std::string& path) {
+/// Not made normal: the system follows "link/.." to the link's end.
+fs::path as_written_from_root(const std::string& path) {
     std::error_code gone;
     return fs::absolute(platform::path_of(path), gone);
 }
 
 fs::path folder_of(const std::string& path) {
-    const fs::path whole = absolute(path).lexically_normal();
+    const fs::path whole = as_written_from_root(path).lexically_normal();
     const bool is_folder = platform::kind_of(whole) == platform::FileKind::folder;
     return is_folder && whole.has_filename() ? whole : whole.parent_path();
 }
@@ -41,8 +38,8 @@ CheckedTrees::CheckedTrees(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
         const fs::path named = folder_of(path);
         // A link to a part of a repository belongs to what is around the link, and around what it leads to.
-        for (const fs::path& folder : {named, place_of(named)}) {
-            fs::path root = place_of(repository_around(folder).value_or(folder));
+        for (const fs::path& folder : {named, platform::place_of(named)}) {
+            fs::path root = platform::place_of(repository_around(folder).value_or(folder));
             const bool is_new = std::ranges::find(roots_, root) == roots_.end();
             if (root.has_relative_path() && is_new) roots_.push_back(std::move(root)); // "/" is no stranger's
         }
@@ -54,7 +51,7 @@ bool CheckedTrees::hold(const fs::path& path) const {
 }
 
 std::optional<std::string> CheckedTrees::objection_to_writing(const std::string& path) const {
-    const fs::path whole = absolute(path); // not made normal: the system follows "link/.." to the link's end
+    const fs::path whole = as_written_from_root(path);
     fs::path at = whole.root_path();
     fs::path place = at;
     for (const fs::path& name : whole.relative_path()) {
@@ -63,7 +60,7 @@ std::optional<std::string> CheckedTrees::objection_to_writing(const std::string&
         at /= name;
         if (inside && platform::link_target(at))
             return "through '" + as_shown(at) + "', a link in the folder that is checked";
-        place = place_of(at);
+        place = platform::place_of(at);
         if (inside && in_lower_case(platform::text_of(place.filename())) == ".git")
             return "into '" + as_shown(at) + "', which is git's own";
     }

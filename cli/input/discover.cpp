@@ -50,7 +50,7 @@ bool is_folder(const std::string& path) {
 }
 
 /// The file after all symbolic links: what makes two names one file.
-std::string identity(const fs::path& path) { return platform::written_path(platform::text_of(path)); }
+std::string identity(const fs::path& path) { return platform::text_of(platform::place_of(path)); }
 
 Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
     return {NoticeKind::unreadable, as_shown(folder),
@@ -78,7 +78,7 @@ class Walk {
 
     /// Links may lead into this folder, too: that which holds it after all links.
     void may_lead_into(const std::string& folder) {
-        bounded_by_.push_back(platform::path_of(identity(platform::path_of(folder))));
+        bounded_by_.push_back(platform::place_of(platform::path_of(folder)));
     }
 
     /// What was named is not found once more.
@@ -204,7 +204,7 @@ class Walk {
         if (options_.follow_links || entry.lies_here) return false;
         const fs::path path = platform::path_of(real) / entry.path.filename();
         if (entry.kind == platform::FileKind::link) return end_of(path, bounded_by_) == LinkEnd::outside;
-        const fs::path place = platform::path_of(identity(path));
+        const fs::path place = platform::place_of(path);
         return std::ranges::none_of(bounded_by_,
                                     [&](const fs::path& folder) { return platform::lies_in(place, folder); });
     }

@@ -23,6 +23,7 @@ std::string with_slashes(std::string_view path) {
 /// `\\.\`, `\\?\` and `\??\`; `\\?\Volume{…}`, which links to local volumes say, is as near as a drive.
 bool begins_with_device(std::string_view path) {
     const std::string_view head = path.substr(0, 4);
+    // The last one in two parts: "??/" is a trigraph, which some compilers take for a backslash.
     return head == "//./" || head == "//?/" ||
            head == "/?"
                    "?/";

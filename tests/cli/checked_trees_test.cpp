@@ -117,6 +117,23 @@ TEST_F(CheckedFolder, KeepsWhatIsGitsOwn) {
     EXPECT_EQ(read_file(folder.path() / "repository/.git/HEAD"), "ref: refs/heads/main\n");
 }
 
+TEST_F(CheckedFolder, GetsNoReportInPlaceOfAConfiguration) {
+    const std::string other = folder.write("mine/other.json", "{}");
+    for (const bool is_there : {false, true}) {
+        if (is_there) folder.write("repository/.maclint.json", R"({"ignore": ["MAC301"]})");
+        for (const std::vector<std::string>& words :
+             {std::vector<std::string>{"--isolated", "--output", "json:.maclint.json"},
+              std::vector<std::string>{"--config", other, "--output", "json:sub/../.maclint.json"},
+              std::vector<std::string>{"--isolated", "--write-baseline", "sub/.maclint.json"}})
+            expect_refused(run_in("repository", words), "which is named like a configuration. Name another");
+    }
+    EXPECT_EQ(read_file(folder.path() / "repository/.maclint.json"), R"({"ignore": ["MAC301"]})");
+    EXPECT_FALSE(fs::exists(folder.path() / "repository/sub/.maclint.json"));
+    fs::create_symlink("repository/.maclint.json", folder.path() / "to_it.json");
+    expect_refused(run_in("repository", {"--isolated", "--output", "json:../to_it.json"}),
+                   "like a configuration");
+}
+
 TEST_F(CheckedFolder, LeavesTheUsersOwnLinksAlone) {
     fs::create_symlink("mine/precious.txt", folder.path() / "mine.txt");
     EXPECT_EQ(run_in("repository", {"--output", "json:../mine.txt"}).status, 1);

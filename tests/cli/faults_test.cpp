@@ -149,6 +149,32 @@ TEST_F(Faults, AFileThatMayNotGrowLeavesTheOldReportAndNothingElse) {
                 StartsWith("maclint: error: standard output: cannot be written: it would be larger"));
 }
 
+TEST_F(Faults, AnOldReportOfAnySizeIsReplacedWithoutReadingIt) {
+    if (sanitized()) GTEST_SKIP() << "a sanitizer takes more memory than may be given";
+    const std::string limited = "truncate -s 3900M old; ulimit -v 1500000; $maclint --quiet --output "
+                                "sarif:old > /dev/null; echo $?; ";
+    EXPECT_EQ(shell(limited + "test $(wc -c < old) -lt 1000000").status, 0);
+    EXPECT_EQ(shell(limited).out, "1\n");
+    folder.write("program", with_defect);
+    const Finished over =
+        shell("truncate -s 3900M program; ulimit -v 1500000; $maclint --output sarif:program");
+    EXPECT_EQ(over.status, 2);
+}
+
+TEST_F(Faults, WhatIsOpenIsWrittenBehindWhatIsThere) {
+    for (const std::string name : {"/dev/stderr", "/dev/fd/2", "/proc/self/fd/2", "link"}) {
+        const Finished finished =
+            shell("ln -sf /dev/stderr link; echo before > log; { $maclint --output json:" + name +
+                  "; echo after >&2; } 2>> log > /dev/null; cat log");
+        EXPECT_THAT(finished.out, AllOf(StartsWith("before\n{"), EndsWith("}\nafter\n"))) << name;
+    }
+    EXPECT_THAT(shell("echo before > log; $maclint --output json:/dev/fd/3 3>> log > /dev/null; cat log").out,
+                StartsWith("before\n{"));
+    EXPECT_THAT(shell("$maclint --output json:/dev/fd/3 3>&1 > /dev/null | cat").out, StartsWith("{"));
+    EXPECT_EQ(shell("$maclint --output json:/dev/fd/77").status, 2);
+    EXPECT_EQ(shell("$maclint --output json:/dev/fd/3 3< O1001.nc").status, 2);
+}
+
 TEST_F(Faults, AConfigurationThatIsASilentPipeIsAnError) {
     const Finished finished = shell("mkfifo c.json; exec 9<>c.json; $maclint --config c.json");
     EXPECT_EQ(finished.status, 2);

@@ -149,6 +149,86 @@ TEST_F(Configurations, WithoutARepositoryNameFilesAboveAndBelowThemselves) {
             "which lies outside of this folder and those above it.");
 }
 
+TEST_F(Configurations, WithoutARepositoryNameFilesOfTheFolderThatWasNamedOrIsTheWorkingOne) {
+    folder.write("plain/common/shop.json", R"({"ignore": ["MAC301"]})");
+    folder.write("plain/bl/base.json", R"({"maclint-baseline": 1, "findings": []})");
+    folder.write("plain/sub/.maclint.json",
+                 R"({"extends": "../common/shop.json", "baseline": "../bl/base.json"})");
+    for (const auto& [in, path] : std::vector<std::pair<std::string, std::string>>{{"plain", "."},
+                                                                                   {"", "plain"},
+                                                                                   {"plain/sub", ".."},
+                                                                                   {"plain", "sub/O1001.nc"},
+                                                                                   {"/", at("plain")}}) {
+        const auto from = in == "/" ? fs::path(in) : folder.path() / in;
+        const test::Finished finished = test::run_maclint(from.string(), {path}, "");
+        EXPECT_EQ(finished.status, 0) << in << path << finished.err;
+    }
+    for (const auto& [in, path] :
+         std::vector<std::pair<std::string, std::string>>{{"plain/sub", "."}, {"/", at("plain/sub")}}) {
+        const auto from = in == "/" ? fs::path(in) : folder.path() / in;
+        const test::Finished finished = test::run_maclint(from.string(), {path}, "");
+        EXPECT_EQ(finished.status, 2) << in << path;
+        EXPECT_THAT(finished.err, HasSubstr("lies outside of this folder and those above it."));
+    }
+    // A folder that was named holds nothing for what is beside it.
+    EXPECT_EQ(test::run_maclint("/", {at("plain/sub"), at("plain/common")}, "").status, 2);
+}
+
+TEST_F(Configurations, OfAHomeFolderNameNoFilesBesideThemselves) {
+    folder.write("home/common/shop.json", "{}");
+    folder.write("home/zip/.maclint.json", R"({"extends": "../common/shop.json"})");
+    folder.write("home/zip/O1001.nc", test::without_defect);
+    fs::remove_all(folder.path() / ".git");
+    const std::string home = at("home");
+    EXPECT_EQ(test::run_shell(home, "HOME='" + home + "' $maclint zip").status, 2);
+    EXPECT_EQ(test::run_shell(home, "HOME='" + home + "/x' $maclint zip").status, 0);
+    EXPECT_EQ(test::run_shell(at(""), "HOME='" + home + "' $maclint home/zip").status, 2);
+    EXPECT_EQ(test::run_shell(home, "HOME='" + home + "' $maclint .").status, 0);
+}
+
+TEST_F(Configurations, DoNotMakeAnybodyQuoteFilesOfFoldersAbove) {
+    folder.write("cred.json", R"({"s3cret-key": 1})");
+    folder.write("rules.json", R"({"ignore": ["s3cret-word"]})");
+    for (const std::string name : {"cred.json", "rules.json"}) {
+        folder.write("plain/.maclint.json", "{\"extends\": \"../" + name + "\"}");
+        EXPECT_THAT(check("plain").err,
+                    AllOf(StartsWith("maclint: error: ../" + name + ": line 1, column "),
+                          HasSubstr("text of a folder above is not shown"), Not(HasSubstr("s3cret"))));
+        EXPECT_THAT(check("plain", {"--config", "../" + name}).err, HasSubstr("s3cret"));
+        EXPECT_THAT(check("", {"plain"}).err, HasSubstr("s3cret")) << "the working folder is the user's own";
+    }
+    fs::remove(folder.path() / "plain/.maclint.json");
+    fs::create_symlink("../cred.json", folder.path() / "plain/.maclint.json");
+    EXPECT_THAT(check("plain").err, AllOf(HasSubstr("is not shown"), Not(HasSubstr("s3cret"))));
+}
+
+TEST_F(Configurations, WaitForNoPipes) {
+    EXPECT_EQ(test::run_shell(at("plain"), "mkfifo p").status, 0);
+    for (const std::string key : {"extends", "baseline"}) {
+        folder.write("plain/.maclint.json", "{\"" + key + "\": \"p\"}");
+        for (const std::vector<std::string>& words :
+             {std::vector<std::string>{}, std::vector<std::string>{"--config", ".maclint.json"}}) {
+            const test::Finished finished = check("plain", words);
+            EXPECT_EQ(finished.status, 2);
+            EXPECT_EQ(finished.err,
+                      "maclint: error: p: cannot be read: it is a pipe. Name a file instead.\n");
+        }
+    }
+    const std::string base = "{\"maclint-baseline\": 1, \"findings\": []}";
+    EXPECT_EQ(test::run_shell(at("plain"), "cat ../shop.json > p & $maclint --config p").status, 0);
+    EXPECT_EQ(
+        test::run_shell(at("plain"), "echo '" + base + "' > p & $maclint --isolated --baseline p").status, 1);
+}
+
+TEST_F(Configurations, ThatAreWrongAreToldOfOnce) {
+    folder.write("plain/.maclint.json", "{");
+    for (const std::string path : {".", "./", "sub/..", "sub/../."}) {
+        const std::string err = check("plain", {path, "sub/O1001.nc"}).err;
+        EXPECT_EQ(err.find("this is no JSON"), err.rfind("this is no JSON")) << path << err;
+        EXPECT_THAT(err, HasSubstr("this is no JSON")) << path;
+    }
+}
+
 TEST_F(Configurations, ThatTheCommandLineNamesMayNameAnything) {
     folder.write("repository/shop.json", R"({"extends": "../shop.json"})");
     folder.write("repository/.maclint.json", R"({"extends": "shop.json", "baseline": "../base.json"})");

@@ -40,6 +40,9 @@ FileKind kind_of(const std::string& text) = delete; // path_of makes a path of i
 /// Absolute, all links followed; nothing is there: an error.
 [[nodiscard]] std::filesystem::path real_path(const std::filesystem::path& path, std::error_code& error);
 
+/// The user's own folder as the environment names it; nothing: it names none.
+[[nodiscard]] std::optional<std::filesystem::path> home_folder();
+
 /// Users by their numbers.
 struct Ownership {
     std::uint64_t owner;  ///< of a file, all links followed

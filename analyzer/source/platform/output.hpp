@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,8 @@ namespace maclint::platform {
 inline constexpr std::chrono::seconds patience_with_readers{10};
 
 /// Where a file of that name is, or goes in the end, all links followed: absolute. It need not be there yet.
+[[nodiscard]] std::filesystem::path place_of(const std::filesystem::path& path);
+/// The same as text.
 [[nodiscard]] std::string written_path(const std::string& path);
 
 /// Puts a file with that text in the place of the old one. Whoever stops the run, or a full disk, leaves the
@@ -20,7 +23,12 @@ inline constexpr std::chrono::seconds patience_with_readers{10};
 /// Takes away the new file of `replace_file`, if there is one just now: the run is about to end at once.
 void remove_unfinished() noexcept;
 
-/// Writes to a pipe or a device. ENXIO: nobody came to read the pipe.
+/// Whether the path means what this process has open, whatever that is: /dev/stderr, /dev/fd/3, or a link to
+/// these. Windows has no such names.
+[[nodiscard]] bool names_open_file(const std::string& path);
+
+/// Writes to a pipe, a device or what is open, there behind what was written before. ENXIO: nobody came to
+/// read the pipe.
 [[nodiscard]] int write_in_place(const std::string& path, std::string_view text);
 
 /// Whether the path means standard output wherever that goes: /dev/stdout. Windows has no such name.

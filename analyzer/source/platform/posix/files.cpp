@@ -1,6 +1,7 @@
 //! As the standard library has it.
 #include "analyzer/source/platform/files.hpp"
 
+#include <cstdlib>
 #include <utility>
 
 #include <sys/stat.h>
@@ -65,6 +66,11 @@ bool are_same_file(const fs::path& one, const fs::path& other) {
 }
 
 fs::path real_path(const fs::path& path, std::error_code& error) { return fs::canonical(path, error); }
+
+std::optional<fs::path> home_folder() {
+    const char* const home = std::getenv("HOME"); // NOLINT(concurrency-mt-unsafe): nobody sets it
+    return home == nullptr || *home == '\0' ? std::nullopt : std::optional<fs::path>(home);
+}
 
 std::optional<Ownership> ownership_of(const fs::path& path) {
     struct stat status {};

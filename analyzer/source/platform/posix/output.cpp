@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -67,6 +68,32 @@ class Unfinished {
     std::array<struct sigaction, ends.size()> before_{};
 };
 
+/// Of what the path names by its number: -1, it names nothing so.
+int open_descriptor(const std::string& path) {
+    std::error_code error;
+    const fs::path numbers = fs::canonical("/dev/fd", error); // on Linux in the folder of this process
+    fs::path at = fs::absolute(path, error);
+    constexpr int most_links = 40; // as systems have it
+    for (int i = 0; i < most_links && !error; ++i) {
+        const std::string name = at.filename().string();
+        const fs::path folder = fs::canonical(at.parent_path(), error);
+        if (error) break;
+        int number = -1;
+        const auto [end, wrong] = std::from_chars(name.data(), name.data() + name.size(), number);
+        if (folder == numbers && wrong == std::errc() && end == name.data() + name.size()) return number;
+        if (!fs::is_symlink(at, error)) break;
+        at = folder / fs::read_symlink(at, error);
+    }
+    return -1;
+}
+
+int write_to_open(int open, std::string_view text) {
+    const int descriptor = fcntl(open, F_DUPFD_CLOEXEC, 0);
+    if (descriptor < 0) return errno;
+    const File file(fdopen(descriptor, "ab"));
+    return file && write_all(file.get(), text) ? 0 : errno;
+}
+
 /// Opens a pipe or a device; whoever is to read a pipe has some seconds to come.
 int open_in_place(const std::string& path) {
     const auto end = std::chrono::steady_clock::now() + patience_with_readers;
@@ -88,17 +115,19 @@ mode_t mode_for(const std::string& path) {
 
 } // namespace
 
-std::string written_path(const std::string& path) {
+fs::path place_of(const fs::path& path) {
     std::error_code none;
-    if (const fs::path real = real_path(path, none); !none) return real.string();
+    if (fs::path real = real_path(path, none); !none) return real;
     fs::path target = fs::absolute(path, none);
     if (none) return path;
     constexpr int most_links = 40; // as systems have it
     for (int i = 0; i < most_links && fs::is_symlink(target, none); ++i)
         target = target.parent_path() / fs::read_symlink(target, none);
-    const fs::path canonical = fs::weakly_canonical(target, none);
-    return none ? target.string() : canonical.string();
+    fs::path canonical = fs::weakly_canonical(target, none);
+    return none ? target : canonical;
 }
+
+std::string written_path(const std::string& path) { return place_of(path).string(); }
 
 int replace_file(const std::string& path, std::string_view text) {
     if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), W_OK) != 0) return errno;
@@ -123,12 +152,15 @@ void remove_unfinished() noexcept {
 
 int write_in_place(const std::string& path, std::string_view text) {
     const WithoutSignal ignored(SIGPIPE);
+    if (const int open = open_descriptor(path); open >= 0) return write_to_open(open, text);
     const int descriptor = open_in_place(path);
     if (descriptor < 0) return errno;
     const File file(fdopen(descriptor, "wb"));
     if (file && fcntl(descriptor, F_SETFL, O_WRONLY) == 0 && write_all(file.get(), text)) return 0;
     return errno;
 }
+
+bool names_open_file(const std::string& path) { return open_descriptor(path) >= 0; }
 
 bool names_standard_output(const std::string& path) {
     return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";

@@ -150,6 +150,11 @@ fs::path real_path(const fs::path& path, std::error_code& error) {
     }
 }
 
+std::optional<fs::path> home_folder() {
+    const wchar_t* const home = _wgetenv(L"USERPROFILE");
+    return home == nullptr || *home == L'\0' ? std::nullopt : std::optional<fs::path>(home);
+}
+
 std::optional<Ownership> ownership_of(const fs::path&) { return std::nullopt; }
 
 std::uintmax_t size_of(const fs::path& path) {

@@ -58,15 +58,17 @@ int write_new(const std::wstring& name, std::string_view text) {
 
 } // namespace
 
-std::string written_path(const std::string& path) {
+fs::path place_of(const fs::path& path) {
     std::error_code error;
-    const fs::path target = fs::absolute(path_of(path), error).lexically_normal();
+    const fs::path target = fs::absolute(path, error).lexically_normal();
     if (error) return path;
-    const fs::path real = real_path(target, error);
-    if (!error) return text_of(real);
+    fs::path real = real_path(target, error);
+    if (!error) return real;
     const fs::path folder = real_path(target.parent_path(), error);
-    return text_of(error ? target : folder / target.filename());
+    return error ? target : folder / target.filename();
 }
+
+std::string written_path(const std::string& path) { return text_of(place_of(path_of(path))); }
 
 int replace_file(const std::string& path, std::string_view text) {
     const fs::path target = path_of(path);
@@ -93,6 +95,8 @@ int write_in_place(const std::string& path, std::string_view text) {
     const Handle file(open_existing(target, GENERIC_WRITE));
     return file.is_open() ? write_all(file.get(), text) : last_error();
 }
+
+bool names_open_file(const std::string&) { return false; }
 
 bool names_standard_output(const std::string&) { return false; }
 
