@@ -64,18 +64,18 @@ void require_json(const std::string& text, const std::string& name) {
     if (!nlohmann::json::accept(text)) fuzz::fail(name + " is no JSON");
 }
 
-/// A text that is wrapped where a `%` stands in it may be taken for a program: a control begins to read
-/// there.
-bool is_wrapped_at_tape_mark(const std::string& report) {
+/// A text that is wrapped where a `%` stands in it, or quotes blocks, may be taken for a program: a control
+/// begins to read there.
+bool quotes_blocks(const std::string& report) {
     std::istringstream lines(report);
     for (std::string line; std::getline(lines, line);)
-        if (line.find('|') == std::string::npos && cli::is_like_tape_mark(line)) return true;
+        if (line.find('|') == std::string::npos && cli::is_like_blocks(line)) return true;
     return false;
 }
 
 /// A report must not be taken for a program, or the next run could not write it again.
 void require_writable_again(const std::string& report) {
-    if (is_wrapped_at_tape_mark(report)) return;
+    if (quotes_blocks(report)) return;
     static const test::TemporaryFolder folder;
     const std::string path = folder.write("report", report);
     const cli::Settings settings(cli::Overrides{});

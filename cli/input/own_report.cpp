@@ -7,6 +7,8 @@
 #include "cli/report/report.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace maclint::cli {
@@ -63,6 +65,7 @@ class WrappedText {
 
 constexpr std::string_view rules_title = "findings by rule:";
 constexpr std::string_view files_title = "findings by file:";
+constexpr std::string_view no_row = "  none";
 
 bool is_single_line(std::string_view line) {
     return is_concise_finding(line) || is_workflow_command(line) || is_message(line) || is_summary(line) ||
@@ -76,7 +79,8 @@ class ReportReader {
 
     /// Whether the text begins like a report, which few programs do.
     [[nodiscard]] bool begins() const {
-        return is_headline(lines_.line()) || lines_.line() == rules_title || is_single_line(lines_.line());
+        return rule_of_headline(lines_.line()) != nullptr || lines_.line() == rules_title ||
+               is_single_line(lines_.line());
     }
 
     bool read() {
@@ -88,23 +92,46 @@ class ReportReader {
   private:
     bool read_part() {
         const std::string& line = lines_.line();
-        if (is_headline(line)) return read_finding();
-        if (line == rules_title || line == files_title) {
-            do lines_.next();
-            while (is_count(lines_.line()) && !is_like_tape_mark(lines_.line()));
-            return true;
-        }
-        if (!line.empty() && (!is_single_line(line) || is_like_tape_mark(line))) return false;
+        if (const Rule* rule = rule_of_headline(line)) return read_finding(*rule);
+        if (line == rules_title) return read_statistics();
+        if (!line.empty() && (!is_single_line(line) || is_like_blocks(line))) return false;
         lines_.next();
         return true;
     }
 
-    bool read_finding() {
-        constexpr std::size_t indent = 4;
-        if (!read_wrapped(lines_.line().find(": ") + 2, indent)) return false;
+    /// Both tables; rows of files could be anything, so they have to follow rows of rules and add up.
+    bool read_statistics() {
+        std::uint64_t in_rules = 0, in_files = 0;
+        lines_.next();
+        while (const auto count = count_of_rule(lines_.line())) {
+            in_rules += *count;
+            lines_.next();
+        }
+        if (in_rules == 0 && !lines_.at_end() && !take_line(no_row)) return false;
         if (lines_.at_end()) return true;
+        if (!take_line(files_title)) return false;
+        if (in_rules == 0) return lines_.at_end() || take_line(no_row);
+        while (const auto count = count_of_file(lines_.line())) {
+            if (is_like_blocks(lines_.line()) || *count > in_rules - in_files) return false;
+            in_files += *count;
+            lines_.next();
+        }
+        if (is_count_of_more_files(lines_.line())) lines_.next();
+        return true;
+    }
+
+    bool take_line(std::string_view wanted) {
+        if (lines_.line() != wanted) return false;
+        lines_.next();
+        return true;
+    }
+
+    bool read_finding(const Rule& rule) {
+        constexpr std::size_t indent = 4;
+        const auto statement = read_wrapped(lines_.line().find(": ") + 2, indent);
+        if (!statement || !are_words_of(rule, *statement)) return false;
         const std::size_t margin = margin_of_place(lines_.line(), "-->");
-        if (margin == 0) return false;
+        if (margin == 0 || is_like_blocks(lines_.line())) return false;
         do {
             // No row is longer than a report is wide, but for words in it that are.
             if (holds_tape_mark_as_block(lines_.line()) && columns_of(lines_.line()) > most_width)
@@ -124,17 +151,19 @@ class ReportReader {
     }
 
     /// A text with `first` columns before it, and its further lines behind `indent` blanks.
-    bool read_wrapped(std::size_t first, std::size_t indent) {
+    std::optional<std::string> read_wrapped(std::size_t first, std::size_t indent) {
         const std::string blanks(indent, ' ');
         WrappedText text;
+        std::string words;
         std::size_t before = first;
         do {
-            if (is_like_tape_mark(lines_.line()) || !text.take(without_reference(lines_.line()), before))
-                return false;
+            const std::string_view line = without_reference(lines_.line());
+            if (is_like_blocks(lines_.line()) || !text.take(line, before)) return std::nullopt;
+            words += line.substr(std::min(before, line.size()));
             before = indent;
             lines_.next();
         } while (lines_.line().starts_with(blanks) && margin_of_place(lines_.line(), "-->") == 0);
-        return true;
+        return words;
     }
 
     /// The reference stands at the end of a cure's last line where there is room.

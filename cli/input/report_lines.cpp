@@ -1,10 +1,12 @@
 //! Lines as the text, concise and GitHub reports, the tables of numbers and standard error have them.
 #include "cli/input/report_lines.hpp"
 
+#include "rules/rule.hpp"
+
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <span>
+#include <charconv>
+#include <system_error>
 
 namespace maclint::cli {
 namespace {
@@ -16,9 +18,13 @@ constexpr std::string_view blanks = " \t";
 
 bool is_digit(char c) { return digits.find(c) != std::string_view::npos; }
 
-bool is_code(std::string_view text) {
-    return text.size() == code_length && (text.starts_with("MAC") || text.starts_with("DIN")) &&
-           std::ranges::all_of(text.substr(3), is_digit);
+/// Takes a code off the front; nullptr: no rule has it.
+const Rule* take_code(std::string_view& text) {
+    const std::string_view code = text.substr(0, code_length);
+    const Rule* rule = find_rule(code);
+    if (rule == nullptr || rule->code != code) return nullptr;
+    text.remove_prefix(code_length);
+    return rule;
 }
 
 /// Takes a number off the front; false: there is none.
@@ -41,12 +47,60 @@ bool take_counted(std::string_view& text, std::string_view noun) {
     return true;
 }
 
-/// Takes "error[MAC303]" off the front.
+/// "1 link to elsewhere"
+bool take_counted(std::string_view& text, std::string_view noun, std::string_view rest) {
+    std::string_view known = text;
+    if (!take_counted(known, noun) || !take(known, rest)) return false;
+    text = known;
+    return true;
+}
+
+/// "12.345" with so many digits behind the point
+bool take_decimal(std::string_view& text, std::size_t places) {
+    if (!take_number(text) || !take(text, ".")) return false;
+    const std::string_view behind = text;
+    return take_number(text) && behind.size() - text.size() == places;
+}
+
 bool take_severity(std::string_view& text) {
-    const auto taken = std::ranges::any_of(severities, [&](auto severity) { return take(text, severity); });
-    if (!taken || !take(text, "[") || !is_code(text.substr(0, code_length))) return false;
-    text.remove_prefix(code_length);
-    return take(text, "]");
+    return std::ranges::any_of(severities, [&](auto severity) { return take(text, severity); });
+}
+
+/// Takes "error[MAC303]" off the front; nullptr: no finding of a rule is there.
+const Rule* take_rule(std::string_view& text) {
+    if (!take_severity(text) || !take(text, "[")) return nullptr;
+    const Rule* rule = take_code(text);
+    return take(text, "]") ? rule : nullptr;
+}
+
+/// A report is wrapped at blanks, so they do not count.
+std::string without_blanks(std::string_view text) {
+    std::string words(text);
+    std::erase(words, ' ');
+    return words;
+}
+
+/// What a message begins with in every finding: the number of an alarm may follow its first sentence.
+std::string_view fixed_beginning(std::string_view message) {
+    return message.substr(0, std::min({message.find('{'), message.find(". "),
+                                       message.size() - (message.ends_with('.') ? 1 : 0)}));
+}
+
+/// Takes "  12  " off the front.
+std::optional<std::uint64_t> take_count(std::string_view& line) {
+    if (!take(line, "  ")) return std::nullopt;
+    line.remove_prefix(std::min(line.size(), line.find_first_not_of(' ')));
+    std::uint64_t count = 0;
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), count);
+    if (error != std::errc{}) return std::nullopt;
+    line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+    return take(line, "  ") ? std::optional(count) : std::nullopt;
+}
+
+/// Words and a full stop: that of a number, as in X100., is none.
+bool ends_like_sentence(std::string_view text) {
+    return text.size() > 1 && text.ends_with('.') && !is_digit(text[text.size() - 2]) &&
+           text.find(';') == std::string_view::npos;
 }
 
 /// "O1.nc:4:1"
@@ -69,45 +123,92 @@ bool has_open_bracket(std::string_view text) {
     return opens('(', ')') || opens('[', ']');
 }
 
-bool starts_with_any(std::string_view line, std::span<const std::string_view> heads) {
-    return std::ranges::any_of(heads, [&](std::string_view head) { return line.starts_with(head); });
+/// ", 1 allowed by comments", and what else a summary says of what was not checked or shown.
+bool take_further_number(std::string_view& text) {
+    return take(text, ", ") && (take_counted(text, "file", " with another name passed over") ||
+                                take_counted(text, "file", " with other names passed over") ||
+                                take_counted(text, "program", " ignored by git") ||
+                                take_counted(text, "link", " to elsewhere not followed") ||
+                                (take_number(text) && (take(text, " allowed by comments") ||
+                                                       take(text, " not shown: see --max-findings"))));
+}
+
+/// ",line=4,endLine=4,col=1,endColumn=7"
+bool take_properties(std::string_view& text) {
+    const auto take_property = [&](std::string_view name) { return take(text, name) && take_number(text); };
+    if (!take_property(",line=") || !take_property(",endLine=")) return false;
+    return !text.starts_with(",col=") || (take_property(",col=") && take_property(",endColumn="));
+}
+
+/// A value of a property of a workflow command, in which ',' and ':' are escaped.
+void take_value(std::string_view& text) {
+    text.remove_prefix(std::min(text.size(), text.find_first_of(",:")));
+}
+
+/// What a run took its time for, behind "timing: ".
+bool is_part_with_time(std::string_view line, std::string_view part, std::string_view& rest) {
+    if (!take(line, part) || !take(line, " ")) return false;
+    line.remove_prefix(std::min(line.size(), line.find_first_not_of(' ')));
+    if (!take_decimal(line, 3) || !take(line, " s")) return false;
+    rest = line;
+    return true;
 }
 
 } // namespace
 
-bool is_headline(std::string_view line) { return take_severity(line) && line.starts_with(": "); }
+bool are_words_of(const Rule& rule, std::string_view text) {
+    const std::string words = without_blanks(text);
+    const auto begins = [&](std::string_view message) {
+        return words.starts_with(without_blanks(fixed_beginning(message)));
+    };
+    return std::ranges::any_of(rule.messages, begins, &Message::text) ||
+           (rule.messages.empty() && begins(rule.summary));
+}
+
+const Rule* rule_of_headline(std::string_view line) {
+    const Rule* rule = take_rule(line);
+    return line.starts_with(": ") ? rule : nullptr;
+}
 
 bool is_concise_finding(std::string_view line) {
     for (std::size_t at = line.find(": "); at != std::string_view::npos; at = line.find(": ", at + 1)) {
         std::string_view rest = line.substr(at + 2);
         const std::string_view place = line.substr(0, at);
-        if (take_severity(rest) && rest.starts_with(' ') && is_place(place)) return !has_open_bracket(place);
+        const Rule* rule = take_rule(rest);
+        if (rule != nullptr && take(rest, " ") && is_place(place))
+            return !has_open_bracket(place) && are_words_of(*rule, rest);
     }
     return false;
 }
 
 bool is_workflow_command(std::string_view line) {
-    constexpr std::array<std::string_view, 4> heads = {
-        "::error file=", "::warning file=", "::notice file=", "::error title=maclint"};
-    return starts_with_any(line, heads);
+    if (take(line, "::error title=maclint")) {
+        if (take(line, ",file=")) take_value(line);
+        return take(line, "::") && ends_like_sentence(line);
+    }
+    if (!take(line, "::error") && !take(line, "::warning") && !take(line, "::notice")) return false;
+    if (!take(line, " file=")) return false;
+    take_value(line);
+    if (!take_properties(line) || !take(line, ",title=")) return false;
+    const Rule* rule = take_code(line);
+    return rule != nullptr && take(line, " ") && take(line, rule->name) && take(line, "::");
 }
 
 bool is_message(std::string_view line) {
-    constexpr std::array<std::string_view, 2> heads = {"maclint: error: ", "maclint: note: "};
-    return starts_with_any(line, heads);
+    return (take(line, "maclint: error: ") || take(line, "maclint: note: ")) && ends_like_sentence(line);
 }
 
 bool is_summary(std::string_view line) {
     if (!take(line, "no findings") && !take(line, "no new findings")) {
         do
-            if (!take_number(line) || !take(line, " ") ||
-                std::ranges::none_of(severities, [&](auto severity) { return take(line, severity); }))
-                return false;
+            if (!take_number(line) || !take(line, " ") || !take_severity(line)) return false;
         while ((take(line, "s"), take(line, ", ")));
         if (!take(line, " in ") || !take_counted(line, "file")) return false;
     }
-    return take(line, " (") && take_number(line) && take(line, " checked") && line.ends_with(')') &&
-           (line.size() == 1 || line.starts_with(", "));
+    if (!take(line, " (") || !take_number(line) || !take(line, " checked")) return false;
+    while (line.starts_with(", "))
+        if (!take_further_number(line)) return false;
+    return line == ")";
 }
 
 bool is_not_shown(std::string_view line) {
@@ -117,14 +218,35 @@ bool is_not_shown(std::string_view line) {
             known.ends_with(" not shown"));
 }
 
-bool is_timing(std::string_view line) { return line.starts_with("timing: "); }
+bool is_timing(std::string_view line) {
+    if (!take(line, "timing: ")) return false;
+    std::string_view rest;
+    for (const std::string_view part : {"finding files", "reports", "the whole run"})
+        if (is_part_with_time(line, part, rest)) return rest.empty();
+    if (is_part_with_time(line, "reading", rest))
+        return take(rest, "  ") && take_counted(rest, "file") && take(rest, ", ") && take_decimal(rest, 2) &&
+               rest == " MB";
+    if (is_part_with_time(line, "analysis", rest))
+        return take(rest, "  ") && take_counted(rest, "program") && rest.empty();
+    return is_part_with_time(line, "rules", rest) && take(rest, "  ") && take_counted(rest, "path") &&
+           take(rest, " looked for, ") && take_number(rest) && rest == " given up";
+}
 
-bool is_count(std::string_view line) {
-    if (!take(line, "  ")) return false;
-    if (line == "none") return true;
-    if (take(line, "and ")) return take_counted(line, "more file") && line.empty();
-    line.remove_prefix(std::min(line.size(), line.find_first_not_of(' ')));
-    return take_number(line) && take(line, "  ") && !line.empty();
+std::optional<std::uint64_t> count_of_rule(std::string_view line) {
+    const auto findings = take_count(line);
+    const Rule* rule = findings ? take_code(line) : nullptr;
+    const bool whole = rule != nullptr && take(line, " ") && take(line, rule->name) && take(line, " (") &&
+                       take_severity(line) && line == ")";
+    return whole ? findings : std::nullopt;
+}
+
+std::optional<std::uint64_t> count_of_file(std::string_view line) {
+    const auto findings = take_count(line);
+    return line.empty() ? std::nullopt : findings;
+}
+
+bool is_count_of_more_files(std::string_view line) {
+    return take(line, "  and ") && take_counted(line, "more file") && line.empty();
 }
 
 std::size_t margin_of_place(std::string_view line, std::string_view arrow) {
@@ -140,12 +262,22 @@ bool is_row(std::string_view line, std::size_t margin) {
     return std::ranges::all_of(number, is_digit) && (line.size() == margin + 2 || line[margin + 2] == ' ');
 }
 
-bool is_reference(std::string_view text) { return take(text, "more: maclint explain ") && is_code(text); }
+bool is_reference(std::string_view text) {
+    return take(text, "more: maclint explain ") && take_code(text) != nullptr && text.empty();
+}
 
-bool is_like_tape_mark(std::string_view line) {
+bool is_like_blocks(std::string_view line) {
     const std::size_t first = line.find_first_not_of(blanks);
     if (first == std::string_view::npos) return false;
-    return line[first] == '%' || line[line.find_last_not_of(blanks)] == '%' || holds_tape_mark_as_block(line);
+    if (line[first] == '%' || line[line.find_last_not_of(blanks)] == '%') return true;
+    for (std::size_t at = line.find(';'); at != std::string_view::npos; at = line.find(';', at + 1)) {
+        const std::size_t next = line.find_first_not_of(blanks, at + 1);
+        if (next == std::string_view::npos) break;
+        const bool ends_quote = line[next] == '\'' || line[next] == ')' || line[next] == ']';
+        const bool goes_on = next > at + 1 && (line[next] == '-' || ('a' <= line[next] && line[next] <= 'z'));
+        if (!ends_quote && !goes_on) return true;
+    }
+    return false;
 }
 
 bool holds_tape_mark_as_block(std::string_view line) {

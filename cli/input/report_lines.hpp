@@ -2,21 +2,30 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
+namespace maclint {
+struct Rule;
+}
+
 namespace maclint::cli {
 
-/// "error[MAC303]: Jump into a loop"; the message behind it.
-[[nodiscard]] bool is_headline(std::string_view line);
+/// The rule of "error[MAC303]: Jump into a loop"; nullptr: it is no such line.
+[[nodiscard]] const Rule* rule_of_headline(std::string_view line);
+
+/// Whether a text begins like a finding of the rule, up to the words that differ from finding to finding.
+[[nodiscard]] bool are_words_of(const Rule& rule, std::string_view text);
 
 /// "O1.nc:4:1: error[MAC301] Missing"
 [[nodiscard]] bool is_concise_finding(std::string_view line);
 
-/// "::error file=O1.nc,line=4"
+/// "::error file=O1.nc,line=4,endLine=4,title=MAC303 jump-into-loop::Jump into a loop"
 [[nodiscard]] bool is_workflow_command(std::string_view line);
 
-/// "maclint: note: O1.txt: this is not linted", where what goes to standard error went into the file, too.
+/// "maclint: note: O1.txt: this is not linted.", where what goes to standard error went into the file, too.
 [[nodiscard]] bool is_message(std::string_view line);
 
 /// "no findings (3 checked)", "1 error, 2 notes in 1 file (3 checked, 1 allowed by comments)"
@@ -28,8 +37,14 @@ namespace maclint::cli {
 /// "timing: reading             0.012 s"
 [[nodiscard]] bool is_timing(std::string_view line);
 
-/// "  12  MAC303 jump-into-loop (error)", "  3  O1.nc", "  none", "  and 5 more files"
-[[nodiscard]] bool is_count(std::string_view line);
+/// The number of "  12  MAC303 jump-into-loop (error)".
+[[nodiscard]] std::optional<std::uint64_t> count_of_rule(std::string_view line);
+
+/// The number of "  3  O1.nc".
+[[nodiscard]] std::optional<std::uint64_t> count_of_file(std::string_view line);
+
+/// "  and 5 more files"
+[[nodiscard]] bool is_count_of_more_files(std::string_view line);
 
 /// "  --> O1.nc:4:1" behind its arrow; the columns before the arrow, 0 for other lines.
 [[nodiscard]] std::size_t margin_of_place(std::string_view line, std::string_view arrow);
@@ -40,11 +55,12 @@ namespace maclint::cli {
 /// "more: maclint explain MAC303"
 [[nodiscard]] bool is_reference(std::string_view text);
 
-/// Whether the line begins or ends with what could be a tape mark. A control reads nothing before the first
-/// one.
-[[nodiscard]] bool is_like_tape_mark(std::string_view line);
-/// Whether a line has one at the head of a block, and more behind it: `;%;O1`. In what a row quotes others
-/// are harmless.
+/// Whether the line begins or ends with what could be a tape mark, before which a control reads nothing, or
+/// holds the end of a block, ';', and more behind it that is no prose. A text that quotes such blocks is
+/// rather linted than a program passed over.
+[[nodiscard]] bool is_like_blocks(std::string_view line);
+/// Whether a line has a tape mark at the head of a block, and more behind it: `;%;O1`. In what a row quotes
+/// others are harmless.
 [[nodiscard]] bool holds_tape_mark_as_block(std::string_view line);
 
 /// The line without what colours it.
