@@ -325,18 +325,26 @@ Notice links_out_of(const std::string& folder, std::size_t links) {
                 " not followed. Say --follow-links to have checked what is there."};
 }
 
-/// A folder without programs is told of, and links that were not followed.
+Notice without_programs(const std::string& folder, const PassedOver& passed_over) {
+    const std::string others = text_of(passed_over);
+    const std::string cure = passed_over.links_out > 0
+                                 ? "Say --follow-links to have checked what is behind links, or name files "
+                                   "themselves."
+                                 : "Name files themselves when they have unusual names, or add 'include' to "
+                                   "the configuration.";
+    return {NoticeKind::left_out, as_shown(platform::path_of(folder)),
+            "no NC program is in this folder" + (others.empty() ? "" : " (" + others + ")") + ". " + cure};
+}
+
+/// A folder without programs is told of, or else links that were not followed.
 void search(Walk& walk, const std::string& folder) {
     const PassedOver before = walk.passed_over();
     const std::size_t programs = walk.add_folder(platform::path_of(folder), Depth::all_below, true);
     const PassedOver added = walk.passed_over() - before;
-    if (added.links_out > 0) walk.note(links_out_of(folder, added.links_out));
-    if (programs > 0) return;
-    const std::string others = text_of(added);
-    walk.note({NoticeKind::left_out, as_shown(platform::path_of(folder)),
-               "no NC program is in this folder" + (others.empty() ? "" : " (" + others + ")") +
-                   ". Name files themselves when they have unusual names, or add 'include' to the "
-                   "configuration."});
+    if (programs == 0)
+        walk.note(without_programs(folder, added));
+    else if (added.links_out > 0)
+        walk.note(links_out_of(folder, added.links_out));
 }
 
 } // namespace

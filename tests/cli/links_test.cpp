@@ -182,12 +182,20 @@ TEST_F(Links, ToFilesOfTheSystemThatNeverEndDoNotHang) {
 }
 
 TEST_F(Links, AnIgnoreFileTooLargeIsNotedAndDoesNotHold) {
-    folder.write("shop/.gitignore", "*.nc\n" + std::string(std::size_t{1} << 20U, '#'));
+    folder.write("shop/.gitignore", "*.nc\n" + std::string(std::size_t{1} << 16U, '#'));
     const Finished finished = check({"shop"});
     EXPECT_THAT(finished.out, HasSubstr("(1 checked)"));
     EXPECT_THAT(finished.err,
                 AllOf(StartsWith("maclint: note: "), HasSubstr("shop/.gitignore: cannot be read: it is "
-                                                               "larger than 1 MiB.")));
+                                                               "larger than 64 KiB.")));
+}
+
+TEST_F(Links, OutOfAFolderWithoutProgramsAreOneNote) {
+    fs::create_directory(folder.path() / "bare");
+    link("bare/O2.nc", "../out/O1001.nc");
+    EXPECT_EQ(check({"bare"}).err,
+              "maclint: note: bare: no NC program is in this folder (1 link to elsewhere not followed). Say "
+              "--follow-links to have checked what is behind links, or name files themselves.\n");
 }
 
 } // namespace
