@@ -161,6 +161,18 @@ bool matches(const IgnoreRule& rule, const std::vector<std::string_view>& names)
     return matches_name(rule.names.front(), names.back());
 }
 
+bool has_wildcard(const IgnoreRule& rule) {
+    return std::ranges::any_of(
+        rule.names, [](const std::string& name) { return name.find_first_of("*?[") != std::string::npos; });
+}
+
+template<class Names>
+std::string joined(const Names& names) {
+    std::string path;
+    for (const auto& name : names) path.append(path.empty() ? "" : "/").append(name);
+    return path;
+}
+
 } // namespace
 
 std::vector<IgnoreRule> read_ignore_rules(std::string_view text) {
@@ -175,17 +187,54 @@ std::vector<IgnoreRule> read_ignore_rules(std::string_view text) {
     return rules;
 }
 
+IndexedRules::IndexedRules(std::vector<IgnoreRule> rules)
+    : rules_(std::move(rules)) {
+    for (std::size_t i = 0; i < rules_.size(); ++i) {
+        const IgnoreRule& rule = rules_[i];
+        if (has_wildcard(rule)) {
+            with_wildcards_.push_back(i);
+        } else {
+            Last& last = rule.anchored ? by_path_[joined(rule.names)] : by_name_[rule.names.front()];
+            (rule.folders_only ? last.of_folders : last.of_all) = i + 1;
+        }
+    }
+}
+
+std::size_t IndexedRules::last_of(const ByText& rules, const std::string& text, bool is_folder) {
+    const auto found = rules.find(text);
+    if (found == rules.end()) return 0;
+    return is_folder ? std::max(found->second.of_all, found->second.of_folders) : found->second.of_all;
+}
+
+std::optional<bool> IndexedRules::pass_over(const std::vector<std::string_view>& names,
+                                            bool is_folder) const {
+    std::size_t last = last_of(by_name_, std::string(names.back()), is_folder);
+    if (!by_path_.empty()) last = std::max(last, last_of(by_path_, joined(names), is_folder));
+    for (auto at = with_wildcards_.rbegin(); at != with_wildcards_.rend() && *at >= last; ++at)
+        if ((is_folder || !rules_[*at].folders_only) && matches(rules_[*at], names)) last = *at + 1;
+    return last == 0 ? std::nullopt : std::optional(!rules_[last - 1].wanted);
+}
+
 GitIgnore::Chain GitIgnore::with_file(Chain above, const std::string& folder, const fs::path& file) {
     // Nor does git follow a link in its place.
     if (platform::kind_unfollowed(file) != platform::FileKind::regular) return above;
     auto read = read_file(platform::text_of(file), ignore_file_limit);
     if (auto* error = std::get_if<InputError>(&read)) {
         unread_.push_back(std::move(*error));
-        return above;
+        return nullptr;
     }
     auto rules = read_ignore_rules(std::get<Source>(read).bytes());
     if (rules.empty()) return above;
-    return std::make_shared<const Rules>(Rules{std::move(above), folder, std::move(rules)});
+    IndexedRules indexed(std::move(rules));
+    const std::size_t wildcards = indexed.wildcards() + (above == nullptr ? 0 : above->wildcards);
+    if (wildcards > most_ignore_wildcards) {
+        unread_.push_back(
+            {platform::text_of(file), "holds, with the files above it, more than " +
+                                          std::to_string(most_ignore_wildcards) +
+                                          " patterns with wildcards. What it names is checked."});
+        return nullptr;
+    }
+    return std::make_shared<const Rules>(Rules{std::move(above), folder, std::move(indexed), wildcards});
 }
 
 const GitIgnore::Known& GitIgnore::known_of(const std::string& folder) {
@@ -208,10 +257,7 @@ bool GitIgnore::ignores(const std::string& folder, const std::string& name, bool
     const std::string path = folder + "/" + name;
     for (const Rules* file = rules.get(); file != nullptr; file = file->above.get()) {
         const auto names = names_of(std::string_view(path).substr(file->folder.size()));
-        const auto rule = std::find_if(file->rules.rbegin(), file->rules.rend(), [&](const IgnoreRule& each) {
-            return (is_folder || !each.folders_only) && matches(each, names);
-        });
-        if (rule != file->rules.rend()) return !rule->wanted;
+        if (const auto passed_over = file->rules.pass_over(names, is_folder)) return *passed_over;
     }
     return false;
 }

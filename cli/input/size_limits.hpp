@@ -3,6 +3,7 @@
 
 #include "analyzer/source/read.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace maclint::cli {
@@ -22,8 +23,11 @@ inline constexpr SizeLimit configuration_limit{16 * mebibyte, "Split it by 'exte
 /// An entry takes some 200 bytes: more than a million of them.
 inline constexpr SizeLimit baseline_limit{256 * mebibyte, "Keep one for each folder, or correct its name."};
 
-/// Written by hand. Each name is held against all patterns: of 1 MiB there are some 50,000.
-inline constexpr SizeLimit ignore_file_limit{mebibyte, "What it names is checked."};
+/// Written by hand: those of large projects have less than 10 kB.
+inline constexpr SizeLimit ignore_file_limit{mebibyte / 16, "What it names is checked."};
+
+/// In the ignore files that hold in a folder. Each name in it is held against all of them.
+inline constexpr std::size_t most_ignore_wildcards = 2000;
 
 /// A .git that is a file, and what it leads to: a path and a word before it.
 inline constexpr SizeLimit git_pointer_limit{mebibyte / 16, "Correct it."};

@@ -90,17 +90,40 @@ const std::vector<std::pair<std::string, std::string>> rule_files = {
      "star\\*.nc\nlink\nfold\nm**n.nc\r\n[]-]s.nc\n[^x]t.nc\n"},
     {"sub/.gitignore", "!*.tap\n/own.nc\nfold/\n"},
     {"sub/more/.gitignore", "*.tap\n"},
+    {"order/.gitignore",
+     "a.nc\n!*.nc\n/b.nc\n!x/c.nc\nx/c.nc\nx/d.nc\n!d.nc\n*.min\n!e.min\ne.min/\nf.min\n!/f.min\ng.tap/\n"},
     {".git/info/exclude", "excluded.nc\n"}};
 
-const std::vector<std::string> paths = {
-    "a.tap",         "keep.tap",  "top.nc",         "sub/top.nc",      "out/never.nc",    "out/a.nc",
-    "sub/out/a.nc",  "docs/a.nc", "docs/b/a.nc",    "sub/docs/a.nc",   "a/z.nc",          "a/b/z.nc",
-    "a/b/c/z.nc",    "a/zz.nc",   "deep/x.nc",      "q/deep/x.nc",     "lib/a.nc",        "lib/b/a.nc",
-    "0a.nc",         "4a.nc",     "zq.nc",          "bq.nc",           "!bang.nc",        "bang.nc",
-    "blank .nc",     "blank.nc",  "trail.nc",       "x1.nc",           "xx.nc",           "star*.nc",
-    "starry.nc",     "sub/a.tap", "sub/more/a.tap", "sub/own.nc",      "sub/more/own.nc", "own.nc",
-    "sub/fold/a.nc", "fold",      "excluded.nc",    "sub/excluded.nc", "plain.nc",        "m1n.nc",
-    "mn.nc",         "]s.nc",     "-s.nc",          "as.nc",           "xt.nc",           "yt.nc"};
+const std::vector<std::string> paths = {"a.tap",           "keep.tap",
+                                        "top.nc",          "sub/top.nc",
+                                        "out/never.nc",    "out/a.nc",
+                                        "sub/out/a.nc",    "docs/a.nc",
+                                        "docs/b/a.nc",     "sub/docs/a.nc",
+                                        "a/z.nc",          "a/b/z.nc",
+                                        "a/b/c/z.nc",      "a/zz.nc",
+                                        "deep/x.nc",       "q/deep/x.nc",
+                                        "lib/a.nc",        "lib/b/a.nc",
+                                        "0a.nc",           "4a.nc",
+                                        "zq.nc",           "bq.nc",
+                                        "!bang.nc",        "bang.nc",
+                                        "blank .nc",       "blank.nc",
+                                        "trail.nc",        "x1.nc",
+                                        "xx.nc",           "star*.nc",
+                                        "starry.nc",       "sub/a.tap",
+                                        "sub/more/a.tap",  "sub/own.nc",
+                                        "sub/more/own.nc", "own.nc",
+                                        "sub/fold/a.nc",   "fold",
+                                        "excluded.nc",     "sub/excluded.nc",
+                                        "plain.nc",        "m1n.nc",
+                                        "mn.nc",           "order/a.nc",
+                                        "order/b.nc",      "order/x/b.nc",
+                                        "order/x/c.nc",    "order/x/d.nc",
+                                        "order/d.nc",      "order/e.min",
+                                        "order/x/e.min",   "order/f.min",
+                                        "order/x/f.min",   "order/g.tap/a.nc",
+                                        "order/y/g.tap",   "]s.nc",
+                                        "-s.nc",           "as.nc",
+                                        "xt.nc",           "yt.nc"};
 
 TEST_F(GitIgnoreFolders, PassOverWhatGitPassesOver) {
     if (test::run_shell(folder.path().string(), "git init -q . 2>&1").status != 0) GTEST_SKIP() << "no git";
@@ -119,6 +142,28 @@ TEST_F(GitIgnoreFolders, PassOverWhatGitPassesOver) {
         if (ignored(path)) found.push_back(path);
     EXPECT_EQ(found, expected);
     EXPECT_GT(found.size(), 20U);
+}
+
+TEST_F(GitIgnoreFolders, WithTooManyWildcardsPassNothingOverAndAreNoted) {
+    const auto wildcards = [](std::size_t count) {
+        std::string text;
+        for (std::size_t i = 0; i < count; ++i) text += "*a" + std::to_string(i) + "c*\n";
+        return text;
+    };
+    folder.write(".git/HEAD", "");
+    folder.write(".gitignore", "*.nc\n" + wildcards(1998));
+    folder.write("full/.gitignore", "!x*.nc\nO2.nc\n");
+    folder.write("over/.gitignore", "!x*.nc\n*.tap\nO2.nc\n");
+    const std::string top = std::filesystem::canonical(folder.path()).string();
+    GitIgnore git;
+    EXPECT_TRUE(git.ignores(top + "/full", "O2.nc", false));
+    EXPECT_FALSE(git.ignores(top + "/full", "x1.nc", false));
+    EXPECT_THAT(git.unread(), IsEmpty());
+    for (const char* name : {"O2.nc", "x1.nc", "y.nc", "y.tap"})
+        EXPECT_FALSE(git.ignores(top + "/over", name, false)) << name;
+    ASSERT_EQ(git.unread().size(), 1U);
+    EXPECT_EQ(git.unread().front().message, "holds, with the files above it, more than 2000 patterns with "
+                                            "wildcards. What it names is checked.");
 }
 
 } // namespace
