@@ -162,10 +162,9 @@ TEST_F(Faults, AnOldReportOfAnySizeIsReplacedWithoutReadingIt) {
 }
 
 TEST_F(Faults, WhatIsOpenIsWrittenBehindWhatIsThere) {
-    for (const std::string name : {"/dev/stderr", "/dev/fd/2", "/proc/self/fd/2", "link"}) {
-        const Finished finished =
-            shell("ln -sf /dev/stderr link; echo before > log; { $maclint --output json:" + name +
-                  "; echo after >&2; } 2>> log > /dev/null; cat log");
+    for (const std::string name : {"/dev/stderr", "/dev/fd/2", "/proc/self/fd/2"}) {
+        const Finished finished = shell("echo before > log; { $maclint --output json:" + name +
+                                        "; echo after >&2; } 2>> log > /dev/null; cat log");
         EXPECT_THAT(finished.out, AllOf(StartsWith("before\n{"), EndsWith("}\nafter\n"))) << name;
     }
     EXPECT_THAT(shell("echo before > log; $maclint --output json:/dev/fd/3 3>> log > /dev/null; cat log").out,
