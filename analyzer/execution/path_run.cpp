@@ -65,9 +65,9 @@ std::optional<PathRun::Point> PathRun::remembered(Step::Kind kind, std::uint32_t
         const WorkLimit limit(most_of_a_step_);
         const std::size_t done = work_.done();
         const std::size_t evaluated = transfer_.evaluated();
-        std::optional<Point> after = take();
+        const std::optional<Point> after = take();
         work_.allows((transfer_.evaluated() - evaluated) * work_of_an_expression);
-        taken_.push_back({std::move(after), work_.done() - done});
+        taken_.push_back({after, work_.done() - done});
     }
     (void)WorkLimit::allows(taken_[step].work);
     return taken_[step].after;

@@ -195,6 +195,8 @@ class Comparison {
 
     void tell() {
         const std::string revision = "'" + shown(revision_) + "'";
+        std::ranges::sort(missing_, {},
+                          [](const FileToCompare* file) { return std::string_view(file->path); });
         if (!missing_.empty())
             fail({NoticeKind::unreadable, "",
                   "--since lacks " + names(missing_) + " as of " + revision +

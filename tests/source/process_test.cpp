@@ -19,7 +19,7 @@ using testing::Not;
 bool ignore(std::string_view) { return true; }
 
 /// What a script of the shell writes.
-std::string written_by(ProcessRequest request) {
+std::string written_by(const ProcessRequest& request) {
     std::string out;
     const auto end = run_process(request, [&](std::string_view part) {
         out += part;
