@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <limits>
 #include <unordered_set>
+#include <utility>
 
 namespace maclint::cli {
 namespace {
@@ -30,8 +31,8 @@ struct Rejected {
 
 class Loader {
   public:
-    explicit Loader(const Reach& reach)
-        : reach_(reach) {}
+    explicit Loader(Reach reach)
+        : reach_(std::move(reach)) {}
 
     std::shared_ptr<const Configuration> load(const std::string& path) {
         configuration_->path = path;

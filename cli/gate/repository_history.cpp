@@ -143,7 +143,8 @@ std::optional<Notice> ask_for_texts(const GitPlace& place, std::span<const std::
     for (int calls = 0; done < ids.size() && calls < most_calls; ++calls) {
         std::string input;
         for (const std::string_view id : ids.subspan(done)) input.append(id).push_back('\n');
-        const BatchReader::Take take_of_all = [&](std::size_t index, auto size, std::string text) {
+        const BatchReader::Take take_of_all = [&](std::size_t index, std::optional<std::uint64_t> size,
+                                                  std::string text) {
             take(done + index, size, std::move(text));
         };
         BatchReader reader(holds, take_of_all);
