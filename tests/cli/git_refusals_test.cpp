@@ -10,9 +10,7 @@
 namespace maclint::cli {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
-using testing::Optional;
 
 struct ServerRow {
     std::string_view file; ///< from the repository

@@ -32,6 +32,7 @@ void use_up_memory() {
     const rlimit none{.rlim_cur = 1, .rlim_max = RLIM_INFINITY};
     setrlimit(RLIMIT_AS, &none);
     for (std::size_t size = std::size_t{1} << 30U; size >= 16; size /= 2)
+        // NOLINTNEXTLINE(cppcoreguidelines-no-malloc): as tree-sitter does
         while (void* volatile lost = std::malloc(size)) static_cast<void>(lost);
 }
 

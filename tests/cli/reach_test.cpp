@@ -107,9 +107,14 @@ TEST_F(Configurations, NameNoFileOutsideOfTheirRepository) {
              std::vector<std::string>{"../secret.json", "../gone.json", "sub/../../secret.json",
                                       at("secret.json"), "/etc/passwd", "sub/link.json", "out/secret.json",
                                       "sub/../out/shop.json", "/proc/self/environ", "../repositoryB/x"}) {
-            const std::string text = "{\"" + key + "\": \"" + name + "\"}";
+            const std::string text =
+                std::string("{\"").append(key).append("\": \"").append(name).append("\"}");
             refuses("repository", text,
-                    "'" + key + "' names '" + name + "', which lies outside of this repository.");
+                    std::string("'")
+                        .append(key)
+                        .append("' names '")
+                        .append(name)
+                        .append("', which lies outside of this repository."));
         }
     refuses("repository", R"({"extends": "\\\\server\\share\\shop.json"})", "which is on another server.");
     refuses("repository", R"({"baseline": "//server/share/base.json"})", "which is on another server.");
