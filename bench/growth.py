@@ -8,7 +8,6 @@ ratio of 2 is linear; the run fails where the even one is above 2.2. The time is
 """
 import argparse
 import contextlib
-import json
 import os
 import random
 import resource
@@ -21,7 +20,6 @@ ENOUGH = 0.5           # seconds of maclint's own processor time
 SIZES = 4
 RUNS = 3               # of each size; the least counts
 MOST_SECONDS = 60
-CONFIGURATION = '.maclint.json'
 
 
 def lines(n, *texts):
@@ -64,24 +62,6 @@ def namesakes(n):
     files = {f'a{i}.nc': '%\nO100\nG91G1X1.F100\nM99\n%\n' for i in range(n)}
     files.update({f'b{i}.nc': f'%\nO{1000 + i}\nM98P100\nG1X1.\nM30\n%\n' for i in range(n)})
     return files
-
-
-def configured(configuration, programs=1):
-    """Programs in folders of their own, and a configuration above them."""
-    files = {f'f{i}/a{i}.nc': '%\nO1\nM30\n%\n' for i in range(programs)}
-    return files | {CONFIGURATION: json.dumps(configuration)}
-
-
-def controls(n):
-    return configured({'controls': {f'c{i}': {'model': 'fanuc-16i', 'limits': {'macro-calls': 5}} for i in range(n)},
-                       'files': [{'glob': f'a{i}.nc', 'control': f'c{i}'} for i in range(n)]})
-
-
-def globs(n):
-    return configured({'exclude': [f'old{i}*.nc' for i in range(n)],
-                       'include': [f'**/lathe/b{i}' for i in range(n)],
-                       'files': [{'glob': f'f{i}/**/*.nc', 'dialect': 'fanuc'} for i in range(n)],
-                       'per-file-ignores': {f'*a{i}.nc': ['MAC301'] for i in range(n)}}, n // 40)
 
 
 # name, first n, format of the report, what makes it (a text, or a text for each file's name); DIN PLUS by MACHINING
@@ -128,10 +108,6 @@ KINDS = [
         lines(n, '#<NAME{i}>={i}\n') + lines(n, 'G0X#<NAME{i}>\n'))),
     ('calls of computed programs', 5000, 'concise', lambda n: '%\n' + lines(n, 'O{i}\nG65P#1A1\nM99\n') + '%\n'),
     ('stores through a variable', 5000, 'concise', lambda n: program(lines(n, '#[#{k}]=#[#{k}]+1\n'))),
-    ('keys of a configuration', 20000, 'concise', lambda n: configured(
-        {'per-file-ignores': {f'lathe/b{i}.nc': ['MAC301'] for i in range(n)}})),
-    ('controls of a configuration', 5000, 'concise', controls),
-    ('globs, and a fortieth as many files', 2000, 'concise', globs),
     ('unknown words in a comment', 2000, 'concise', lambda n: program('(MACLINT ALLOW ' + lines(n, 'ZZ{i}Z ') + ')\n')),
 ]
 
@@ -142,9 +118,7 @@ def limits():
 
 def run(maclint, folder, name, form, *more):
     """Seconds of processor time of its own, those of the system for it, and megabytes."""
-    command = [maclint, 'check', '--jobs', '1', '--format', form, *more]
-    if not os.path.exists(os.path.join(folder, CONFIGURATION)):
-        command.append('--isolated')
+    command = [maclint, 'check', '--isolated', '--jobs', '1', '--format', form, *more]
     command += ['--dialect', 'dinplus' if name == 'x.ncs' else 'fanuc', '.']
     process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                preexec_fn=limits)
