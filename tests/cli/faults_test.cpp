@@ -3,7 +3,6 @@
 #include "tests/support/lines.hpp"
 #include "tests/support/sanitized.hpp"
 
-#include <csignal>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -319,10 +318,7 @@ class LimitedRuns : public Faults {
 
     /// The whole report, or errors: then there may be a report that tells of them, or the old one.
     void expect_whole_or_refused(const std::string& limits, const std::string& jobs) {
-        constexpr int fault = 128 + SIGSEGV;
-        Finished finished = lint(limits, jobs);
-        // jemalloc itself faults in about one of a thousand runs where it gets no memory for an arena.
-        if (finished.status == fault) finished = lint(limits, jobs);
+        const Finished finished = lint(limits, jobs);
         SCOPED_TRACE(limits + " jobs " + jobs + " status " + std::to_string(finished.status) + "\n" +
                      finished.err);
         EXPECT_THAT(names(), ElementsAreArray(names_));

@@ -68,7 +68,9 @@ class CommandLineUnderWineTest(unittest.TestCase):
             self.assertTrue(any(re.fullmatch(name.replace("*", ".*"), test) for test in tests), name)
         left_out = re.compile(self.printed("left_out_under_wine | any_of").strip())
         self.assertTrue(left_out.fullmatch("Since.ConflictsHaveChanged"))
-        self.assertLess(len([test for test in tests if left_out.fullmatch(test)]), len(tests) / 2)
+        # What is all about links and git stands aside; of the others most run.
+        tests = [test for test in tests if test.split(".")[0] not in ("Backslash", "CheckedFolder", "Configurations", "Links", "Since")]
+        self.assertLess(len([test for test in tests if left_out.fullmatch(test)]), len(tests) / 4)
 
 
 class InCopyTest(unittest.TestCase):
