@@ -3,6 +3,7 @@
 #include "tests/support/lines.hpp"
 #include "tests/support/sanitized.hpp"
 
+#include <csignal>
 #include <filesystem>
 
 #include <gmock/gmock.h>
