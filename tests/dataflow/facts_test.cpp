@@ -34,6 +34,20 @@ TEST(Facts, OfTypesThatNobodyWantsAreNotRecorded) {
     EXPECT_DEATH(ask(), "recorded_.has<T>()");
 }
 
+TEST(Facts, StatesOfTheTypesThatAreWantedAreFoundByThemselves) {
+    dataflow::FactLists lists;
+    lists.add(dataflow::BeforeToolChange{{0, 0, {.root = 1}}});
+    lists.add(dataflow::BeforeWatchedWord{{0, 0, {.root = 2}}});
+    lists.add(dataflow::ExitState{{}, {.root = 3}});
+    const auto roots = [&](FactSet types) {
+        std::vector<dataflow::Root> all;
+        lists.for_each_state(types, [&](const dataflow::State& state) { all.push_back(state.root); });
+        return all;
+    };
+    EXPECT_THAT(roots(FactSet::all()), testing::UnorderedElementsAre(1, 2, 3));
+    EXPECT_THAT(roots(facts<dataflow::ExitState, dataflow::Read>()), testing::ElementsAre(3));
+}
+
 /// The workspace itself needs some: what it finds out with them does not depend on what others want.
 TEST(Facts, OfTypesThatSomebodyWantsAreTheSameWhateverElseIsWanted) {
     const auto all = recording(FactSet::all());

@@ -56,6 +56,16 @@ class ListsOf {
         };
         (sort(of<Types>()), ...);
     }
+    /// Calls `visit(State&)` for all states that facts of these types hold.
+    template<class Visit>
+    void for_each_state(FactSet types, const Visit& visit) {
+        const auto look_at = [&]<class T>(std::vector<T>& list) {
+            if constexpr (HoldsState<T>)
+                if (types.has<T>())
+                    for (T& fact : list) visit(fact.state);
+        };
+        (look_at(of<Types>()), ...);
+    }
     /// Moves the facts of the types that are `wanted` out, into no more memory than they need, and drops the
     /// others; the memory here stays for other programs, unless a list has more than `worth_keeping` bytes.
     [[nodiscard]] Facts hand_over(FactSet wanted, std::size_t worth_keeping) {

@@ -32,6 +32,13 @@ concept OfAVariable = requires(const T& fact) {
     { fact.value } -> std::convertible_to<const Value&>;
 };
 
+/// A fact that holds the state of a point. The state keeps what is known of modal groups there after the
+/// program is solved; values of variables are taken from it while the fact is recorded.
+template<class T>
+concept HoldsState = requires(T& fact) {
+    { fact.state } -> std::same_as<State&>;
+};
+
 /// Notes which types of facts its thread asks for while it lives: so much a rule has to declare.
 class AskedFacts {
   public:
@@ -101,6 +108,7 @@ class Facts {
     };
     template<class T>
     struct List : AnyList {
+        List() = default;
         explicit List(std::vector<T> of_program)
             : facts(std::move(of_program)) {
             if constexpr (OfAnEffect<T>) {
@@ -118,7 +126,7 @@ class Facts {
     [[nodiscard]] const List<T>& list() const {
         if (AskedFacts::innermost != nullptr) AskedFacts::innermost->types_ |= FactSet::of<T>();
         assert(recorded_.has<T>()); // Rule::facts declares what a rule asks for
-        static const List<T> none{{}};
+        static const List<T> none;
         const auto& list = lists_[EveryFact::index<T>()];
         return list == nullptr ? none : static_cast<const List<T>&>(*list);
     }

@@ -97,10 +97,7 @@ class AnalysisBuilder {
   private:
     void keep_what_is_wanted() {
         std::vector<State*> asked;
-        for (PointState& point : facts_.of<BeforeToolChange>()) asked.push_back(&point.state);
-        for (PointState& point : facts_.of<BeforeWatchedWord>()) asked.push_back(&point.state);
-        if (wanted_.has<ExitState>())
-            for (ExitState& exit : facts_.of<ExitState>()) asked.push_back(&exit.state);
+        facts_.for_each_state(wanted_, [&](State& state) { asked.push_back(&state); });
         states_.keep_groups_of(asked);
         result_.facts_ = facts_.hand_over(wanted_, worth_keeping);
     }
