@@ -54,8 +54,8 @@ void check(const Finding& finding) {
     for (const RelatedLocation& place : finding.further_places())
         require_inside(place.source.get(), place.span);
     for (const RelatedLocation& place : finding.path) require_inside(place.source.get(), place.span);
-    if (finding.fix)
-        for (const Edit& edit : finding.fix->edits) require_inside(edit.source.get(), edit.span);
+    for (const Fix& fix : finding.fixes)
+        for (const Edit& edit : fix.edits) require_inside(edit.source.get(), edit.span);
     require_filled(finding);
 }
 

@@ -36,18 +36,20 @@ struct RelatedLocation {
 struct Edit {
     std::shared_ptr<const Source> source;
     Span span;
-    std::string text;
+    std::string text; ///< UTF-8, whatever the encoding of the source
 };
 
 /// Safe: the program does what it did, or what its text says that it was to do. Unsafe: somebody who knows
 /// the program should look at it first.
 enum class Applicability : std::uint8_t { safe, unsafe };
+/// As reports write it.
+[[nodiscard]] std::string_view name_of(Applicability applicability);
 
 /// A change that mends a finding: all of its edits, or none.
 struct Fix {
     std::string title; ///< UTF-8, an instruction without its full stop: "Remove the comment"
     Applicability applicability;
-    std::vector<Edit> edits; ///< none of which touch each other, see Finding::offer
+    std::vector<Edit> edits; ///< in the order of files and text; none of which touch each other
 };
 
 /// Whether the control can take the paths that a finding shows.
@@ -71,7 +73,7 @@ struct Finding {
     std::vector<RelatedLocation> related;
     std::vector<RelatedLocation>
         path; ///< in execution order, the finding's own place last; empty: no data flow involved
-    std::optional<Fix> fix;
+    std::vector<Fix> fixes; ///< the best first: each alone mends it, with its repeats as far as it can
     Proof proof = Proof::path;
     /// Findings of one rule in one file that have the same words here are one finding in reports; empty: it
     /// stands alone.
@@ -79,8 +81,11 @@ struct Finding {
     std::vector<RelatedLocation> repeats = {}; ///< the other places of that cause, in text order
     std::string_view alarm = {}; ///< number of the alarm that the control raises here; empty: none known
 
-    /// Takes the fix, unless it changes nothing, or the same bytes twice: then the finding has none.
+    /// Adds the fix after those that are there, unless it changes nothing, or the same bytes twice.
     void offer(Fix offered);
+    /// Takes in a finding of the same cause that stands later in the text: its place becomes a repeat, and
+    /// what mends it there is added to the fix of the same title here.
+    void add_repeat(Finding same);
     /// The statement, and the cure after it where the message has one.
     [[nodiscard]] std::string message() const;
     /// The message with its arguments filled in, and how many more places it is true of.

@@ -42,7 +42,7 @@ Finding& Reporter::report(const Cause& cause, Span span, std::string_view messag
                                           .arguments = std::move(arguments),
                                           .related = {},
                                           .path = {},
-                                          .fix = {},
+                                          .fixes = {},
                                           .alarm = alarm_in(file, *rule_)});
 }
 

@@ -205,20 +205,21 @@ class FileSuppressions {
             const RuleState& state = rules_.of(*finding.rule);
             if (!state.on) continue; // it ran only to tell whether its suppressions are of use
             finding.severity = state.severity.value_or(finding.severity);
-            if (!suppressed && joins_earlier(finding)) continue;
+            if (Finding* first = suppressed ? nullptr : first_of_cause(finding)) {
+                first->add_repeat(std::move(finding));
+                continue;
+            }
             evaluated_.push_back({std::move(finding), std::move(suppressed)});
         }
     }
 
-    /// One cause is told once: later places become repeats of the first that no comment allows.
-    bool joins_earlier(const Finding& finding) {
-        if (finding.same_cause.empty()) return false;
+    /// One cause is told once: later places become repeats of the first that no comment allows. nullptr: this
+    /// is the first.
+    Finding* first_of_cause(const Finding& finding) {
+        if (finding.same_cause.empty()) return nullptr;
         const auto [first, is_new] =
             first_of_cause_.try_emplace({finding.rule, finding.same_cause}, evaluated_.size());
-        if (!is_new)
-            evaluated_[first->second].finding.repeats.push_back(
-                {finding.source, finding.span, "the same stands here"});
-        return !is_new;
+        return is_new ? nullptr : &evaluated_[first->second].finding;
     }
 
     std::vector<Finding> unused() const {

@@ -57,11 +57,15 @@ Json json_of(const FilteredFinding& filtered) {
                 {"range", json_of(source, finding.span)},
                 {"related", json_of(finding.further_places())},
                 {"path", json_of(finding.path)},
-                {"fix", finding.fix ? json_of(finding.fix->edits) : Json::array()}};
-    if (finding.fix) {
-        out["fix_title"] = finding.fix->title;
-        out["fix_applicability"] = finding.fix->applicability == Applicability::safe ? "safe" : "unsafe";
+                {"fix", finding.fixes.empty() ? Json::array() : json_of(finding.fixes.front().edits)}};
+    if (!finding.fixes.empty()) {
+        out["fix_title"] = finding.fixes.front().title;
+        out["fix_applicability"] = name_of(finding.fixes.front().applicability);
     }
+    for (const Fix& other : std::span(finding.fixes).subspan(finding.fixes.empty() ? 0 : 1))
+        out["other_fixes"].push_back({{"title", other.title},
+                                      {"applicability", name_of(other.applicability)},
+                                      {"edits", json_of(other.edits)}});
     if (is_known(filtered))
         out["baseline"] = utf8(filtered.suppressed->baseline);
     else if (filtered.suppressed)

@@ -147,8 +147,8 @@ class SarifWriter {
             add_artifact(*filtered.finding.source);
             for (const RelatedLocation& related : filtered.finding.related) add_artifact(*related.source);
             for (const RelatedLocation& related : filtered.finding.path) add_artifact(*related.source);
-            if (filtered.finding.fix)
-                for (const Edit& edit : filtered.finding.fix->edits) add_artifact(*edit.source);
+            for (const Fix& fix : filtered.finding.fixes)
+                for (const Edit& edit : fix.edits) add_artifact(*edit.source);
         }
     }
 
@@ -253,7 +253,7 @@ class SarifWriter {
         if (Json related = related_of(finding); !related.empty())
             result["relatedLocations"] = std::move(related);
         if (!finding.path.empty()) result["codeFlows"] = code_flows_of(finding);
-        if (finding.fix) result["fixes"] = Json::array({fix_of(*finding.fix)});
+        for (const Fix& fix : finding.fixes) result["fixes"].push_back(fix_of(fix));
         result["suppressions"] = suppressions_of(filtered);
         if (report_.has_baseline) result["baselineState"] = is_known(filtered) ? "unchanged" : "new";
         return result;
@@ -300,10 +300,9 @@ class SarifWriter {
             changes.back()["replacements"].push_back({{"deletedRegion", region_of(*edit.source, edit.span)},
                                                       {"insertedContent", {{"text", edit.text}}}});
         }
-        const bool safe = fix.applicability == Applicability::safe;
         return {{"description", text_message(sentence(fix.title))},
                 {"artifactChanges", std::move(changes)},
-                {"properties", {{"applicability", safe ? "safe" : "unsafe"}}}};
+                {"properties", {{"applicability", name_of(fix.applicability)}}}};
     }
 
     /// An empty list says that the finding was looked at and is not suppressed (3.27.23).

@@ -27,7 +27,7 @@ Finding& HandMade::add(std::string_view part, Severity severity) {
                     .arguments = {source_->to_utf8(part)},
                     .related = {},
                     .path = {},
-                    .fix = {}};
+                    .fixes = {}};
     return report_.findings.emplace_back(cli::FilteredFinding{std::move(finding), std::nullopt}).finding;
 }
 

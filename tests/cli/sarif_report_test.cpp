@@ -195,6 +195,27 @@ TEST(Sarif, NamesFilesOfEverySystemByUris) {
     EXPECT_EQ(file_uri("//server/shop/O1.nc"), "file://server/shop/O1.nc");
 }
 
+TEST(Fixes, AllAreInTheReportTheBestFirst) {
+    HandMade made("O1.nc", "O1\nGOTO 9\nM30\n");
+    Finding& finding = made.add("GOTO 9", Severity::warning);
+    finding.offer({"Name another", Applicability::safe, {{made.source(), made.place_of("9"), "8"}}});
+    EXPECT_FALSE(json::parse(write_json(made.report()))["findings"][0].contains("other_fixes"));
+    finding.offer(
+        {"Remove the jump", Applicability::unsafe, {{made.source(), made.place_of("GOTO 9\n"), ""}}});
+    const json fixes = first_result(made)["fixes"];
+    ASSERT_EQ(fixes.size(), 2U);
+    EXPECT_EQ(fixes[0]["description"]["text"], "Name another.");
+    EXPECT_EQ(fixes[1]["properties"]["applicability"], "unsafe");
+    const json out = json::parse(write_json(made.report()))["findings"][0];
+    EXPECT_EQ(out["fix_title"], "Name another");
+    EXPECT_EQ(out["fix_applicability"], "safe");
+    EXPECT_EQ(out["fix"][0]["text"], "8");
+    ASSERT_EQ(out["other_fixes"].size(), 1U);
+    EXPECT_EQ(out["other_fixes"][0]["title"], "Remove the jump");
+    EXPECT_EQ(out["other_fixes"][0]["applicability"], "unsafe");
+    EXPECT_EQ(out["other_fixes"][0]["edits"][0]["range"]["end"]["line"], 3);
+}
+
 TEST(Json, HoldsFindingsSuppressedOnesAndTheSummary) {
     HandMade made("O1.nc", "O1\nM30\nM30\n");
     made.add("M30", Severity::error);

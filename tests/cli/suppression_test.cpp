@@ -29,8 +29,8 @@ std::string fixed(const std::string& text) {
     const auto result = lint_text(text);
     std::string out = text;
     for (const auto& [finding, suppressed] : result.findings)
-        for (const Edit& edit : finding.fix ? finding.fix->edits : std::vector<Edit>{})
-            out.replace(edit.span.begin, edit.span.length(), edit.text);
+        for (const Fix& fix : finding.fixes)
+            for (const Edit& edit : fix.edits) out.replace(edit.span.begin, edit.span.length(), edit.text);
     return out;
 }
 

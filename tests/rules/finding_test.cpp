@@ -20,16 +20,33 @@ std::shared_ptr<const Source> source(std::string path) {
     return std::make_shared<const Source>(Source::from_bytes(std::move(path), "0123456789"));
 }
 
+Finding finding_at(const std::shared_ptr<const Source>& file, Span span) {
+    ProgramFile program;
+    program.source = file;
+    Reporter reporter(*find_rule("MAC002"));
+    return reporter.report({program, span}, span, "unknown", {"X"});
+}
+
 /// The spans that the finding keeps of a fix with these; none when it refuses it.
 std::vector<std::pair<Offset, Offset>> kept(std::vector<Edit> edits) {
-    const ProgramFile file{};
-    Reporter reporter(*find_rule("MAC002"));
-    Finding& finding = reporter.report({file, {}}, {}, "unknown", {"X"});
+    Finding finding = finding_at(nullptr, {});
     finding.offer({"Change it", Applicability::safe, std::move(edits)});
     std::vector<std::pair<Offset, Offset>> spans;
-    if (finding.fix)
-        for (const Edit& edit : finding.fix->edits) spans.emplace_back(edit.span.begin, edit.span.end);
+    for (const Fix& fix : finding.fixes)
+        for (const Edit& edit : fix.edits) spans.emplace_back(edit.span.begin, edit.span.end);
     return spans;
+}
+
+/// "safe Write 0: 0-1 4-5", for each fix.
+std::vector<std::string> fixes_of(const Finding& finding) {
+    std::vector<std::string> all;
+    for (const Fix& fix : finding.fixes) {
+        std::string text = std::string(name_of(fix.applicability)) + " " + fix.title + ":";
+        for (const Edit& edit : fix.edits)
+            text += " " + std::to_string(edit.span.begin) + "-" + std::to_string(edit.span.end);
+        all.push_back(std::move(text));
+    }
+    return all;
 }
 
 using testing::ElementsAre;
@@ -55,6 +72,45 @@ TEST(Fix, EditsOfTheSameBytesAreRefused) {
 }
 
 TEST(Fix, OneThatChangesNothingIsNone) { EXPECT_THAT(kept({}), IsEmpty()); }
+
+TEST(Fix, AFindingMayHaveSeveralTheBestFirst) {
+    const auto a = source("A.nc");
+    Finding finding = finding_at(a, {0, 1});
+    finding.offer({"Write 0", Applicability::safe, {{a, {0, 1}, "0"}}});
+    finding.offer({"Do nothing", Applicability::safe, {}});
+    finding.offer({"Remove it", Applicability::unsafe, {{a, {0, 2}, ""}}});
+    EXPECT_THAT(fixes_of(finding), ElementsAre("safe Write 0: 0-1", "unsafe Remove it: 0-2"));
+}
+
+TEST(Fix, OfOneTitleInSeveralPlacesIsOne) {
+    const auto a = source("A.nc");
+    const auto at = [&](Offset place, const char* title, Applicability applicability) {
+        Finding finding = finding_at(a, {place, place + 1});
+        finding.offer({title, applicability, {{a, {place, place + 1}, "0"}}});
+        return finding;
+    };
+    Finding first = at(0, "Write 0", Applicability::safe);
+    first.add_repeat(at(2, "Write 0", Applicability::safe));
+    EXPECT_THAT(fixes_of(first), ElementsAre("safe Write 0: 0-1 2-3"));
+    first.add_repeat(finding_at(a, {3, 4}));
+    first.add_repeat(at(4, "Remove it", Applicability::safe));
+    first.add_repeat(at(6, "Write 0", Applicability::unsafe));
+    EXPECT_THAT(fixes_of(first), ElementsAre("unsafe Write 0: 0-1 2-3 6-7", "safe Remove it: 4-5"))
+        << "what somebody should look at in one place is looked at as a whole";
+    ASSERT_EQ(first.repeats.size(), 4U);
+    EXPECT_EQ(first.repeats[2].span, (Span{4, 5}));
+}
+
+TEST(Fix, TheChangeOfALaterPlaceThatReachesIntoAnotherIsLeftOut) {
+    const auto a = source("A.nc");
+    Finding first = finding_at(a, {0, 1});
+    first.offer({"Write 0", Applicability::safe, {{a, {0, 4}, "0"}}});
+    Finding later = finding_at(a, {2, 3});
+    later.offer({"Write 0", Applicability::unsafe, {{a, {3, 5}, "0"}}});
+    first.add_repeat(std::move(later));
+    EXPECT_THAT(fixes_of(first), ElementsAre("safe Write 0: 0-4"));
+    EXPECT_EQ(first.repeats.size(), 1U);
+}
 
 TEST(Findings, ArePutInTheOrderOfReportsAndEqualOnesStayAsTheyAre) {
     struct Numbered {

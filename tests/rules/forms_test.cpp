@@ -40,8 +40,8 @@ std::vector<std::string> told(std::string_view block, std::string_view control) 
 /// The block after the fix of its first finding, and whether that is safe: "safe: G01".
 std::string mended(std::string_view block) {
     const cli::Result result = lint(block, "fanuc-16i");
-    if (result.findings.empty() || !result.findings.front().finding.fix) return "none";
-    const Fix& fix = *result.findings.front().finding.fix;
+    if (result.findings.empty() || result.findings.front().finding.fixes.empty()) return "none";
+    const Fix& fix = result.findings.front().finding.fixes.front();
     std::string text(fix.edits.front().source->bytes());
     for (auto edit = fix.edits.rbegin(); edit != fix.edits.rend(); ++edit)
         text.replace(edit->span.begin, edit->span.length(), edit->text);

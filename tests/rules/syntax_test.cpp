@@ -110,6 +110,17 @@ TEST(OneSyntaxError, APlaceThatACommentAllowsIsNoRepeat) {
                 ElementsAre("3: error MAC116 +4"));
 }
 
+TEST(OneSyntaxError, IsMendedInAllItsPlaces) {
+    const cli::Result result = test::lint_text("O1\nGO1Y5.\nG0X1.\nGO1Y6.\nM30\n");
+    ASSERT_THAT(told(result), ElementsAre("2: error MAC106 +4"));
+    const Finding& finding = result.findings.front().finding;
+    ASSERT_EQ(finding.fixes.size(), 1U);
+    std::string text(finding.source->bytes());
+    for (const Edit& edit : finding.fixes.front().edits)
+        text.replace(edit.span.begin, edit.span.length(), edit.text); // as long as it was
+    EXPECT_EQ(text, "O1\nG01Y5.\nG0X1.\nG01Y6.\nM30\n");
+}
+
 TEST(OneSyntaxError, DinPlusHasItToo) {
     EXPECT_THAT(told("MACHINING\nN10 G0 X100 Z2\nN11 THN\nN12 THN\nN13 ENDFI\nN30 M30\nEND\n"),
                 ElementsAre("3: error MAC118 +4", "5: error MAC118"));
