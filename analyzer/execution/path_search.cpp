@@ -2,9 +2,11 @@
 #include "analyzer/execution/path_search.hpp"
 
 #include "analyzer/execution/given_up.hpp"
+#include "analyzer/execution/path_explorer.hpp"
 #include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace maclint::execution {
 namespace {

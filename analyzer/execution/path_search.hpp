@@ -1,7 +1,11 @@
 //! Looks for a path that the control can take.
 #pragma once
 
-#include "analyzer/execution/path_explorer.hpp"
+#include "analyzer/execution/path_found.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <cstddef>
+#include <span>
 
 namespace maclint::execution {
 
