@@ -1,6 +1,7 @@
 //! Puts paths through the flow graph into words.
 #include "rules/path.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/origins.hpp"
 #include "analyzer/queries/path_steps.hpp"
 #include "analyzer/source/encoding.hpp"

@@ -1,4 +1,5 @@
 //! The explicit list of all rules, in the order of their codes. A new rule is one line here.
+#include "analyzer/program/tables.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "rules/reporter.hpp"
 
 #include "analyzer/program/model.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "rules/rule.hpp"
 

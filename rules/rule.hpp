@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/fact_set.hpp"
+#include "analyzer/program/capability.hpp"
 #include "analyzer/program/syntax_error.hpp"
-#include "analyzer/program/tables.hpp"
 #include "rules/check.hpp"
 #include "rules/finding.hpp"
 #include "rules/reporter.hpp"
@@ -18,6 +18,7 @@
 namespace maclint {
 
 class Workspace;
+struct ControlModel;
 
 enum class Precision : std::uint8_t { low, medium, high, very_high };
 

@@ -1,4 +1,6 @@
 //! Runs rules over a workspace, files in parallel.
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/execution/given_up.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "analyzer/workspace/parallel.hpp"

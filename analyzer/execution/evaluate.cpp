@@ -1,6 +1,7 @@
 //! Expressions and conditions.
 #include "analyzer/execution/stepper.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,8 @@
 //! Goes back from decisions to what the variables were made of.
 #include "analyzer/execution/failure_reasons.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <variant>
 
 namespace maclint::execution {

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/arithmetic.hpp"
 #include "analyzer/execution/outcome.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -2,6 +2,7 @@
 #include "analyzer/execution/stepper.hpp"
 
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/workspace/bind.hpp"
 
 #include <algorithm>

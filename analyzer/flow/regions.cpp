@@ -1,6 +1,7 @@
 //! Pairs loops and choices with a stack, the way a control does when it meets DO and END.
 #include "analyzer/flow/regions.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program/model.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <cstddef>
 #include <cstdint>

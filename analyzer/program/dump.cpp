@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <array>
 #include <charconv>

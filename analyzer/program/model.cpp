@@ -1,6 +1,8 @@
 //! Look-ups in the program model and its tables.
 #include "analyzer/program/model.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -4,7 +4,7 @@
 #include "analyzer/program/ids.hpp"
 #include "analyzer/program/names.hpp"
 #include "analyzer/program/syntax_error.hpp"
-#include "analyzer/program/tables.hpp"
+#include "analyzer/program/variable.hpp"
 #include "analyzer/source/source.hpp"
 #include "analyzer/source/span.hpp"
 #include "analyzer/syntax/plain_tables.hpp"
@@ -21,6 +21,8 @@
 #include <vector>
 
 namespace maclint {
+
+struct ControlModel;
 
 /// Consecutive entries of an arena.
 struct Slice {

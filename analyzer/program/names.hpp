@@ -1,7 +1,7 @@
 //! Names and what they stand for, found without looking through all of them.
 #pragma once
 
-#include "analyzer/program/tables.hpp"
+#include "analyzer/program/variable.hpp"
 #include "analyzer/source/text_hash.hpp"
 
 #include <cstddef>

@@ -2,6 +2,7 @@
 #include "analyzer/program/numbered_blocks.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <cmath>

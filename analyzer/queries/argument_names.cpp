@@ -1,6 +1,8 @@
 //! Asks the control's tables for the letter.
 #include "analyzer/queries/argument_names.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 namespace maclint::queries {
 
 std::string with_letter(const Program& program, Variable variable) {

@@ -1,6 +1,8 @@
 //! Looks at the effects and codes of a block.
 #include "analyzer/queries/block_words.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <algorithm>
 #include <variant>
 

@@ -2,6 +2,7 @@
 #include "analyzer/queries/calculations.hpp"
 
 #include "analyzer/dataflow/domain/read_set.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 //! Reads depths off the workspace.
 #include "analyzer/queries/call_depth.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 
 #include <variant>

@@ -1,6 +1,7 @@
 //! Looks through the calls of a workspace that mean one program.
 #include "analyzer/queries/callers.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>

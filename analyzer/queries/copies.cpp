@@ -2,6 +2,7 @@
 #include "analyzer/queries/copies.hpp"
 
 #include "analyzer/dataflow/facts/with_value.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/origins.hpp"
 
 #include <algorithm>

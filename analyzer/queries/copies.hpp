@@ -7,6 +7,10 @@
 
 #include <optional>
 
+namespace maclint {
+struct VariableRange;
+} // namespace maclint
+
 namespace maclint::queries {
 
 /// Whether both are results of one computation, and so equal whatever they are. Two that are equal by chance

@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/execution/given_up.hpp"
 #include "analyzer/flow/walk.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>

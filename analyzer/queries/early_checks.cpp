@@ -2,6 +2,7 @@
 #include "analyzer/queries/early_checks.hpp"
 
 #include "analyzer/dataflow/domain/read_set.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calculations.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/queries/exits.hpp"

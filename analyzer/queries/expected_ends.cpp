@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/queries/saved_state.hpp"

@@ -1,6 +1,8 @@
 //! Takes from the locals that arguments can reach those that a program names.
 #include "analyzer/queries/free_variable.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <algorithm>
 #include <ranges>
 

@@ -6,6 +6,7 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/flow/walk.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/semantics/truth.hpp"
 #include "analyzer/source/work_limit.hpp"

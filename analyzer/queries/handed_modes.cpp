@@ -4,6 +4,7 @@
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "analyzer/workspace/workspace.hpp"

@@ -2,6 +2,7 @@
 //! planes and the like.
 #pragma once
 
+#include "analyzer/program/modal_groups.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 
 #include <map>

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/source/work_limit.hpp"
 

@@ -2,6 +2,7 @@
 #include "analyzer/queries/missing_arguments.hpp"
 
 #include "analyzer/execution/path_search.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/provoking_calls.hpp"

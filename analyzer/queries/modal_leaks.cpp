@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/execution/path_search.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/handed_modes.hpp"
 #include "analyzer/queries/origins.hpp"

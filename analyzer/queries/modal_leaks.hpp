@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/program/modal_groups.hpp"
 #include "analyzer/queries/leak_use.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/origins.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/program/modal_groups.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>

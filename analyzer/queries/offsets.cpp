@@ -1,6 +1,8 @@
 //! Looks at the numbers in indices.
 #include "analyzer/queries/offsets.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <algorithm>
 #include <unordered_map>
 

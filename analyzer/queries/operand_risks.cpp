@@ -6,6 +6,7 @@
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/execution/given_up.hpp"
 #include "analyzer/flow/walk.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/exits.hpp"

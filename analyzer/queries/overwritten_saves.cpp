@@ -2,6 +2,7 @@
 #include "analyzer/queries/overwritten_saves.hpp"
 
 #include "analyzer/dataflow/domain/read_set.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/source/work_limit.hpp"

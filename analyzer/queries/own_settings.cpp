@@ -4,6 +4,7 @@
 #include "analyzer/execution/path_search.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/origins.hpp"

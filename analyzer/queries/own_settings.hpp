@@ -1,6 +1,7 @@
 //! Which words of a program itself have set a modal group before a node, and in which blocks words stand.
 #pragma once
 
+#include "analyzer/program/modal_groups.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>

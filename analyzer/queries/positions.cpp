@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/flow/walk.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/semantics/truth.hpp"

@@ -1,6 +1,8 @@
 //! Picks region faults and holds back those that an unreadable block may explain.
 #include "analyzer/queries/region_faults.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <variant>

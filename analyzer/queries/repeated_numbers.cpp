@@ -1,6 +1,8 @@
 //! Groups numbered blocks by their numbers.
 #include "analyzer/queries/repeated_numbers.hpp"
 
+#include "analyzer/program/section_kinds.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

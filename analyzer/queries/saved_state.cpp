@@ -2,6 +2,7 @@
 #include "analyzer/queries/saved_state.hpp"
 
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/queries/own_settings.hpp"
 

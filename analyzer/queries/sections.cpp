@@ -2,6 +2,7 @@
 #include "analyzer/queries/sections.hpp"
 
 #include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 

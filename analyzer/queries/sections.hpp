@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program/model.hpp"
+#include "analyzer/program/section_kinds.hpp"
 
 namespace maclint::queries {
 

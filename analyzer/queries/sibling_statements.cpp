@@ -1,6 +1,8 @@
 //! Holds the expressions of two assignments against each other.
 #include "analyzer/queries/sibling_statements.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <optional>
 #include <utility>
 

@@ -7,6 +7,7 @@
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/execution/given_up.hpp"
 #include "analyzer/execution/path_search.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
 

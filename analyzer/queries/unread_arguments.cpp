@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 
 #include <algorithm>

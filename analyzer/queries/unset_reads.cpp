@@ -2,6 +2,7 @@
 #include "analyzer/queries/unset_reads.hpp"
 
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"

@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/facts/with_value.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/feasible_paths.hpp"

@@ -1,6 +1,8 @@
 //! Goes from callers to callees once, and shares what they have in common.
 #include "analyzer/workspace/handed_down.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <algorithm>
 #include <utility>
 

@@ -2,6 +2,7 @@
 #include "analyzer/workspace/outline.hpp"
 
 #include "analyzer/flow/graph.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <cctype>

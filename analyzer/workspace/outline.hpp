@@ -1,6 +1,7 @@
 //! What has to be known of a program to tell which others it belongs with: its names and its calls.
 #pragma once
 
+#include "analyzer/program/call_kinds.hpp"
 #include "analyzer/program/model.hpp"
 
 #include <cstdint>

@@ -1,6 +1,8 @@
 //! Questions about one program that need graph and data flow together.
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <ranges>

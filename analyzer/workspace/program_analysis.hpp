@@ -7,6 +7,7 @@
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/flow/regions.hpp"
 #include "analyzer/flow/shortest_paths.hpp"
+#include "analyzer/program/call_kinds.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/made_once.hpp"
 #include "analyzer/workspace/call_paths.hpp"

@@ -1,6 +1,8 @@
 //! Program numbers and names to programs, by distance between folders.
 #include "analyzer/workspace/resolve.hpp"
 
+#include "analyzer/program/call_kinds.hpp"
+
 #include <algorithm>
 #include <utility>
 

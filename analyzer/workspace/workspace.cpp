@@ -2,9 +2,13 @@
 //! callees.
 #include "analyzer/workspace/workspace.hpp"
 
+#include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/solver/callers_labels.hpp"
 #include "analyzer/flow/components.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/workspace/bind.hpp"
 #include "analyzer/workspace/callers_locals.hpp"
 #include "analyzer/workspace/handed_down.hpp"

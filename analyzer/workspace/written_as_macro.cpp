@@ -2,6 +2,7 @@
 #include "analyzer/workspace/written_as_macro.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <unordered_map>

@@ -1,6 +1,7 @@
 //! Reads depths and chains off the workspace.
 #include "rules/calls/call_depth.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/call_depth.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "rules/path.hpp"

@@ -1,6 +1,7 @@
 //! Calls that go beyond a limit of the control, and the chains that lead to them.
 #pragma once
 
+#include "analyzer/program/call_kinds.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/rule.hpp"
 

@@ -1,6 +1,7 @@
 //! Finds the places and the words.
 #include "rules/calls/end_evidence.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "rules/path.hpp"

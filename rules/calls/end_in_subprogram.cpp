@@ -1,4 +1,5 @@
 //! MAC457: a called program that ends the job instead of returning.
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"

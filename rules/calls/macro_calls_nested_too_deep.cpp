@@ -1,4 +1,5 @@
 //! MAC410: one macro level too many.
+#include "analyzer/program/tables.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/calls/call_depth.hpp"
 #include "rules/rule.hpp"

@@ -1,6 +1,7 @@
 //! MAC456: a called program that runs past its last block.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/expected_ends.hpp"

@@ -3,6 +3,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/expected_ends.hpp"
 #include "analyzer/workspace/program_analysis.hpp"

@@ -1,4 +1,5 @@
 //! MAC402: a call of a program that is not there.
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/sections.hpp"
 #include "analyzer/source/work_limit.hpp"

@@ -1,6 +1,7 @@
 //! DIN103: blocks after END.
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/program/section_kinds.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,6 +1,7 @@
 //! DIN704: NS or NE names a block that is no contour block.
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/program/section_kinds.hpp"
 #include "analyzer/queries/wrong_places.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"

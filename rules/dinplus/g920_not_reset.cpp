@@ -1,4 +1,10 @@
 //! DIN634: zero shifts are left switched off.
+#include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/modal_groups.hpp"
 #include "rules/dinplus/left_active.hpp"
 #include "rules/rule.hpp"
 

@@ -1,6 +1,7 @@
 //! Puts what is left on into words.
 #include "rules/dinplus/left_active.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/left_active.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/queries/modal_parts.hpp"

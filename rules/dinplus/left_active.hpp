@@ -1,6 +1,7 @@
 //! Findings of what acts on every later move until it is switched off.
 #pragma once
 
+#include "analyzer/program/modal_groups.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/rule.hpp"
 

@@ -1,6 +1,8 @@
 //! DIN407: a loop counts in a variable that the program has not set.
+#include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/loop_counter.hpp"

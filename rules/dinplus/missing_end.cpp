@@ -1,5 +1,6 @@
 //! DIN102: a main program without END.
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/rule.hpp"

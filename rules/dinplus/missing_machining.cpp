@@ -1,4 +1,5 @@
 //! DIN101: a main program without MACHINING.
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/rule.hpp"

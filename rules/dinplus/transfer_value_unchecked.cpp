@@ -1,6 +1,7 @@
 //! DIN330: a transfer value that some caller leaves out is used without asking.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/feasible_paths.hpp"

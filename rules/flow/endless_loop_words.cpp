@@ -1,6 +1,7 @@
 //! Chooses the message for a loop that never ends.
 #include "rules/flow/endless_loop_words.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/loop_counter.hpp"
 #include "analyzer/queries/loop_exits.hpp"
 #include "rules/listed.hpp"

@@ -1,4 +1,5 @@
 //! MAC320: the step of a loop's counter may be 0, or has the wrong sign.
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/loop_counter.hpp"
 #include "analyzer/queries/loop_steps.hpp"

@@ -1,4 +1,5 @@
 //! MAC315: one loop level too many.
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"

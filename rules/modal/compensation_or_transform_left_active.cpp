@@ -1,5 +1,10 @@
 //! MAC502: what acts on every later move is still switched on when the program is left.
+#include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/queries/modal_parts.hpp"

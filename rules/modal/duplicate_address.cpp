@@ -1,4 +1,5 @@
 //! MAC559: an address twice in a block.
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/block_words.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"

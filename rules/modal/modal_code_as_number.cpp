@@ -1,6 +1,8 @@
 //! MAC574: a modal G code that was read from a system variable is multiplied, divided or given to a function.
 #include "analyzer/dataflow/facts/modal_read.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/amounts.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/workspace/program_analysis.hpp"

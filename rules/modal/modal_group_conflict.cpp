@@ -1,4 +1,5 @@
 //! MAC514: two codes of one modal group in a block.
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/block_words.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"

@@ -1,6 +1,7 @@
 //! Puts leaks into words.
 #include "rules/modal/modal_leak.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/queries/origins.hpp"

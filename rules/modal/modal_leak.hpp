@@ -1,6 +1,7 @@
 //! Findings of modal groups that a program leaves other than it found them.
 #pragma once
 
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/finding.hpp"

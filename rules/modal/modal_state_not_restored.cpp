@@ -1,5 +1,10 @@
 //! MAC501: a called program leaves a modal group at a code that callers do not expect.
+#include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"

@@ -1,4 +1,10 @@
 //! MAC504: a called program leaves another motion mode than it found.
+#include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"

@@ -1,9 +1,11 @@
 //! MAC519: a called program leaves another work offset, or no tool length, to a caller with its own.
 #include "analyzer/dataflow/facts/call_made.hpp"
 #include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/queries/modal_parts.hpp"
 #include "rules/modal/modal_leak.hpp"

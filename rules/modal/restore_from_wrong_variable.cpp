@@ -1,6 +1,7 @@
 //! MAC505: a word puts back a value that was saved from another kind of word.
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/workspace/program_analysis.hpp"

@@ -3,6 +3,7 @@
 #include "analyzer/dataflow/facts/modal_read.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/queries/modal_parts.hpp"

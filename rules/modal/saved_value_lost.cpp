@@ -1,6 +1,7 @@
 //! MAC506: the variable that holds the saved state is overwritten before it is put back.
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/free_variable.hpp"
 #include "analyzer/queries/overwritten_saves.hpp"
 #include "analyzer/workspace/program_analysis.hpp"

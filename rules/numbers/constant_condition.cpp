@@ -1,5 +1,8 @@
 //! MAC718: a condition that always holds or never does.
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/deliberate_conditions.hpp"
 #include "analyzer/queries/guards_before.hpp"

@@ -1,7 +1,9 @@
 //! MAC702: a division whose divisor is 0, or may be.
+#include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/unset_reads.hpp"
 #include "rules/operand_risk.hpp"

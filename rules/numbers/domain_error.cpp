@@ -1,4 +1,5 @@
 //! MAC703: a function is given what it has no result for.
+#include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/read.hpp"

@@ -1,4 +1,6 @@
 //! MAC710: EQ or NE between numbers that rounding has touched.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/inexact_comparisons.hpp"
 #include "analyzer/queries/inexact_counters.hpp"
 #include "analyzer/queries/inexact_sums.hpp"

@@ -1,4 +1,5 @@
 //! MAC726: a position is compared without the tolerance that the program's other comparisons have.
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/queries/missing_tolerances.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

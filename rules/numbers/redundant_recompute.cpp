@@ -1,4 +1,5 @@
 //! MAC720: an assignment calculates again what its variable holds already.
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/calculations.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"

@@ -1,4 +1,5 @@
 //! MAC704: the tangent of a right angle.
+#include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/read.hpp"

@@ -1,5 +1,8 @@
 //! MAC210: a macro calculates with an argument that its callers leave out.
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/missing_arguments.hpp"
 #include "analyzer/workspace/program_analysis.hpp"

@@ -1,6 +1,7 @@
 //! MAC216: a common variable is read that keeps what an earlier run has left in it.
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/early_checks.hpp"
 #include "analyzer/queries/stale_reads.hpp"

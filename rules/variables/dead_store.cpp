@@ -1,4 +1,7 @@
 //! MAC213: a value is stored that nothing reads.
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/queries/dead_stores.hpp"
 #include "rules/path.hpp"

@@ -1,4 +1,7 @@
 //! MAC604: an argument that nothing checks decides when a loop ends.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/loop_bounds.hpp"
 #include "rules/operand_risk.hpp"
 #include "rules/path.hpp"

@@ -1,4 +1,6 @@
 //! MAC214: what a special case sets is set again before anything reads it.
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/dead_stores.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

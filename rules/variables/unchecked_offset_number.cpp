@@ -1,4 +1,6 @@
 //! MAC225: an argument that nothing checks picks an offset.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/queries/offsets.hpp"
 #include "rules/operand_risk.hpp"
 #include "rules/path.hpp"

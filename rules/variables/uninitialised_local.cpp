@@ -1,5 +1,8 @@
 //! MAC209: a local variable is read although nothing can have set it.
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/unset_reads.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

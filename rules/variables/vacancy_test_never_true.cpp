@@ -1,6 +1,7 @@
 //! MAC228: a variable that every path to the test has set is tested for vacancy.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/argument_names.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/dead_guards.hpp"

@@ -1,6 +1,8 @@
 //! MAC220: a test for 0 does not catch a missing argument.
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/after_zero_test.hpp"
 #include "analyzer/queries/argument_names.hpp"
 #include "analyzer/queries/conditions.hpp"

@@ -1,4 +1,5 @@
 //! What .maclint.json may say, and what its author is told when it says something else.
+#include "analyzer/program/tables.hpp"
 #include "cli/config/configuration.hpp"
 #include "cli/config/json_tree.hpp"
 #include "cli/config/settings.hpp"

@@ -1,6 +1,7 @@
 //! The modal codes that a program finds in force when it is called: unknown until it asks.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/program/tables.hpp"
 #include "tests/dataflow/expect.hpp"
 #include "tests/support/analysed.hpp"
 

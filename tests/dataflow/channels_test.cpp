@@ -2,6 +2,7 @@
 //! have.
 #include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/program/tables.hpp"
 #include "rules/rule.hpp"
 #include "tests/support/analysed.hpp"
 

@@ -3,6 +3,7 @@
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/solver/state_domain.hpp"
+#include "analyzer/program/tables.hpp"
 #include "tests/dataflow/expect.hpp"
 #include "tests/support/analysed.hpp"
 

@@ -3,6 +3,7 @@
 #include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/program/tables.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <optional>

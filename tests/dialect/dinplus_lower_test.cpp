@@ -1,4 +1,5 @@
 //! What DIN PLUS blocks become in the program model.
+#include "analyzer/program/tables.hpp"
 #include "tests/dialect/reading.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,5 @@
 //! What blocks become in the program model.
+#include "analyzer/program/tables.hpp"
 #include "tests/dialect/reading.hpp"
 
 #include <chrono>

@@ -14,6 +14,7 @@
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/execution/path_search.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "tests/execution/live_stores.hpp"
 
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
 #include "tests/support/analysed.hpp"
 
 namespace maclint::test {

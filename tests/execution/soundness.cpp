@@ -2,6 +2,7 @@
 #include "tests/execution/soundness.hpp"
 
 #include "analyzer/execution/stepper.hpp"
+#include "analyzer/program/tables.hpp"
 #include "tests/execution/held_against_facts.hpp"
 #include "tests/execution/live_stores.hpp"
 

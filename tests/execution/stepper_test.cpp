@@ -1,5 +1,6 @@
 //! Programs run by the stepper: what they leave in their variables, worked out by hand.
 #include "analyzer/execution/stepper.hpp"
+#include "analyzer/program/tables.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <functional>

@@ -1,4 +1,5 @@
 //! Who calls a program, and with what.
+#include "analyzer/program/call_kinds.hpp"
 #include "analyzer/queries/call_depth.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "tests/support/analysed.hpp"

@@ -1,6 +1,7 @@
 //! What a value is a copy of, however many assignments lie between.
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "tests/support/analysed.hpp"
 

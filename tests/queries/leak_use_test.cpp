@@ -1,6 +1,7 @@
 //! What becomes of a modal state that a program leaves behind is searched for in its callers, and the search
 //! ends.
 #include "analyzer/program/builder.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/leak_use.hpp"
 #include "tests/support/analysed.hpp"
 #include "tests/support/hand_built.hpp"

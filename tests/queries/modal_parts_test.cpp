@@ -1,6 +1,7 @@
 //! What one thing that a modal group can be is, and whose.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modal_parts.hpp"
 #include "tests/support/analysed.hpp"
 

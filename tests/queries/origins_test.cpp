@@ -1,6 +1,7 @@
 //! An origin stands for a place of the program, whatever it is an origin of.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/origins.hpp"
 #include "tests/support/analysed.hpp"
 

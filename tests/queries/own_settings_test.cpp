@@ -1,6 +1,7 @@
 //! What a program has set itself, and how its blocks rely on the motion mode.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/own_settings.hpp"
 #include "analyzer/queries/saved_state.hpp"
 #include "tests/support/analysed.hpp"

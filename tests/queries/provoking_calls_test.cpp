@@ -1,4 +1,5 @@
 //! Which call leads along a path.
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/provoking_calls.hpp"
 #include "tests/support/analysed.hpp"

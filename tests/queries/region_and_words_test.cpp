@@ -1,5 +1,6 @@
 //! What stands in a block besides its words, which regions do not pair, and how a program is divided.
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/section_kinds.hpp"
 #include "analyzer/queries/block_words.hpp"
 #include "analyzer/queries/region_faults.hpp"
 #include "analyzer/queries/sections.hpp"

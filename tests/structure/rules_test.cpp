@@ -1,4 +1,5 @@
 //! A rule can be read alone: it is short, asks queries, and neither reads value tables nor walks the graph.
+#include "analyzer/program/tables.hpp"
 #include "tests/structure/project_files.hpp"
 
 #include <algorithm>

@@ -1,6 +1,10 @@
 //! Fills the model without a dialect.
 #include "tests/support/hand_built.hpp"
 
+#include "analyzer/program/call_kinds.hpp"
+#include "analyzer/program/modal_groups.hpp"
+#include "analyzer/program/variable_tables.hpp"
+
 #include <utility>
 
 namespace maclint::test {

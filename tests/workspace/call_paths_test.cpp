@@ -1,4 +1,5 @@
 //! Which calls lead where, which close a cycle, and how deep they go.
+#include "analyzer/program/call_kinds.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <algorithm>

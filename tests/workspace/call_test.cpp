@@ -1,5 +1,6 @@
 //! Calls find the nearest program, and depth is counted along the longest chain.
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/program/call_kinds.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <gtest/gtest.h>

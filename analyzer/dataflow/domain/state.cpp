@@ -1,6 +1,8 @@
 //! Reading, writing and joining states.
 #include "analyzer/dataflow/domain/state.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {
@@ -9,6 +10,7 @@ namespace maclint::dataflow {
 /// An operator or function of one or two operands that can be reached, of those that may have no value: most
 /// of what a program calculates are sums.
 struct Application {
+    static constexpr FactPlace place{0};
     flow::NodeId node;
     EffectId effect;
     ExpressionId expression;

@@ -1,6 +1,7 @@
 //! Variables that something else than an assignment may have changed.
 #pragma once
 
+#include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/flow/graph.hpp"
 
 #include <optional>
@@ -10,6 +11,7 @@ namespace maclint::dataflow {
 /// Something other than an assignment may have changed variables: a call, an unreadable block, a store
 /// through an index that can be many.
 struct Clobber {
+    static constexpr FactPlace place{6};
     flow::NodeId node;
     EffectId effect;
     SpaceId space;

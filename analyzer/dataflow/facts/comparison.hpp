@@ -3,12 +3,14 @@
 
 #include "analyzer/dataflow/domain/arithmetic.hpp"
 #include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {
 
 /// A comparison or vacancy test that can be reached.
 struct Comparison {
+    static constexpr FactPlace place{1};
     flow::NodeId node;
     EffectId effect;
     ExpressionId expression;

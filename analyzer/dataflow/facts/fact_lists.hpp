@@ -26,6 +26,22 @@
 
 namespace maclint::dataflow {
 
+/// Every type of fact, as arguments of `Of`, in the order of their places: what stands here can be recorded
+/// and asked for.
+template<template<class...> class Of>
+using OfEveryFact = Of<Application, Comparison, Condition, Read, ModalRead, Store, Clobber, CallMade,
+                       ModalWrite, ComputedJump, BeforeToolChange, BeforeWatchedWord, ExitState>;
+
+/// Whether each type has the place at which it stands.
+template<class... Types>
+struct InOrder {
+    static constexpr bool value = [] {
+        std::size_t number = 0;
+        return sizeof...(Types) <= FactPlace::most && ((Types::place.number == number++) && ...);
+    }();
+};
+static_assert(OfEveryFact<InOrder>::value, "a new type of fact has the next free place");
+
 /// A list for each of the types; those that are not recorded stay empty.
 template<class... Types>
 class ListsOf {

@@ -1,58 +1,31 @@
-//! Which types of facts there are, and sets of them: what a rule asks for, what an analysis records.
+//! Sets of types of facts: what a rule asks for, what an analysis records.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 namespace maclint::dataflow {
 
-struct Application;
-struct BeforeToolChange;
-struct BeforeWatchedWord;
-struct CallMade;
-struct Clobber;
-struct Comparison;
-struct ComputedJump;
-struct Condition;
-struct ExitState;
-struct ModalRead;
-struct ModalWrite;
-struct Read;
-struct Store;
-
-/// Every type of fact, as arguments of `Of`: what stands here can be recorded and asked for.
-template<template<class...> class Of>
-using OfEveryFact = Of<Application, Comparison, Condition, Read, ModalRead, Store, Clobber, CallMade,
-                       ModalWrite, ComputedJump, BeforeToolChange, BeforeWatchedWord, ExitState>;
-
-template<class... Types>
-struct FactTypes {
-    static constexpr std::size_t count = sizeof...(Types);
-    /// The place of T among the types.
-    template<class T>
-    [[nodiscard]] static constexpr std::size_t index() {
-        static_assert((std::is_same_v<T, Types> || ...), "T stands in OfEveryFact");
-        std::size_t index = 0;
-        (void)((std::is_same_v<T, Types> || (++index, false)) || ...);
-        return index;
-    }
+/// The place of a type of fact among all: each has one of its own, which its struct names as `place`. No list
+/// of the types stands here, so that a new one makes nothing compile again but what asks for it.
+struct FactPlace {
+    static constexpr std::size_t most = 32; ///< there are no more
+    std::size_t number;
 };
-using EveryFact = OfEveryFact<FactTypes>;
 
 /// A set of types of facts.
 class FactSet {
   public:
     constexpr FactSet() = default;
-    [[nodiscard]] static constexpr FactSet all() { return FactSet((Bits{1} << EveryFact::count) - 1); }
+    [[nodiscard]] static constexpr FactSet all() { return FactSet(~Bits{0}); }
     template<class... Types>
     [[nodiscard]] static constexpr FactSet of() {
-        return FactSet((Bits{0} | ... | (Bits{1} << EveryFact::index<Types>())));
+        return FactSet((Bits{0} | ... | (Bits{1} << Types::place.number)));
     }
 
     template<class T>
     [[nodiscard]] constexpr bool has() const {
-        return (bits_ >> EveryFact::index<T>() & 1U) != 0;
+        return (bits_ >> T::place.number & 1U) != 0;
     }
     constexpr FactSet& operator|=(FactSet other) {
         bits_ |= other.bits_;
@@ -70,6 +43,7 @@ class FactSet {
     Bits bits_ = 0;
 };
 
+/// The types of facts, whose headers a file includes that names them.
 template<class... Types>
 [[nodiscard]] constexpr FactSet facts() {
     return FactSet::of<Types...>();

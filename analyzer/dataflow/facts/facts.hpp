@@ -96,7 +96,7 @@ class Facts {
     template<class T>
     void put(std::vector<T> facts) {
         recorded_ |= FactSet::of<T>();
-        if (!facts.empty()) lists_[EveryFact::index<T>()] = std::make_unique<List<T>>(std::move(facts));
+        if (!facts.empty()) lists_[T::place.number] = std::make_unique<List<T>>(std::move(facts));
     }
 
   private:
@@ -127,12 +127,12 @@ class Facts {
         if (AskedFacts::innermost != nullptr) AskedFacts::innermost->types_ |= FactSet::of<T>();
         assert(recorded_.has<T>()); // Rule::facts declares what a rule asks for
         static const List<T> none;
-        const auto& list = lists_[EveryFact::index<T>()];
+        const auto& list = lists_[T::place.number];
         return list == nullptr ? none : static_cast<const List<T>&>(*list);
     }
 
     FactSet recorded_;
-    std::array<std::unique_ptr<const AnyList>, EveryFact::count> lists_; ///< nullptr where there are none
+    std::array<std::unique_ptr<const AnyList>, FactPlace::most> lists_; ///< nullptr where there are none
 };
 
 } // namespace maclint::dataflow

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/flow/graph.hpp"
 
 #include <optional>
@@ -10,6 +11,7 @@ namespace maclint::dataflow {
 
 /// A modal group set by a block that is not plain.
 struct ModalWrite {
+    static constexpr FactPlace place{8};
     flow::NodeId node;
     EffectId effect;
     std::optional<GroupId> group; ///< as written, or as the value decides; empty: unknown

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {
@@ -12,7 +13,11 @@ struct PointState {
     EffectId effect;
     State state;
 };
-struct BeforeToolChange : PointState {};
-struct BeforeWatchedWord : PointState {}; ///< that sets a watched group
+struct BeforeToolChange : PointState {
+    static constexpr FactPlace place{10};
+};
+struct BeforeWatchedWord : PointState { ///< that sets a watched group
+    static constexpr FactPlace place{11};
+};
 
 } // namespace maclint::dataflow

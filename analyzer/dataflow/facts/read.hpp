@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/flow/graph.hpp"
 
 #include <cstdint>
@@ -12,6 +13,7 @@ namespace maclint::dataflow {
 enum class Use : std::uint8_t { copy, arithmetic, comparison, vacancy_test, word, argument, index, jump };
 
 struct Read {
+    static constexpr FactPlace place{3};
     flow::NodeId node;
     EffectId effect;
     ExpressionId expression;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/flow/graph.hpp"
 
 #include <optional>
@@ -16,6 +17,7 @@ struct Step {
 };
 
 struct Store {
+    static constexpr FactPlace place{5};
     flow::NodeId node;
     EffectId effect;
     Variable variable;

@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/solver/transfer.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/solver/transfer.hpp"
 #include "analyzer/flow/solve.hpp"
 #include "analyzer/flow/walk.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <functional>

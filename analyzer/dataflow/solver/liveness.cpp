@@ -4,6 +4,7 @@
 #include "analyzer/flow/solve.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/solver/callers_labels.hpp"
 #include "analyzer/dataflow/solver/stop_reasons.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,6 +12,10 @@
 #include <unordered_map>
 #include <vector>
 
+namespace maclint {
+struct VariableRange;
+} // namespace maclint
+
 namespace maclint::dataflow {
 
 class Transfer {

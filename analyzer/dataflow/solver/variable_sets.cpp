@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/solver/variable_sets.hpp"
 
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <bit>
