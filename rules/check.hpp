@@ -13,6 +13,7 @@ namespace maclint {
 class ProgramAnalysis;
 struct ProgramFile;
 class Reporter;
+struct RowOfBlock;
 
 /// Raised by the command itself: while files are read, or when suppressions are matched.
 struct RaisedByCommand {};
@@ -30,6 +31,25 @@ struct WordCheck {
         conflicting ///< in which one modal group is set more than once
     } blocks;
     void (*check)(const queries::WordsOfBlock&, Reporter&);
+};
+
+/// What a row of the table of words says of the words that it names, in a block that holds its code.
+enum class RowStatement : std::uint8_t {
+    needs,     ///< one of them stands there
+    takes_not, ///< none of them does
+    excludes,  ///< none of them stands beside one of the others
+    only_with, ///< they stand beside one of the others only
+    values,    ///< their values lie within the bounds, or in the list
+    whole,     ///< their values are written without a point
+    alone,     ///< no word but them stands beside the code
+    precedes,  ///< the next block holds one of the other codes
+    refused,   ///< the code does not stand at all where the row holds: under another code, in a section
+};
+
+/// Looks at the rows that say the same, one at a time, in the blocks where it holds; rules/words/word_row.hpp.
+struct RowCheck {
+    RowStatement says;
+    void (*check)(const RowOfBlock&, Reporter&);
 };
 
 } // namespace maclint

@@ -20,6 +20,7 @@
 namespace maclint {
 
 struct Rule;
+struct RuleRow;
 
 /// note = style or portability; warning = likely wrong; error = the control will raise an alarm or the
 /// program cannot mean what it says.
@@ -64,6 +65,7 @@ enum class Proof : std::uint8_t {
 
 struct Finding {
     const Rule* rule;
+    const RuleRow* row = nullptr; ///< that found it, of a rule that has rows
     Cause cause;
     Severity severity; ///< the rule's, or what the configuration made of it
     std::shared_ptr<const Source> source;

@@ -84,8 +84,17 @@
     RULE(saved_after_change)                    /* MAC517 */ \
     RULE(modal_state_forced)                    /* MAC518 */ \
     RULE(offset_not_restored)                   /* MAC519 */ \
+    RULE(word_missing)                          /* MAC523 */ \
+    RULE(code_forbidden_here)                   /* MAC527 */ \
+    RULE(integer_word_decimal)                  /* MAC551 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
     RULE(modal_code_as_number)                  /* MAC574 */ \
+    RULE(words_exclude_each_other)              /* MAC575 */ \
+    RULE(value_not_allowed)                     /* MAC576 */ \
+    RULE(word_without_partner)                  /* MAC577 */ \
+    RULE(code_not_alone)                        /* MAC578 */ \
+    RULE(word_not_taken)                        /* MAC579 */ \
+    RULE(blocks_out_of_order)                   /* MAC580 */ \
     RULE(missing_argument_validation)           /* MAC604 */ \
     RULE(position_read_ahead)                   /* MAC605 */ \
     RULE(bracket_depth)                         /* MAC701 */ \

@@ -9,6 +9,7 @@
 #include "rules/reporter.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -86,7 +87,7 @@ struct Rule {
     std::vector<Alarm> alarms = {};
     std::vector<std::string_view> sources;
     /// `SyntaxErrorKind`: whatever the text has of that kind, see rules/syntax_errors.hpp.
-    std::variant<RaisedByCommand, SyntaxErrorKind, FileCheck, ProgramCheck, WordCheck> check;
+    std::variant<RaisedByCommand, SyntaxErrorKind, FileCheck, ProgramCheck, WordCheck, RowCheck> check;
 };
 
 /// All rules, in the order of their codes.
@@ -99,9 +100,13 @@ struct Rule {
 /// Whether the code (any case) is one of a list that is separated by blanks.
 [[nodiscard]] bool lists_code(std::string_view codes, std::string_view code);
 
+class RowIndexes;
+
 /// The rules that run.
 struct Selection {
     std::vector<const Rule*> rules;
+    /// Of those with rows the rows that run; nullptr: all of them.
+    std::shared_ptr<const RowIndexes> rows = nullptr;
 };
 
 /// What the rule asks data flow for.

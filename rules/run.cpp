@@ -11,6 +11,7 @@
 #include "rules/syntax_errors.hpp"
 #include "rules/word_check.hpp"
 #include "rules/work_for.hpp"
+#include "rules/words/row_index.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -42,11 +43,21 @@ bool shares_labels(const ProgramAnalysis& program) {
 
 std::vector<Finding> check_words(const Selection&, const ProgramFile&) { return {}; }
 std::vector<Finding> check_words(const Selection& selection, const ProgramAnalysis& program) {
-    return check_words(program, selection.rules);
+    return check_words(program, selection.rules, *selection.rows);
 }
 
 const ControlModel& control_of(const ProgramFile& file) { return *file.control; }
 const ControlModel& control_of(const ProgramAnalysis& program) { return program.control(); }
+
+/// The rows of the rules, where nobody has chosen among them.
+Selection with_rows(Selection selection) {
+    if (selection.rows != nullptr) return selection;
+    std::vector<const RuleRow*> rows;
+    for (const Rule* rule : selection.rules)
+        for (const RuleRow& row : rows_of(*rule)) rows.push_back(&row);
+    selection.rows = std::make_shared<const RowIndexes>(std::move(rows));
+    return selection;
+}
 
 Severity one_less(Severity severity) {
     return severity == Severity::error ? Severity::warning : Severity::note;
@@ -93,8 +104,9 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
     return run_rules(workspace, selection, jobs, met);
 }
 
-std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection, unsigned jobs,
+std::vector<Finding> run_rules(const Workspace& workspace, const Selection& chosen, unsigned jobs,
                                std::vector<BoundMet>& met) {
+    const Selection selection = with_rows(chosen);
     std::vector<const ProgramFile*> files;
     for (const WorkspaceFile& file : workspace.files())
         if (file.asked) files.push_back(file.file.get());

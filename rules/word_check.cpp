@@ -2,6 +2,7 @@
 #include "rules/word_check.hpp"
 
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/words/row_pass.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -29,27 +30,36 @@ struct Taking {
 
 } // namespace
 
-std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<const Rule* const> rules) {
+std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<const Rule* const> rules,
+                                 const RowIndexes& rows) {
     const Program& program = analysis.program();
     std::vector<Taking> taking;
     for (const Rule* rule : rules)
         if (const auto* check = std::get_if<WordCheck>(&rule->check);
             check != nullptr && applies_to(*rule, analysis.control()))
             taking.push_back({check, addresses_named(program, check->addresses), Reporter(*rule)});
-    if (taking.empty()) return {};
+    RowPass row_pass(analysis, rules);
     const bool modal_calls = queries::has_modal_calls(program);
-    const auto wanted = [&](const WordSummary& words) {
+    const auto rule_wants = [&](const WordSummary& words) {
         return std::ranges::any_of(taking, [&](const Taking& rule) { return rule.wants(words); });
     };
-    for_each_block_with_words(
-        program, wanted,
-        [&](const BlockView& block, std::span<const Word> words, const WordSummary* summary) {
-            for (Taking& rule : taking)
-                if (summary == nullptr || rule.wants(*summary))
-                    rule.check->check({analysis, block, words, modal_calls}, rule.reporter);
-        });
+    for (const Section& section : program.sections) {
+        const RowIndex& index = rows.of(program, section);
+        if (taking.empty() && index.empty()) continue;
+        for_each_block_with_words(
+            program, section.items,
+            [&](const WordSummary& run) { return rule_wants(run) || index.wants_run(run); },
+            [&](const WordSummary& block) { return rule_wants(block) || index.wants_block(block); },
+            [&](const BlockView& block, std::span<const Word> words, const WordSummary* summary) {
+                const queries::WordsOfBlock with_words{analysis, block, words, modal_calls, section};
+                for (Taking& rule : taking)
+                    if (summary == nullptr || rule.wants(*summary)) rule.check->check(with_words, rule.reporter);
+                row_pass.look_at(with_words, index);
+            });
+    }
     std::vector<Finding> findings;
     for (Taking& rule : taking) std::ranges::move(rule.reporter.take(), std::back_inserter(findings));
+    std::ranges::move(row_pass.take(), std::back_inserter(findings));
     return findings;
 }
 

@@ -243,19 +243,20 @@ namespace blocks {
 /// The words of plain blocks, read again; keeps its memory.
 class WordReader {
   public:
-    /// `visit(BlockView, words, summary)` for the blocks of the part that have words.
-    template<class Visit>
-    void visit_words(const Program& program, const PlainRun& run, Span part, const Visit& visit) {
+    /// `visit(BlockView, words, summary)` for the blocks of the part that have words and are wanted.
+    template<class Wanted, class Visit>
+    void visit_words(const Program& program, const PlainRun& run, Span part, const Wanted& wanted,
+                     const Visit& visit) {
         const auto scan = [&](std::string_view text, Offset at, const syntax::PlainTables& tables,
                               syntax::PlainBlock& block) {
             words_.clear();
-            const syntax::Lane lane =
-                syntax::scan_words(text, at, tables, block, [&](const syntax::PlainWord& word) {
-                    words_.push_back({address_of(text, tables, word), Literal{word.value, word.decimal_point},
-                                      word.incremental, word.span});
-                });
-            summary_ = {block.addresses, block.repeated, block.conflicts};
-            return lane;
+            const syntax::Lane lane = syntax::scan_block(text, at, tables, block);
+            summary_ = {block.addresses, block.repeated, block.conflicts, block.codes};
+            if (lane != syntax::Lane::plain || !wanted(summary_)) return lane;
+            return syntax::scan_words(text, at, tables, block, [&](const syntax::PlainWord& word) {
+                words_.push_back({address_of(text, tables, word), Literal{word.value, word.decimal_point},
+                                  word.incremental, word.span});
+            });
         };
         scan_again(program, run, part, scan, [&](const BlockView& block) {
             if (!words_.empty()) visit(block, std::span<const Word>(words_), &summary_);
@@ -269,20 +270,28 @@ class WordReader {
 
 } // namespace blocks
 
-/// `visit(BlockView, words, summary)` for the blocks that have words; the summary is nullptr where it is not
-/// known. Plain blocks are only read where `wanted(summary)` wants them, or blocks beside them.
-template<class Wanted, class Visit>
-void for_each_block_with_words(const Program& program, const Wanted& wanted, const Visit& visit) {
+/// `visit(BlockView, words, summary)` for the blocks among the items that have words; the summary is nullptr
+/// where it is not known. Plain blocks are only decoded where `wanted(summary)` wants the block, and not even
+/// looked at where `run_wanted(summary)` does not want what is known of all blocks of their run together.
+template<class RunWanted, class Wanted, class Visit>
+void for_each_block_with_words(const Program& program, Slice items, const RunWanted& run_wanted,
+                               const Wanted& wanted, const Visit& visit) {
     blocks::WordReader reader;
-    for (const Item& item : program.items) {
+    for (Id i = items.first; i < items.first + items.count; ++i) {
+        const Item& item = program.items[i];
         if (const auto* block = std::get_if<Block>(&item)) {
             const auto stored = std::span(program.words).subspan(block->words.first, block->words.count);
             if (!stored.empty()) visit(blocks::view_of(*block), stored, nullptr);
             continue;
         }
         const auto& run = std::get<PlainRun>(item);
-        if (wanted(run.words)) reader.visit_words(program, run, run.span, visit);
+        if (run_wanted(run.words)) reader.visit_words(program, run, run.span, wanted, visit);
     }
+}
+/// The same over a whole program, for who wants a block whose summary would be wanted of a run.
+template<class Wanted, class Visit>
+void for_each_block_with_words(const Program& program, const Wanted& wanted, const Visit& visit) {
+    for_each_block_with_words(program, {0, static_cast<Id>(program.items.size())}, wanted, wanted, visit);
 }
 
 /// `visit(BlockView, words)` for the blocks of the stretch that have words.
@@ -294,7 +303,8 @@ void for_each_block_with_words(const Program& program, const Stretch& stretch, c
               std::span(program.words).subspan(block->words.first, block->words.count));
         return;
     }
-    blocks::WordReader().visit_words(program, std::get<PlainRun>(item), stretch.span,
+    const auto all = [](const WordSummary&) { return true; };
+    blocks::WordReader().visit_words(program, std::get<PlainRun>(item), stretch.span, all,
                                      [&](const BlockView& block, std::span<const Word> words,
                                          const WordSummary*) { visit(block, words); });
 }

@@ -314,6 +314,7 @@ struct WordSummary {
     syntax::AddressSet addresses;
     syntax::AddressSet repeated; ///< in one block, where they may not by the tables
     bool conflicts = false;      ///< a modal group is set twice in one block
+    syntax::CodeSet codes = {};
 };
 
 /// Plain blocks in a row, not stored one by one; see block_view.hpp.

@@ -20,6 +20,7 @@ class PlainRunTotals {
         run_.words.addresses.add(block.addresses);
         run_.words.repeated.add(block.repeated);
         run_.words.conflicts |= block.conflicts;
+        run_.words.codes.add(block.codes);
         if (!block.number_span.empty()) {
             const auto number = static_cast<std::int32_t>(block.number);
             run_.lowest_number = number < run_.lowest_number ? number : run_.lowest_number;

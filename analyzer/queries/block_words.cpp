@@ -21,17 +21,23 @@ bool has_alternatives(const WordsOfBlock& block) {
         [](const Effect& effect) { return std::holds_alternative<Guarded>(effect.what); });
 }
 
+bool calls(const WordsOfBlock& block) {
+    const auto is_call = [](const Effect& effect) { return std::holds_alternative<Call>(effect.what); };
+    const auto is_computed = [](const Word& word) {
+        return (word.address == "G" || word.address == "M") && !std::holds_alternative<Literal>(word.value);
+    };
+    return std::ranges::any_of(block.analysis.program().effects_in(block.block.effects), is_call) ||
+           std::ranges::any_of(block.words, is_computed);
+}
+
 bool may_call(const WordsOfBlock& block) {
-    const Program& program = block.analysis.program();
     const ControlModel& control = block.analysis.control();
-    const auto calls = [](const Effect& effect) { return std::holds_alternative<Call>(effect.what); };
-    if (std::ranges::any_of(program.effects_in(block.block.effects), calls)) return true;
     const auto unknown = [&](const Word& word) {
         if (word.address != "G" && word.address != "M") return false;
         const auto* code = std::get_if<Literal>(&word.value);
-        return code == nullptr || !control.group_of(word.address.front(), code->value);
+        return code != nullptr && !control.group_of(word.address.front(), code->value);
     };
-    return block.modal_calls || std::ranges::any_of(block.words, unknown);
+    return block.modal_calls || calls(block) || std::ranges::any_of(block.words, unknown);
 }
 
 } // namespace maclint::queries

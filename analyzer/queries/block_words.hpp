@@ -14,6 +14,7 @@ struct WordsOfBlock {
     const BlockView& block;
     std::span<const Word> words;
     bool modal_calls; ///< calls of the program act on blocks after them
+    const Section& section;
 };
 
 /// Whether words of the block may be skipped or stand under a condition: then two that exclude each other may
@@ -22,6 +23,9 @@ struct WordsOfBlock {
 
 /// Whether the block calls a program, or may: by a code that no table knows, or after its move.
 [[nodiscard]] bool may_call(const WordsOfBlock& block);
+
+/// Whether the block surely calls a program, or holds a code that is computed and may.
+[[nodiscard]] bool calls(const WordsOfBlock& block);
 
 /// Whether the program makes modal calls, which act on the blocks after them.
 [[nodiscard]] bool has_modal_calls(const Program& program);

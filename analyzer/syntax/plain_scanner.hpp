@@ -28,6 +28,7 @@ struct PlainBlock {
     std::int64_t number;
     AddressSet addresses;
     AddressSet repeated; ///< those that stand there more than once
+    CodeSet codes;
     bool conflicts;      ///< one group is set more than once
     bool moves;
     std::uint8_t settings_count;
@@ -117,6 +118,7 @@ class PlainScanner {
         block_.moves = (traits_ & moves) != 0 || (axes_ && (traits_ & no_axes) == 0);
         block_.addresses = addresses_;
         block_.repeated = repeated_.without(tables_.may_repeat);
+        block_.codes = codes_;
         block_.conflicts = conflicts_;
         if (block_.span.length() > tables_.longest) return Lane::grammar;
         if (addresses_.empty() && block_.number_span.empty()) return Lane::blank;
@@ -254,6 +256,7 @@ class PlainScanner {
         const PlainCode found = codes.rows[index];
         if ((found.traits & plain_traits::not_plain) != 0) return false;
         traits_ |= found.traits;
+        codes_.add(found.kind);
         return found.group == no_group || set(found.group, scaled(mantissa_, decimals_));
     }
 
@@ -298,6 +301,7 @@ class PlainScanner {
     std::uint64_t groups_ = 0;
     AddressSet addresses_;
     AddressSet repeated_;
+    CodeSet codes_;
     std::size_t digits_ = 0;
     unsigned decimals_ = 0;
     bool point_ = false;

@@ -51,6 +51,42 @@ class AddressSet {
     std::uint64_t bits_ = 0;
 };
 
+/// Codes, by a number that several may share: what a set does not hold does not stand there.
+class CodeSet {
+  public:
+    using Kind = std::uint8_t; ///< below `capacity`
+    static constexpr std::size_t capacity = 128;
+
+    /// The kind of a code of one of two letters (G, M). Codes below 96 of the first have each their own.
+    [[nodiscard]] static constexpr Kind kind_of(std::size_t letter, std::uint64_t code) {
+        constexpr std::uint64_t of_first = 96;
+        return static_cast<Kind>(letter == 0 ? code % of_first : of_first + code % (capacity - of_first));
+    }
+    constexpr void add(Kind kind) { (kind < 64 ? low_ : high_) |= std::uint64_t{1} << (kind % 64U); }
+    constexpr void add(CodeSet other) {
+        low_ |= other.low_;
+        high_ |= other.high_;
+    }
+    [[nodiscard]] constexpr bool meets(CodeSet other) const {
+        return ((low_ & other.low_) | (high_ & other.high_)) != 0;
+    }
+    /// Whether `test(kind)` is true of one that both have.
+    template<class Test>
+    [[nodiscard]] constexpr bool any_common(CodeSet other, const Test& test) const {
+        return any_of(low_ & other.low_, 0, test) || any_of(high_ & other.high_, 64, test);
+    }
+    friend constexpr bool operator==(CodeSet, CodeSet) = default;
+
+  private:
+    template<class Test>
+    [[nodiscard]] static constexpr bool any_of(std::uint64_t bits, int first, const Test& test) {
+        for (; bits != 0; bits &= bits - 1)
+            if (test(static_cast<Kind>(first + std::countr_zero(bits)))) return true;
+        return false;
+    }
+    std::uint64_t low_ = 0, high_ = 0;
+};
+
 /// The last value given to a modal group.
 struct Setting {
     std::uint8_t group;
@@ -83,6 +119,7 @@ enum class PlainStart : std::uint8_t {
 struct PlainCode {
     std::uint8_t group = no_group; ///< that it sets
     std::uint8_t traits = 0;
+    CodeSet::Kind kind = 0;
 };
 
 /// The codes of an address.

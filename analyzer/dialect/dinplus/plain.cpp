@@ -29,6 +29,8 @@ constexpr std::string_view common_pairs[] = {"XK", "YK", "ZK", "NS", "NE", "NF",
                                              "ZE", "XA", "ZA", "AC", "WC", "RC", "IC", "KC", "JC",
                                              "AT", "BS", "BE", "WS", "BR", "BP", "BF", "EC", "EW",
                                              "XR", "ZR", "FK", "DX", "DZ", "HC", "HF", "PC", "WE"};
+/// Codes have up to three digits.
+constexpr std::size_t codes = 1000;
 constexpr AddressId first_pair = 26;
 constexpr AddressId other_pair = 63;
 static_assert(first_pair + std::size(common_pairs) <= other_pair);
@@ -66,6 +68,10 @@ PlainTables descriptions() {
     }
     for (const std::string_view pair : no_addresses) row_of(tables, pair) = {};
     for (const char c : std::string_view("GMT")) tables.may_repeat.add(static_cast<AddressId>(c - 'A'));
+    // Codes of descriptions set nothing, but rules ask where they stand.
+    row_of(tables, "G").start = PlainStart::code;
+    for (std::size_t code = 0; code < codes; ++code)
+        tables.codes[0].rows.push_back({.kind = syntax::CodeSet::kind_of(0, code)});
     tables.comment_end = ']';
     tables.incremental = 'i';
     tables.not_after_number = 'O';
@@ -90,12 +96,13 @@ PlainCode plain_code(char letter, std::size_t code) {
     const auto group = sets ? control().group_of(letter, number) : std::nullopt;
     // Rules ask for the state in front of the words that set the other groups, and mark these words.
     if (group && control().groups[*group].role != ModalRole::motion) plain |= scanned::not_plain;
-    return {group.value_or(syntax::no_group), static_cast<std::uint8_t>(plain)};
+    return {group.value_or(syntax::no_group), static_cast<std::uint8_t>(plain),
+            syntax::CodeSet::kind_of(letter == 'G' ? 0 : 1, code)};
 }
 
 PlainTables commands() {
-    constexpr std::size_t codes = 1000;
     PlainTables tables = descriptions();
+    tables.codes[0].rows.clear();
     for (const std::string_view axis : {"X", "Z", "Y", "C", "B", "XK", "YK", "U", "V", "W"})
         row_of(tables, axis).start = PlainStart::axis;
     row_of(tables, "NS").traits = block_name;

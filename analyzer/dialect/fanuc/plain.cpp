@@ -59,12 +59,14 @@ PlainTables plain_tables(const CodeTable& codes) {
         tables.may_repeat.add(static_cast<syntax::AddressId>(c - 'A'));
 
     tables.codes[0] = {.rows = {}, .decimals = 1};
-    for (const Code code : codes.g)
-        tables.codes[0].rows.push_back({code.group, plain_traits_of(code.traits)});
+    for (std::size_t i = 0; i < codes.g.size(); ++i) // of tenths
+        tables.codes[0].rows.push_back(
+            {codes.g[i].group, plain_traits_of(codes.g[i].traits), syntax::CodeSet::kind_of(0, i / 10)});
     tables.codes[1] = {.rows = {}, .decimals = 0};
     for (std::size_t i = 0; i < codes.m.size(); ++i) {
         const GroupId group = i < codes.m_groups.size() ? codes.m_groups[i] : no_group;
-        tables.codes[1].rows.push_back({group, plain_traits_of(codes.m[i])});
+        tables.codes[1].rows.push_back(
+            {group, plain_traits_of(codes.m[i]), syntax::CodeSet::kind_of(1, i)});
     }
 
     tables.comment_end = ')';

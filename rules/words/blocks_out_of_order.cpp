@@ -1,0 +1,58 @@
+//! MAC580: a code that another one must follow.
+#include "rules/words/row_of_block.hpp"
+#include "analyzer/queries/next_block.hpp"
+#include "rules/words/word_list.hpp"
+
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const RowOfBlock& block, Reporter& reporter);
+}
+
+extern const Rule blocks_out_of_order{
+    .code = "MAC580",
+    .name = "blocks-out-of-order",
+    .summary = "After a code stands another block than the one that it wants",
+    .why =
+        "A code that only prepares the next block acts on whatever stands there: on the wrong move, or on none.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .messages = {{"order", "Block after {0} holds no {1}: {2}.", "Write the block with {1} after it."}},
+    .bad = {{"dinplus", R"nc(
+%TULO.NC
+MACHINING
+N1 G0 X80 Z5
+N2 G41
+N3 G2 X60 Z-5 R5
+N4 G40
+N5 G0 X80
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+%TULO.NC
+MACHINING
+N1 G0 X80 Z5
+N2 G41
+N3 G1 X60 Z-5
+N4 G40
+N5 G0 X80
+END
+)nc"}},
+    .sources = {"the rows"},
+    .check = RowCheck{.says = RowStatement::precedes, .check = &check},
+};
+
+namespace {
+
+void check(const RowOfBlock& block, Reporter& reporter) {
+    const WordRow& row = block.row();
+    const auto next = queries::next_block_with(block.block, block.of_code.letter);
+    if (!next || queries::holds_code(*next, row.others)) return;
+    block.report(reporter, block.code, "order",
+                 {block.text_of(block.code), either_of(row.others), std::string(row.effect)});
+}
+
+} // namespace
+} // namespace maclint::rules

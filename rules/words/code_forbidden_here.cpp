@@ -1,0 +1,57 @@
+//! MAC527: a code that the control refuses where another is in force.
+#include "rules/words/row_of_block.hpp"
+#include "analyzer/program/model.hpp"
+
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const RowOfBlock& block, Reporter& reporter);
+}
+
+extern const Rule code_forbidden_here{
+    .code = "MAC527",
+    .name = "code-forbidden-here",
+    .summary = "A code stands where the control refuses it",
+    .why =
+        "While a cycle, a compensation or another plane is in force the control refuses some codes: it stops with an"
+        " alarm, or carries them out as something else.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .messages = {{"under", "Code {0} while {1} is in force: {2}.", "Switch {1} off before."},
+                 {"section", "Code {0} in {1}: {2}.", "Move it to where it belongs."}},
+    .bad = {{"fanuc", R"nc(
+O9527(DRILL)
+G90 G54 G0 X0 Y0
+G43 Z50. H1
+S2000 M3
+G81 X10. Y10. Z-30. R2. F150.
+G28 G91 Z0
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9527(DRILL)
+G90 G54 G0 X0 Y0
+G43 Z50. H1
+S2000 M3
+G81 X10. Y10. Z-30. R2. F150.
+G80
+G28 G91 Z0
+M30
+)nc"}},
+    .sources = {"the rows"},
+    .check = RowCheck{.says = RowStatement::refused, .check = &check},
+};
+
+namespace {
+
+void check(const RowOfBlock& block, Reporter& reporter) {
+    const bool under = !block.under.empty();
+    block.report(reporter, block.code, under ? "under" : "section",
+                 {block.text_of(block.code), under ? block.under : std::string(block.block.section->kind),
+                  std::string(block.row().effect)});
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,52 @@
+//! MAC551: a decimal point where a whole number belongs.
+#include "rules/words/row_of_block.hpp"
+
+#include <string>
+#include <variant>
+
+namespace maclint::rules {
+
+namespace {
+void check(const RowOfBlock& block, Reporter& reporter);
+}
+
+extern const Rule integer_word_decimal{
+    .code = "MAC551",
+    .name = "integer-word-decimal",
+    .summary = "A word that takes whole numbers has a decimal point",
+    .why =
+        "Numbers of offsets, repeats and steps of a thousandth have no point: the control stops, or reads another"
+        " number than the one that was meant.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .messages = {{"point", "Decimal point in '{0}' of {1}: {2}.", "Write the number without a point."}},
+    .bad = {{"fanuc", R"nc(
+O9551(DWELL)
+G90 G54 G0 X0 Y0
+G4 P0.5
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9551(DWELL)
+G90 G54 G0 X0 Y0
+G4 P500
+M30
+)nc"}},
+    .sources = {"the rows"},
+    .check = RowCheck{.says = RowStatement::whole, .check = &check},
+};
+
+namespace {
+
+void check(const RowOfBlock& block, Reporter& reporter) {
+    const WordRow& row = block.row();
+    for (const Word* word : block.all(row.words)) {
+        const auto* value = std::get_if<Literal>(&word->value);
+        if (value == nullptr || !value->decimal_point) continue;
+        block.report(reporter, *word, "point",
+                     {block.text_of(*word), block.text_of(block.code), std::string(row.effect)});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,132 @@
+//! Compiles the rows for a control.
+#include "rules/words/row_index.hpp"
+
+#include "analyzer/program/block_view.hpp"
+#include "rules/words/word_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+
+namespace maclint {
+namespace {
+
+/// A letter and a number of at most three decimals as one number.
+std::int64_t code_number(char letter, double code) {
+    constexpr double decimals = 1000;
+    constexpr std::int64_t letters = 256;
+    return std::llround(code * decimals) * letters + static_cast<unsigned char>(letter);
+}
+
+bool holds(const RowForCode& code, const ControlModel& control, std::string_view section) {
+    const WordTable& table = *code.table;
+    const WordRow& row = *code.row;
+    if (table.language != control.language || (table.machine && *table.machine != control.machine)) return false;
+    if (!row.controls.empty() && !has_word(row.controls, control.name) && !has_word(row.controls, control.model))
+        return false;
+    if (row.named_only && control.assumed) return false;
+    const std::string_view sections = row.sections.empty() ? table.sections : row.sections;
+    std::string name(section);
+    std::ranges::replace(name, ' ', '_');
+    return sections.empty() || has_word(sections, name);
+}
+
+/// The addresses of the list that scanning tells apart.
+syntax::AddressSet surely(const syntax::PlainTables& tables, std::string_view list) {
+    syntax::AddressSet set;
+    for (std::size_t id = 0; id < tables.names.size(); ++id)
+        if (!tables.names[id].empty() && has_word(list, tables.names[id])) set.add(static_cast<syntax::AddressId>(id));
+    return set;
+}
+
+/// And those that have no name, among which one of the list may be that has no number of its own.
+syntax::AddressSet maybe(const syntax::PlainTables& tables, std::string_view list) {
+    syntax::AddressSet set = surely(tables, list);
+    const auto words = words_of(list);
+    if (set.size() == static_cast<int>(words.size())) return set;
+    for (std::size_t id = 0; id < tables.names.size(); ++id)
+        if (tables.names[id].empty()) set.add(static_cast<syntax::AddressId>(id));
+    return set;
+}
+
+/// Whether the row can be wrong in a block that holds these addresses.
+bool can_be_wrong(const RowIndex::Entry& entry, syntax::AddressSet there) {
+    switch (entry.row->row->says) {
+    case RowStatement::needs: return !there.meets(entry.words);
+    case RowStatement::takes_not:
+    case RowStatement::values:
+    case RowStatement::whole: return there.meets(entry.maybe_words);
+    case RowStatement::excludes: return there.meets(entry.maybe_words) && there.meets(entry.maybe_others);
+    case RowStatement::only_with: return there.meets(entry.maybe_words) && !there.meets(entry.others);
+    case RowStatement::alone:
+    case RowStatement::precedes:
+    case RowStatement::refused: return true;
+    }
+    return true;
+}
+
+/// Whether it can be wrong in one of several blocks that hold these together: what one lacks another may hold.
+bool can_be_wrong_in_one(const RowIndex::Entry& entry, syntax::AddressSet there) {
+    switch (entry.row->row->says) {
+    case RowStatement::needs: return true;
+    case RowStatement::only_with: return there.meets(entry.maybe_words);
+    default: return can_be_wrong(entry, there);
+    }
+}
+
+} // namespace
+
+RowIndex::RowIndex(const ControlModel& control, std::string_view section, const syntax::PlainTables* tables,
+                   std::span<const RuleRow* const> rows) {
+    for (const RuleRow* rule_row : rows) {
+        if (!applies_to(*rule_row->rule, control)) continue;
+        for (const RowForCode& row : rule_row->rows) {
+            if (!holds(row, control, section)) continue;
+            Entry entry{rule_row, &row, code_number(row.letter, row.code), {}, {}, {}, {}};
+            if (tables != nullptr) {
+                entry.words = surely(*tables, row.row->words);
+                entry.others = surely(*tables, row.row->others);
+                entry.maybe_words = maybe(*tables, row.row->words);
+                entry.maybe_others = maybe(*tables, row.row->others);
+            }
+            entries_.push_back(entry);
+            const auto kind = syntax::CodeSet::kind_of(row.letter == 'G' ? 0 : 1, static_cast<std::uint64_t>(row.code));
+            codes_.add(kind);
+            by_kind_[kind].push_back(entry);
+        }
+    }
+    std::ranges::stable_sort(entries_, {}, &Entry::code);
+}
+
+bool RowIndex::wants_run(const WordSummary& blocks) const {
+    return blocks.codes.any_common(codes_, [&](syntax::CodeSet::Kind kind) {
+        return std::ranges::any_of(by_kind_[kind],
+                                   [&](const Entry& entry) { return can_be_wrong_in_one(entry, blocks.addresses); });
+    });
+}
+
+bool RowIndex::wants_block(const WordSummary& block) const {
+    return block.codes.any_common(codes_, [&](syntax::CodeSet::Kind kind) {
+        return std::ranges::any_of(by_kind_[kind],
+                                   [&](const Entry& entry) { return can_be_wrong(entry, block.addresses); });
+    });
+}
+
+std::span<const RowIndex::Entry> RowIndex::rows_at(const Word& word) const {
+    const auto* literal = std::get_if<Literal>(&word.value);
+    if (literal == nullptr || word.address.size() != 1) return {};
+    const auto [first, last] =
+        std::ranges::equal_range(entries_, code_number(word.address.front(), literal->value), {}, &Entry::code);
+    return {first, last};
+}
+
+const RowIndex& RowIndexes::of(const Program& program, const Section& section) const {
+    const std::scoped_lock lock(mutex_);
+    auto& index = made_[{program.control, program.plain_tables[0], section.kind}];
+    if (index == nullptr)
+        index = std::make_unique<RowIndex>(*program.control, section.kind, program.plain_tables[0], rows_);
+    return *index;
+}
+
+} // namespace maclint

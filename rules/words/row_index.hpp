@@ -1,0 +1,64 @@
+//! The rows that can hold in a section of a control's programs, by their codes, and which blocks they want.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+#include "rules/words/rule_row.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace maclint {
+
+class RowIndex {
+  public:
+    /// A row under one of its codes, and the addresses that it names.
+    struct Entry {
+        const RuleRow* rule_row;
+        const RowForCode* row;
+        std::int64_t code;                  ///< see code_number()
+        syntax::AddressSet words, others;   ///< those that surely are the row's
+        syntax::AddressSet maybe_words, maybe_others; ///< and those that scanning does not tell apart from them
+    };
+
+    /// `tables`: how plain blocks of the programs are read; nullptr where there are none.
+    RowIndex(const ControlModel& control, std::string_view section, const syntax::PlainTables* tables,
+             std::span<const RuleRow* const> rows);
+
+    [[nodiscard]] bool empty() const { return entries_.empty(); }
+    /// Whether a row can be wrong in one of several blocks, or in the only one, of which this is known.
+    [[nodiscard]] bool wants_run(const WordSummary& blocks) const;
+    [[nodiscard]] bool wants_block(const WordSummary& block) const;
+    /// The rows of the code that the word is; none where it is none.
+    [[nodiscard]] std::span<const Entry> rows_at(const Word& word) const;
+
+  private:
+    std::vector<Entry> entries_;                       ///< by code
+    syntax::CodeSet codes_;                            ///< of all entries
+    std::array<std::vector<Entry>, syntax::CodeSet::capacity> by_kind_;
+};
+
+/// One for each control and kind of section, made when it is first asked for.
+class RowIndexes {
+  public:
+    explicit RowIndexes(std::vector<const RuleRow*> rows)
+        : rows_(std::move(rows)) {}
+
+    [[nodiscard]] bool empty() const { return rows_.empty(); }
+    [[nodiscard]] const RowIndex& of(const Program& program, const Section& section) const;
+
+  private:
+    using Key = std::tuple<const ControlModel*, const syntax::PlainTables*, std::string_view>;
+
+    std::vector<const RuleRow*> rows_;
+    mutable std::mutex mutex_;
+    mutable std::map<Key, std::unique_ptr<const RowIndex>> made_;
+};
+
+} // namespace maclint

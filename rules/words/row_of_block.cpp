@@ -1,0 +1,43 @@
+//! What checks of rows ask of a block.
+#include "rules/words/row_of_block.hpp"
+
+#include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
+#include "rules/words/word_list.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace maclint {
+
+const Word* RowOfBlock::find(std::string_view addresses) const {
+    const std::vector<const Word*> words = all(addresses);
+    return words.empty() ? nullptr : words.front();
+}
+
+std::vector<const Word*> RowOfBlock::all(std::string_view addresses) const {
+    std::vector<const Word*> found;
+    for (const Word& word : block.words)
+        if (&word != &code && word.has_value() && has_word(addresses, word.address)) found.push_back(&word);
+    return found;
+}
+
+std::string RowOfBlock::text_of(const Word& word) const { return quoted(block.analysis.program(), word.span); }
+
+Finding& RowOfBlock::report(Reporter& reporter, const Word& word, std::string_view message_id,
+                            std::vector<std::string> arguments) const {
+    Finding& finding =
+        reporter.report({block.analysis, word.span}, word.span, message_id, std::move(arguments));
+    finding.row = &rule_row;
+    finding.severity = row().severity;
+    const auto alarm = std::ranges::find(row().alarms, block.analysis.control().alarms, &RowAlarm::control);
+    finding.alarm = alarm == row().alarms.end() ? std::string_view() : alarm->number;
+    return finding;
+}
+
+std::string words_with_meaning(const WordRow& row) {
+    const std::string words = either_of(row.words);
+    return row.means.empty() ? words : words + " (" + std::string(row.means) + ")";
+}
+
+} // namespace maclint

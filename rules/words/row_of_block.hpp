@@ -1,0 +1,38 @@
+//! A row of the table of words and a block in which it holds: what the checks of rows look at.
+#pragma once
+
+#include "analyzer/queries/block_words.hpp"
+#include "rules/reporter.hpp"
+#include "rules/words/rule_row.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace maclint {
+
+/// Good as long as the check runs.
+struct RowOfBlock {
+    const queries::WordsOfBlock& block;
+    const RuleRow& rule_row;
+    const RowForCode& of_code;
+    const Word& code;  ///< the word of the block that is the row's code
+    std::string under; ///< the code of WordRow::under that is in force; empty where the row names none
+
+    [[nodiscard]] const WordRow& row() const { return *of_code.row; }
+    /// The first word of the block, other than the code, that has one of the addresses and a value; nullptr: none has.
+    [[nodiscard]] const Word* find(std::string_view addresses) const;
+    /// All of them, in the order of the text.
+    [[nodiscard]] std::vector<const Word*> all(std::string_view addresses) const;
+    /// The bytes of the word, for a message.
+    [[nodiscard]] std::string text_of(const Word& word) const;
+
+    /// Reports the row at a word of the block: with its severity and the alarm of the control.
+    Finding& report(Reporter& reporter, const Word& word, std::string_view message_id,
+                    std::vector<std::string> arguments) const;
+};
+
+/// What the row's words are, in brackets behind them: "Q (depth of a peck)", "X or Z (end point)".
+[[nodiscard]] std::string words_with_meaning(const WordRow& row);
+
+} // namespace maclint

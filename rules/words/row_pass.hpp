@@ -1,0 +1,30 @@
+//! The rows' part in the pass over the words of a program.
+#pragma once
+
+#include "rules/words/row_index.hpp"
+#include "rules/words/row_of_block.hpp"
+
+#include <map>
+#include <span>
+#include <vector>
+
+namespace maclint {
+
+/// Good for one program.
+class RowPass {
+  public:
+    /// Rows of other rules are passed over.
+    RowPass(const ProgramAnalysis& analysis, std::span<const Rule* const> rules);
+
+    /// Looks at the rows of the codes that stand in the block.
+    void look_at(const queries::WordsOfBlock& block, const RowIndex& index);
+    [[nodiscard]] std::vector<Finding> take();
+
+  private:
+    void look_at(const queries::WordsOfBlock& block, const RowIndex::Entry& entry, const Word& code);
+
+    const ProgramAnalysis& analysis_;
+    std::map<const Rule*, Reporter> reporters_;
+};
+
+} // namespace maclint

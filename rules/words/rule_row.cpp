@@ -1,0 +1,96 @@
+//! Keys of rows, and the rows by their keys.
+#include "rules/words/rule_row.hpp"
+
+#include "analyzer/dialect/ascii.hpp"
+#include "rules/path.hpp"
+#include "rules/words/word_list.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <utility>
+
+namespace maclint {
+namespace {
+
+std::string joined(std::string_view list, std::string_view separator) {
+    std::string text;
+    for (const std::string_view word : words_of(list)) text += (text.empty() ? "" : std::string(separator)) + std::string(word);
+    return text;
+}
+
+/// "G83" for the row's code, then ".Q" for its words and "-P" for the others.
+std::string key_of(const RowForCode& code) {
+    std::string key = code.letter + number_word(code.code);
+    if (!code.row->words.empty()) key += "." + joined(code.row->words, "+");
+    if (!code.row->others.empty()) key += "-" + joined(code.row->others, "+");
+    return key;
+}
+
+double number_of(std::string_view code) {
+    double number = 0;
+    std::from_chars(code.data() + 1, code.data() + code.size(), number);
+    return number;
+}
+
+const Rule* rule_for(RowStatement says) {
+    for (const Rule* rule : all_rules())
+        if (const auto* check = std::get_if<RowCheck>(&rule->check); check != nullptr && check->says == says) return rule;
+    return nullptr;
+}
+
+std::vector<RuleRow> make_rows() {
+    std::vector<RuleRow> rows;
+    std::map<std::pair<const Rule*, std::string>, std::size_t> known;
+    for (const WordTable* table : all_word_tables())
+        for (const WordRow& row : table->rows)
+            for (const std::string_view code : words_of(row.code)) {
+                const RowForCode one{table, &row, code.front(), number_of(code)};
+                const Rule* rule = rule_for(row.says);
+                std::string key = key_of(one);
+                const auto [place, is_new] = known.try_emplace({rule, key}, rows.size());
+                if (is_new) rows.push_back({rule, 0, std::move(key), {}});
+                rows[place->second].rows.push_back(one);
+            }
+    std::ranges::sort(rows, [](const RuleRow& a, const RuleRow& b) {
+        return std::pair(a.rule->code, std::string_view(a.key)) < std::pair(b.rule->code, std::string_view(b.key));
+    });
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].index = i;
+    return rows;
+}
+
+/// In capitals, without zeros in front of its code.
+std::string normal_key(std::string_view written) {
+    std::string key = in_capitals(written);
+    while (key.size() > 2 && key[1] == '0' && key[2] >= '0' && key[2] <= '9') key.erase(1, 1);
+    return key;
+}
+
+} // namespace
+
+std::span<const RuleRow> all_rule_rows() {
+    static const std::vector<RuleRow> rows = make_rows();
+    return rows;
+}
+
+std::span<const RuleRow> rows_of(const Rule& rule) {
+    const auto all = all_rule_rows();
+    const auto [first, last] = std::ranges::equal_range(all, rule.code, {}, [](const RuleRow& row) { return row.rule->code; });
+    return {first, last};
+}
+
+const RuleRow* find_rule_row(std::string_view name) {
+    const std::size_t slash = name.find('/');
+    if (slash == std::string_view::npos) {
+        for (const RuleRow& row : all_rule_rows())
+            if (lists_code(row.first().aliases, name)) return &row;
+        return nullptr;
+    }
+    const Rule* rule = find_rule(name.substr(0, slash));
+    if (rule == nullptr) return nullptr;
+    const auto rows = rows_of(*rule);
+    const auto found = std::ranges::find(rows, normal_key(name.substr(slash + 1)), &RuleRow::key);
+    return found == rows.end() ? nullptr : &*found;
+}
+
+} // namespace maclint

@@ -1,0 +1,73 @@
+//! MAC576: a value that its code does not take.
+#include "rules/words/row_of_block.hpp"
+#include "rules/path.hpp"
+#include "rules/words/word_list.hpp"
+
+#include <cmath>
+#include <string>
+#include <variant>
+
+namespace maclint::rules {
+
+namespace {
+void check(const RowOfBlock& block, Reporter& reporter);
+}
+
+extern const Rule value_not_allowed{
+    .code = "MAC576",
+    .name = "value-not-allowed",
+    .aliases = "DIN022",
+    .summary = "A word has a value that its code does not take",
+    .why =
+        "Outside the values of its manual a word is refused with an alarm, cut to the nearest one, or selects"
+        " something else than was meant.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .messages = {{"outside", "Value '{0}' beside {1}, which takes {2} of {3}: {4}.", "Write {2} of {3}."}},
+    .bad = {{"dinplus", R"nc(
+%TULO.NC
+MACHINING
+N1 G48 A120
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+%TULO.NC
+MACHINING
+N1 G48 A50
+END
+)nc"}},
+    .sources = {"the rows"},
+    .check = RowCheck{.says = RowStatement::values, .check = &check},
+};
+
+namespace {
+
+/// "0, 1 or 2", "at least 1", "more than 0 and at most 999".
+std::string allowed_by(const WordRow& row) {
+    if (!row.values.empty()) return either_of(row.values);
+    const bool has_least = std::isfinite(row.least);
+    const std::string least = (row.above_least ? "more than " : "at least ") + number_word(row.least);
+    const std::string most = (row.below_most ? "less than " : "at most ") + number_word(row.most);
+    if (!std::isfinite(row.most)) return least;
+    return has_least ? least + " and " + most : most;
+}
+
+bool allows(const WordRow& row, double value) {
+    if (!row.values.empty()) return has_word(row.values, number_word(value));
+    const bool enough = row.above_least ? value > row.least : value >= row.least;
+    return enough && (row.below_most ? value < row.most : value <= row.most);
+}
+
+void check(const RowOfBlock& block, Reporter& reporter) {
+    const WordRow& row = block.row();
+    for (const Word* word : block.all(row.words)) {
+        const auto* value = std::get_if<Literal>(&word->value);
+        if (value == nullptr || word->incremental || allows(row, value->value)) continue;
+        block.report(reporter, *word, "outside",
+                     {block.text_of(*word), block.text_of(block.code), std::string(word->address), allowed_by(row),
+                      std::string(row.effect)});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,68 @@
+//! A row of the table of words: what must be of the words that stand in a block with a code.
+#pragma once
+
+#include "rules/finding.hpp"
+#include "rules/rule.hpp"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace maclint {
+
+/// An alarm that a control raises where a row is not kept.
+struct RowAlarm {
+    std::string_view control = {}; ///< ControlModel::alarms: "FANUC 16i/18i/21i"; empty: none is known
+    std::string_view number = {};
+};
+
+/// One line of a table. What a field does not say holds anywhere: in every section, whatever is in force. Lists
+/// are separated by blanks.
+struct WordRow {
+    RowStatement says; ///< what is said of `words`; each kind is a rule of its own
+    /// "G83", or several that say the same: each has a key of its own.
+    std::string_view code;
+    std::string_view words = {};  ///< addresses: "Q", "X Y Z"
+    std::string_view others = {}; ///< addresses or, of what precedes what, codes
+
+    /// Of a value: the bounds and the values allowed. A word whose value is calculated is not looked at.
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    bool above_least = false; ///< the least itself is too little
+    bool below_most = false;
+    std::string_view values = {}; ///< "0 1 2"; others are wrong
+
+    /// Only there: names of sections (PROGRAM_HEAD for one of two words), codes of which one is surely in force in the block, its own included.
+    std::string_view sections = {};
+    std::string_view under = {};
+    /// Only on controls of these names or models; empty: on all of the table.
+    std::string_view controls = {};
+    bool named_only = false; ///< and only where somebody says which control it is: others write so, too
+    bool kept = false;    ///< the words stay while a code of its group is in force: only its first block needs them
+    bool in_calls = false; ///< also in blocks that call a program: its code does
+
+    std::string_view means;  ///< what the words are, without an article before: "depth of a peck"
+    /// What comes of it at the machine, a sentence that begins with a small letter, without its full stop: "the hole is
+    /// drilled in one stroke".
+    std::string_view effect;
+    Severity severity;
+    std::array<RowAlarm, 3> alarms = {};
+    std::string_view off_reason = {}; ///< why it is off by default; empty: it is on
+    std::string_view aliases = {};    ///< further codes of rules that are this row: "DIN613"
+    std::string_view source;          ///< key of docs/sources.md with its place: "SEED-003:12468"
+};
+
+/// Rows of one language.
+struct WordTable {
+    std::string_view language;              ///< of the control: "fanuc"
+    std::optional<Machine> machine = {};    ///< nothing: of mills and lathes
+    std::string_view sections = {};         ///< where a row names none; empty: any
+    std::span<const WordRow> rows;
+};
+
+/// All tables: the one place that lists them.
+[[nodiscard]] std::span<const WordTable* const> all_word_tables();
+
+} // namespace maclint

@@ -1,0 +1,56 @@
+//! MAC577: a word that counts only beside another.
+#include "rules/words/row_of_block.hpp"
+#include "rules/words/word_list.hpp"
+
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const RowOfBlock& block, Reporter& reporter);
+}
+
+extern const Rule word_without_partner{
+    .code = "MAC577",
+    .name = "word-without-partner",
+    .summary = "A word stands without the one that it counts with",
+    .why =
+        "A word that only tells more of another one does nothing alone: the control passes it over, and what was"
+        " meant does not happen.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .messages = {{"alone", "Word '{0}' of {1} counts beside {2} only: {3}.", "Write {2}, or remove '{0}'."}},
+    .bad = {{"dinplus", R"nc(
+%TULO.NC
+MACHINING
+N1 G41 H1
+N2 G1 X50
+N3 G40
+N4 G0 X80
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+%TULO.NC
+MACHINING
+N1 G41 Q1 H1
+N2 G1 X50
+N3 G40
+N4 G0 X80
+END
+)nc"}},
+    .sources = {"the rows"},
+    .check = RowCheck{.says = RowStatement::only_with, .check = &check},
+};
+
+namespace {
+
+void check(const RowOfBlock& block, Reporter& reporter) {
+    const WordRow& row = block.row();
+    const Word* word = block.find(row.words);
+    if (word == nullptr || block.find(row.others) != nullptr) return;
+    block.report(reporter, *word, "alone",
+                 {block.text_of(*word), block.text_of(block.code), either_of(row.others), std::string(row.effect)});
+}
+
+} // namespace
+} // namespace maclint::rules
