@@ -46,7 +46,8 @@ enum class RowStatement : std::uint8_t {
     refused,   ///< the code does not stand at all where the row holds: under another code, in a section
 };
 
-/// Looks at the rows that say the same, one at a time, in the blocks where it holds; rules/words/word_row.hpp.
+/// Looks at the rows that say the same, one at a time, in the blocks where it holds;
+/// rules/words/word_row.hpp.
 struct RowCheck {
     RowStatement says;
     void (*check)(const RowOfBlock&, Reporter&);

@@ -10,8 +10,8 @@
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
 #include "rules/word_check.hpp"
+#include "rules/words/row_indexes.hpp"
 #include "rules/work_for.hpp"
-#include "rules/words/row_index.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -48,16 +48,6 @@ std::vector<Finding> check_words(const Selection& selection, const ProgramAnalys
 
 const ControlModel& control_of(const ProgramFile& file) { return *file.control; }
 const ControlModel& control_of(const ProgramAnalysis& program) { return program.control(); }
-
-/// The rows of the rules, where nobody has chosen among them.
-Selection with_rows(Selection selection) {
-    if (selection.rows != nullptr) return selection;
-    std::vector<const RuleRow*> rows;
-    for (const Rule* rule : selection.rules)
-        for (const RuleRow& row : rows_of(*rule)) rows.push_back(&row);
-    selection.rows = std::make_shared<const RowIndexes>(std::move(rows));
-    return selection;
-}
 
 Severity one_less(Severity severity) {
     return severity == Severity::error ? Severity::warning : Severity::note;
@@ -106,7 +96,8 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
 
 std::vector<Finding> run_rules(const Workspace& workspace, const Selection& chosen, unsigned jobs,
                                std::vector<BoundMet>& met) {
-    const Selection selection = with_rows(chosen);
+    Selection selection = chosen;
+    if (selection.rows == nullptr) selection.rows = RowIndexes::of_all(selection.rules);
     std::vector<const ProgramFile*> files;
     for (const WorkspaceFile& file : workspace.files())
         if (file.asked) files.push_back(file.file.get());

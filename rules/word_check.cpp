@@ -2,6 +2,7 @@
 #include "rules/word_check.hpp"
 
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/words/row_indexes.hpp"
 #include "rules/words/row_pass.hpp"
 
 #include <algorithm>
@@ -53,7 +54,8 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
             [&](const BlockView& block, std::span<const Word> words, const WordSummary* summary) {
                 const queries::WordsOfBlock with_words{analysis, block, words, modal_calls, section};
                 for (Taking& rule : taking)
-                    if (summary == nullptr || rule.wants(*summary)) rule.check->check(with_words, rule.reporter);
+                    if (summary == nullptr || rule.wants(*summary))
+                        rule.check->check(with_words, rule.reporter);
                 row_pass.look_at(with_words, index);
             });
     }

@@ -9,8 +9,8 @@
 
 namespace maclint {
 
-/// Runs the word checks among the rules, and the rows, over a program: the findings of each rule, in the order
-/// of `rules`. Blocks that none of them can want are not read.
+/// Runs the word checks among the rules, and the rows, over a program: the findings of each rule, in the
+/// order of `rules`. Blocks that none of them can want are not read.
 [[nodiscard]] std::vector<Finding> check_words(const ProgramAnalysis& analysis,
                                                std::span<const Rule* const> rules, const RowIndexes& rows);
 

@@ -15,8 +15,9 @@ constexpr int most_blocks = 8;
 /// Whether the control only sets codes in the block and goes on to the next.
 bool sets_codes_alone(const Program& program, const BlockView& block) {
     return !block.moves && block.skip_levels == 0 && !block.name &&
-           std::ranges::all_of(program.effects_in(block.effects),
-                               [](const Effect& effect) { return std::holds_alternative<SetModal>(effect.what); });
+           std::ranges::all_of(program.effects_in(block.effects), [](const Effect& effect) {
+               return std::holds_alternative<SetModal>(effect.what);
+           });
 }
 
 /// Looks at one block after the other until it has found the one, or there is no use in going on.
@@ -30,7 +31,8 @@ struct Search {
 
     void look_at(const BlockView& block, std::span<const Word> words) {
         if (ended || block.span.begin < after) return;
-        if (std::ranges::any_of(words, [&](const Word& word) { return word.address == std::string_view(&letter, 1); }))
+        if (std::ranges::any_of(
+                words, [&](const Word& word) { return word.address == std::string_view(&letter, 1); }))
             found.emplace(words.begin(), words.end());
         ended = found || --left == 0 || !sets_codes_alone(program, block);
     }
@@ -55,13 +57,13 @@ std::optional<std::vector<Word>> next_block_with(const WordsOfBlock& block, char
     const Program& program = block.analysis.program();
     const Slice items = block.section.items;
     Search search{program, block.block.span.end, letter};
-    for (ItemId item = item_at(program, items, search.after); item < items.first + items.count && !search.ended; ++item) {
+    for (ItemId item = item_at(program, items, search.after);
+         item < items.first + items.count && !search.ended; ++item) {
         const Span span = program.span_of(item);
         const Span part{std::max(span.begin, search.after), span.end};
-        for_each_block_with_words(program, Stretch{item, part},
-                                  [&](const BlockView& view, std::span<const Word> words) {
-                                      search.look_at(view, words);
-                                  });
+        for_each_block_with_words(
+            program, Stretch{item, part},
+            [&](const BlockView& view, std::span<const Word> words) { search.look_at(view, words); });
     }
     return std::move(search.found);
 }

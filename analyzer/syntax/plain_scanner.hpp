@@ -29,7 +29,7 @@ struct PlainBlock {
     AddressSet addresses;
     AddressSet repeated; ///< those that stand there more than once
     CodeSet codes;
-    bool conflicts;      ///< one group is set more than once
+    bool conflicts; ///< one group is set more than once
     bool moves;
     std::uint8_t settings_count;
     std::array<Setting, most_settings> settings_memory;

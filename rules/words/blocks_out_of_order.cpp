@@ -1,6 +1,6 @@
 //! MAC580: a code that another one must follow.
-#include "rules/words/row_of_block.hpp"
 #include "analyzer/queries/next_block.hpp"
+#include "rules/words/row_of_block.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <string>
@@ -15,8 +15,8 @@ extern const Rule blocks_out_of_order{
     .code = "MAC580",
     .name = "blocks-out-of-order",
     .summary = "After a code stands another block than the one that it wants",
-    .why =
-        "A code that only prepares the next block acts on whatever stands there: on the wrong move, or on none.",
+    .why = "A code that only prepares the next block acts on whatever stands there: on the wrong move, or on "
+           "none.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .messages = {{"order", "Block after {0} holds no {1}: {2}.", "Write the block with {1} after it."}},

@@ -1,6 +1,6 @@
 //! MAC527: a code that the control refuses where another is in force.
-#include "rules/words/row_of_block.hpp"
 #include "analyzer/program/model.hpp"
+#include "rules/words/row_of_block.hpp"
 
 #include <string>
 
@@ -14,9 +14,9 @@ extern const Rule code_forbidden_here{
     .code = "MAC527",
     .name = "code-forbidden-here",
     .summary = "A code stands where the control refuses it",
-    .why =
-        "While a cycle, a compensation or another plane is in force the control refuses some codes: it stops with an"
-        " alarm, or carries them out as something else.",
+    .why = "While a cycle, a compensation or another plane is in force the control refuses some codes: it "
+           "stops with an"
+           " alarm, or carries them out as something else.",
     .severity = Severity::error,
     .precision = Precision::high,
     .messages = {{"under", "Code {0} while {1} is in force: {2}.", "Switch {1} off before."},
@@ -49,7 +49,7 @@ namespace {
 void check(const RowOfBlock& block, Reporter& reporter) {
     const bool under = !block.under.empty();
     block.report(reporter, block.code, under ? "under" : "section",
-                 {block.text_of(block.code), under ? block.under : std::string(block.block.section->kind),
+                 {block.text_of(block.code), under ? block.under : std::string(block.block.section.kind),
                   std::string(block.row().effect)});
 }
 

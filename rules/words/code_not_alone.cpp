@@ -19,7 +19,8 @@ extern const Rule code_not_alone{
         " passed over, or the control stops.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"shared", "Word '{0}' beside {1}, which stands alone in its block: {2}.", "Give '{0}' a block of its own."}},
+    .messages = {{"shared", "Word '{0}' beside {1}, which stands alone in its block: {2}.",
+                  "Give '{0}' a block of its own."}},
     .bad = {{"dinplus", R"nc(
 %TULO.NC
 MACHINING

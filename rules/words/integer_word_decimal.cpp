@@ -14,9 +14,9 @@ extern const Rule integer_word_decimal{
     .code = "MAC551",
     .name = "integer-word-decimal",
     .summary = "A word that takes whole numbers has a decimal point",
-    .why =
-        "Numbers of offsets, repeats and steps of a thousandth have no point: the control stops, or reads another"
-        " number than the one that was meant.",
+    .why = "Numbers of offsets, repeats and steps of a thousandth have no point: the control stops, or reads "
+           "another"
+           " number than the one that was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .messages = {{"point", "Decimal point in '{0}' of {1}: {2}.", "Write the number without a point."}},

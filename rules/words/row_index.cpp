@@ -22,10 +22,11 @@ std::int64_t code_number(char letter, double code) {
 bool holds(const RowForCode& code, const ControlModel& control, std::string_view section) {
     const WordTable& table = *code.table;
     const WordRow& row = *code.row;
-    if (table.language != control.language || (table.machine && *table.machine != control.machine)) return false;
-    if (!row.controls.empty() && !has_word(row.controls, control.name) && !has_word(row.controls, control.model))
+    if (table.language != control.language || (table.machine && *table.machine != control.machine))
         return false;
-    if (row.named_only && control.assumed) return false;
+    if (!row.controls.empty() && !has_word(row.controls, control.name) &&
+        !has_word(row.controls, control.model))
+        return false;
     const std::string_view sections = row.sections.empty() ? table.sections : row.sections;
     std::string name(section);
     std::ranges::replace(name, ' ', '_');
@@ -36,7 +37,8 @@ bool holds(const RowForCode& code, const ControlModel& control, std::string_view
 syntax::AddressSet surely(const syntax::PlainTables& tables, std::string_view list) {
     syntax::AddressSet set;
     for (std::size_t id = 0; id < tables.names.size(); ++id)
-        if (!tables.names[id].empty() && has_word(list, tables.names[id])) set.add(static_cast<syntax::AddressId>(id));
+        if (!tables.names[id].empty() && has_word(list, tables.names[id]))
+            set.add(static_cast<syntax::AddressId>(id));
     return set;
 }
 
@@ -66,7 +68,8 @@ bool can_be_wrong(const RowIndex::Entry& entry, syntax::AddressSet there) {
     return true;
 }
 
-/// Whether it can be wrong in one of several blocks that hold these together: what one lacks another may hold.
+/// Whether it can be wrong in one of several blocks that hold these together: what one lacks another may
+/// hold.
 bool can_be_wrong_in_one(const RowIndex::Entry& entry, syntax::AddressSet there) {
     switch (entry.row->row->says) {
     case RowStatement::needs: return true;
@@ -91,7 +94,8 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
                 entry.maybe_others = maybe(*tables, row.row->others);
             }
             entries_.push_back(entry);
-            const auto kind = syntax::CodeSet::kind_of(row.letter == 'G' ? 0 : 1, static_cast<std::uint64_t>(row.code));
+            const auto kind =
+                syntax::CodeSet::kind_of(row.letter == 'G' ? 0 : 1, static_cast<std::uint64_t>(row.code));
             codes_.add(kind);
             by_kind_[kind].push_back(entry);
         }
@@ -101,8 +105,8 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
 
 bool RowIndex::wants_run(const WordSummary& blocks) const {
     return blocks.codes.any_common(codes_, [&](syntax::CodeSet::Kind kind) {
-        return std::ranges::any_of(by_kind_[kind],
-                                   [&](const Entry& entry) { return can_be_wrong_in_one(entry, blocks.addresses); });
+        return std::ranges::any_of(
+            by_kind_[kind], [&](const Entry& entry) { return can_be_wrong_in_one(entry, blocks.addresses); });
     });
 }
 
@@ -116,17 +120,9 @@ bool RowIndex::wants_block(const WordSummary& block) const {
 std::span<const RowIndex::Entry> RowIndex::rows_at(const Word& word) const {
     const auto* literal = std::get_if<Literal>(&word.value);
     if (literal == nullptr || word.address.size() != 1) return {};
-    const auto [first, last] =
-        std::ranges::equal_range(entries_, code_number(word.address.front(), literal->value), {}, &Entry::code);
+    const auto [first, last] = std::ranges::equal_range(
+        entries_, code_number(word.address.front(), literal->value), {}, &Entry::code);
     return {first, last};
-}
-
-const RowIndex& RowIndexes::of(const Program& program, const Section& section) const {
-    const std::scoped_lock lock(mutex_);
-    auto& index = made_[{program.control, program.plain_tables[0], section.kind}];
-    if (index == nullptr)
-        index = std::make_unique<RowIndex>(*program.control, section.kind, program.plain_tables[0], rows_);
-    return *index;
 }
 
 } // namespace maclint

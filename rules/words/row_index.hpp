@@ -6,12 +6,8 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <span>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 namespace maclint {
@@ -22,9 +18,10 @@ class RowIndex {
     struct Entry {
         const RuleRow* rule_row;
         const RowForCode* row;
-        std::int64_t code;                  ///< see code_number()
-        syntax::AddressSet words, others;   ///< those that surely are the row's
-        syntax::AddressSet maybe_words, maybe_others; ///< and those that scanning does not tell apart from them
+        std::int64_t code;                ///< see code_number()
+        syntax::AddressSet words, others; ///< those that surely are the row's
+        syntax::AddressSet maybe_words,
+            maybe_others; ///< and those that scanning does not tell apart from them
     };
 
     /// `tables`: how plain blocks of the programs are read; nullptr where there are none.
@@ -39,26 +36,9 @@ class RowIndex {
     [[nodiscard]] std::span<const Entry> rows_at(const Word& word) const;
 
   private:
-    std::vector<Entry> entries_;                       ///< by code
-    syntax::CodeSet codes_;                            ///< of all entries
+    std::vector<Entry> entries_; ///< by code
+    syntax::CodeSet codes_;      ///< of all entries
     std::array<std::vector<Entry>, syntax::CodeSet::capacity> by_kind_;
-};
-
-/// One for each control and kind of section, made when it is first asked for.
-class RowIndexes {
-  public:
-    explicit RowIndexes(std::vector<const RuleRow*> rows)
-        : rows_(std::move(rows)) {}
-
-    [[nodiscard]] bool empty() const { return rows_.empty(); }
-    [[nodiscard]] const RowIndex& of(const Program& program, const Section& section) const;
-
-  private:
-    using Key = std::tuple<const ControlModel*, const syntax::PlainTables*, std::string_view>;
-
-    std::vector<const RuleRow*> rows_;
-    mutable std::mutex mutex_;
-    mutable std::map<Key, std::unique_ptr<const RowIndex>> made_;
 };
 
 } // namespace maclint

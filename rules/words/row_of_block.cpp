@@ -22,7 +22,9 @@ std::vector<const Word*> RowOfBlock::all(std::string_view addresses) const {
     return found;
 }
 
-std::string RowOfBlock::text_of(const Word& word) const { return quoted(block.analysis.program(), word.span); }
+std::string RowOfBlock::text_of(const Word& word) const {
+    return quoted(block.analysis.program(), word.span);
+}
 
 Finding& RowOfBlock::report(Reporter& reporter, const Word& word, std::string_view message_id,
                             std::vector<std::string> arguments) const {
@@ -33,11 +35,6 @@ Finding& RowOfBlock::report(Reporter& reporter, const Word& word, std::string_vi
     const auto alarm = std::ranges::find(row().alarms, block.analysis.control().alarms, &RowAlarm::control);
     finding.alarm = alarm == row().alarms.end() ? std::string_view() : alarm->number;
     return finding;
-}
-
-std::string words_with_meaning(const WordRow& row) {
-    const std::string words = either_of(row.words);
-    return row.means.empty() ? words : words + " (" + std::string(row.means) + ")";
 }
 
 } // namespace maclint

@@ -20,7 +20,8 @@ struct RowOfBlock {
     std::string under; ///< the code of WordRow::under that is in force; empty where the row names none
 
     [[nodiscard]] const WordRow& row() const { return *of_code.row; }
-    /// The first word of the block, other than the code, that has one of the addresses and a value; nullptr: none has.
+    /// The first word of the block, other than the code, that has one of the addresses and a value; nullptr:
+    /// none has.
     [[nodiscard]] const Word* find(std::string_view addresses) const;
     /// All of them, in the order of the text.
     [[nodiscard]] std::vector<const Word*> all(std::string_view addresses) const;
@@ -31,8 +32,5 @@ struct RowOfBlock {
     Finding& report(Reporter& reporter, const Word& word, std::string_view message_id,
                     std::vector<std::string> arguments) const;
 };
-
-/// What the row's words are, in brackets behind them: "Q (depth of a peck)", "X or Z (end point)".
-[[nodiscard]] std::string words_with_meaning(const WordRow& row);
 
 } // namespace maclint

@@ -28,12 +28,14 @@ void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex::Entry&
     const WordRow& row = *entry.row->row;
     // Words of a block that calls are arguments; of some that may be skipped nobody knows which stand there.
     if ((!row.in_calls && queries::calls(block)) || queries::has_alternatives(block)) return;
-    std::get<RowCheck>(reporter->first->check).check({block, *entry.rule_row, *entry.row, code, {}}, reporter->second);
+    std::get<RowCheck>(reporter->first->check)
+        .check({block, *entry.rule_row, *entry.row, code, {}}, reporter->second);
 }
 
 std::vector<Finding> RowPass::take() {
     std::vector<Finding> findings;
-    for (auto& [rule, reporter] : reporters_) std::ranges::move(reporter.take(), std::back_inserter(findings));
+    for (auto& [rule, reporter] : reporters_)
+        std::ranges::move(reporter.take(), std::back_inserter(findings));
     return findings;
 }
 

@@ -2,7 +2,7 @@
 #include "rules/words/rule_row.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
-#include "rules/path.hpp"
+#include "rules/words/row_text.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -15,13 +15,14 @@ namespace {
 
 std::string joined(std::string_view list, std::string_view separator) {
     std::string text;
-    for (const std::string_view word : words_of(list)) text += (text.empty() ? "" : std::string(separator)) + std::string(word);
+    for (const std::string_view word : words_of(list))
+        text += (text.empty() ? "" : std::string(separator)) + std::string(word);
     return text;
 }
 
 /// "G83" for the row's code, then ".Q" for its words and "-P" for the others.
 std::string key_of(const RowForCode& code) {
-    std::string key = code.letter + number_word(code.code);
+    std::string key = code_of(code);
     if (!code.row->words.empty()) key += "." + joined(code.row->words, "+");
     if (!code.row->others.empty()) key += "-" + joined(code.row->others, "+");
     return key;
@@ -35,7 +36,8 @@ double number_of(std::string_view code) {
 
 const Rule* rule_for(RowStatement says) {
     for (const Rule* rule : all_rules())
-        if (const auto* check = std::get_if<RowCheck>(&rule->check); check != nullptr && check->says == says) return rule;
+        if (const auto* check = std::get_if<RowCheck>(&rule->check); check != nullptr && check->says == says)
+            return rule;
     return nullptr;
 }
 
@@ -53,7 +55,8 @@ std::vector<RuleRow> make_rows() {
                 rows[place->second].rows.push_back(one);
             }
     std::ranges::sort(rows, [](const RuleRow& a, const RuleRow& b) {
-        return std::pair(a.rule->code, std::string_view(a.key)) < std::pair(b.rule->code, std::string_view(b.key));
+        return std::pair(a.rule->code, std::string_view(a.key)) <
+               std::pair(b.rule->code, std::string_view(b.key));
     });
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].index = i;
     return rows;
@@ -75,7 +78,8 @@ std::span<const RuleRow> all_rule_rows() {
 
 std::span<const RuleRow> rows_of(const Rule& rule) {
     const auto all = all_rule_rows();
-    const auto [first, last] = std::ranges::equal_range(all, rule.code, {}, [](const RuleRow& row) { return row.rule->code; });
+    const auto [first, last] =
+        std::ranges::equal_range(all, rule.code, {}, [](const RuleRow& row) { return row.rule->code; });
     return {first, last};
 }
 

@@ -22,9 +22,9 @@ struct RowForCode {
 /// All rows of a rule that share a key: one for each control, or group of controls, that differs.
 struct RuleRow {
     const Rule* rule;
-    std::size_t index;              ///< in all_rule_rows()
-    std::string key;                ///< "G83.Q"; capitals
-    std::vector<RowForCode> rows;   ///< one at least
+    std::size_t index;            ///< in all_rule_rows()
+    std::string key;              ///< "G83.Q"; capitals
+    std::vector<RowForCode> rows; ///< one at least
 
     [[nodiscard]] const WordRow& first() const { return *rows.front().row; }
     /// "MAC523/G83.Q".
@@ -36,10 +36,11 @@ struct RuleRow {
 [[nodiscard]] std::span<const RuleRow> all_rule_rows();
 /// Those of one rule; empty for a rule without rows.
 [[nodiscard]] std::span<const RuleRow> rows_of(const Rule& rule);
-/// "MAC523/G83.Q", also with another name of the rule, small letters or zeros in front (G04.P); or an alias of the row
-/// (DIN613). nullptr: there is none.
+/// "MAC523/G83.Q", also with another name of the rule, small letters or zeros in front (G04.P); or an alias
+/// of the row (DIN613). nullptr: there is none.
 [[nodiscard]] const RuleRow* find_rule_row(std::string_view name);
-/// What the row says, a sentence: "G83 needs Q (depth of a peck): without it the hole is drilled in one stroke."
+/// What the row says, a sentence: "G83 needs Q (depth of a peck); without it the hole is drilled in one
+/// stroke."
 [[nodiscard]] std::string sentence_of(const RowForCode& row);
 
 } // namespace maclint

@@ -90,6 +90,7 @@ constexpr WordRow rows[] = {
 
 } // namespace
 
-extern const WordTable dinplus_machining{.language = "dinplus", .sections = "MACHINING SUBPROGRAM", .rows = rows};
+extern const WordTable dinplus_machining{
+    .language = "dinplus", .sections = "MACHINING SUBPROGRAM", .rows = rows};
 
 } // namespace maclint::word_tables

@@ -5,7 +5,9 @@ namespace maclint::word_tables {
 namespace {
 
 constexpr std::string_view fanuc_30i = "FANUC 30i/0i-D";
-constexpr std::string_view of_fanuc = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr std::string_view of_fanuc = "fanuc fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+/// Where others that nobody has named write otherwise.
+constexpr std::string_view named_fanuc = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
 constexpr std::string_view axes = "X Y Z A B C U V W";
 using enum RowStatement;
 using enum Severity;
@@ -17,31 +19,24 @@ constexpr WordRow rows[] = {
      .effect = "only one of the two times counts", .severity = warning, .source = "T"},
     {.says = only_with, .code = "G4", .words = "F", .others = "X P", .means = "time",
      .effect = "the control does not wait", .severity = warning, .source = "T"},
-    {.says = whole,     .code = "G4", .words = "P", .controls = of_fanuc, .named_only = true, .means = "time in ms",
+    {.says = whole,     .code = "G4", .words = "P", .controls = named_fanuc, .means = "time in ms",
      .effect = "the control stops", .severity = warning, .source = "T"},
 
-    // Reference points, probing, coordinate systems
+    // Reference points, probing, coordinate systems. G53 and G31 alone stand for a stop of look-ahead in some shops, G43
+    // without H takes the number of the block before.
     {.says = needs,     .code = "G30", .words = axes, .means = "axes that return",
      .effect = "no axis moves", .severity = warning, .source = "T"},
     {.says = values,    .code = "G30", .words = "P", .values = "2 3 4", .controls = of_fanuc, .means = "reference point",
      .effect = "there is no such reference point", .severity = warning,
      .alarms = {{{"FANUC 16i/18i/21i", "046"}, {fanuc_30i, "046"}}}, .source = "T"},
-    {.says = needs,     .code = "G31", .words = axes, .means = "target of the move",
-     .effect = "no axis moves", .severity = warning, .source = "T"},
     {.says = refused,   .code = "G31", .under = "G41 G42", .controls = of_fanuc,
      .effect = "the control takes no skip move under compensation", .severity = warning, .source = "T"},
     {.says = needs,     .code = "G52", .words = axes, .means = "local zero",
      .effect = "no zero is shifted", .severity = warning, .source = "T"},
-    {.says = needs,     .code = "G53", .words = axes, .means = "position of the machine",
-     .effect = "no axis moves, and the next block is no position of the machine again", .severity = warning, .source = "T"},
     {.says = needs,     .code = "G92", .words = "X Y Z A B C U V W S", .means = "present position or highest speed",
      .effect = "nothing is set", .severity = warning, .source = "T"},
     {.says = values,    .code = "G68", .words = "R", .least = -360, .most = 360, .controls = of_fanuc, .means = "angle in degrees",
      .effect = "the control stops, or turns by another angle", .severity = warning, .source = "T"},
-
-    // Tool length
-    {.says = needs,     .code = "G43 G44", .words = "H", .means = "number of the offset",
-     .effect = "the offset counts that was in force last", .severity = warning, .source = "T"},
 
     // Canned cycles: what a cycle is told stays until G80
     {.says = needs,     .code = "G73 G83", .words = "Q", .kept = true, .means = "depth of a peck",

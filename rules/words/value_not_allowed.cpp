@@ -1,9 +1,9 @@
 //! MAC576: a value that its code does not take.
-#include "rules/words/row_of_block.hpp"
 #include "rules/path.hpp"
+#include "rules/words/row_of_block.hpp"
+#include "rules/words/row_text.hpp"
 #include "rules/words/word_list.hpp"
 
-#include <cmath>
 #include <string>
 #include <variant>
 
@@ -42,16 +42,6 @@ END
 
 namespace {
 
-/// "0, 1 or 2", "at least 1", "more than 0 and at most 999".
-std::string allowed_by(const WordRow& row) {
-    if (!row.values.empty()) return either_of(row.values);
-    const bool has_least = std::isfinite(row.least);
-    const std::string least = (row.above_least ? "more than " : "at least ") + number_word(row.least);
-    const std::string most = (row.below_most ? "less than " : "at most ") + number_word(row.most);
-    if (!std::isfinite(row.most)) return least;
-    return has_least ? least + " and " + most : most;
-}
-
 bool allows(const WordRow& row, double value) {
     if (!row.values.empty()) return has_word(row.values, number_word(value));
     const bool enough = row.above_least ? value > row.least : value >= row.least;
@@ -64,8 +54,8 @@ void check(const RowOfBlock& block, Reporter& reporter) {
         const auto* value = std::get_if<Literal>(&word->value);
         if (value == nullptr || word->incremental || allows(row, value->value)) continue;
         block.report(reporter, *word, "outside",
-                     {block.text_of(*word), block.text_of(block.code), std::string(word->address), allowed_by(row),
-                      std::string(row.effect)});
+                     {block.text_of(*word), block.text_of(block.code), std::string(word->address),
+                      values_allowed_by(row), std::string(row.effect)});
     }
 }
 

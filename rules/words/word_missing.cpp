@@ -1,5 +1,6 @@
 //! MAC523: a code without a word that it needs.
 #include "rules/words/row_of_block.hpp"
+#include "rules/words/row_text.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <string>
@@ -15,9 +16,9 @@ extern const Rule word_missing{
     .name = "word-missing",
     .aliases = "DIN023",
     .summary = "A code stands without a word that it needs",
-    .why =
-        "A cycle without its depth, a thread without its pitch: the control stops with an alarm, or goes on with"
-        " what it has, which is another program than the one that was meant.",
+    .why = "A cycle without its depth, a thread without its pitch: the control stops with an alarm, or goes "
+           "on with"
+           " what it has, which is another program than the one that was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .messages = {{"missing", "Word missing beside {0}: {1}. Without it {2}.", "Write {3}."}},
@@ -48,8 +49,9 @@ namespace {
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
     if (block.find(row.words) != nullptr) return;
-    block.report(reporter, block.code, "missing",
-                 {block.text_of(block.code), words_with_meaning(row), std::string(row.effect), either_of(row.words)});
+    block.report(
+        reporter, block.code, "missing",
+        {block.text_of(block.code), words_with_meaning(row), std::string(row.effect), either_of(row.words)});
 }
 
 } // namespace

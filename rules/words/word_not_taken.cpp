@@ -13,12 +13,13 @@ extern const Rule word_not_taken{
     .code = "MAC579",
     .name = "word-not-taken",
     .summary = "A code stands beside a word that it does not take",
-    .why =
-        "What a code does not take is passed over, or means something of its own: often the word was meant for"
-        " another code, or for the block after.",
+    .why = "What a code does not take is passed over, or means something of its own: often the word was "
+           "meant for"
+           " another code, or for the block after.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"foreign", "Word '{0}' beside {1}, which does not take it: {2}.", "Remove '{0}', or give it a block of its own."}},
+    .messages = {{"foreign", "Word '{0}' beside {1}, which does not take it: {2}.",
+                  "Remove '{0}', or give it a block of its own."}},
     .bad = {{"fanuc", R"nc(
 O9579(DWELL)
 G90 G54 G0 X0 Y0

@@ -18,8 +18,8 @@ struct RowAlarm {
     std::string_view number = {};
 };
 
-/// One line of a table. What a field does not say holds anywhere: in every section, whatever is in force. Lists
-/// are separated by blanks.
+/// One line of a table. What a field does not say holds anywhere: in every section, whatever is in force.
+/// Lists are separated by blanks.
 struct WordRow {
     RowStatement says; ///< what is said of `words`; each kind is a rule of its own
     /// "G83", or several that say the same: each has a key of its own.
@@ -34,18 +34,20 @@ struct WordRow {
     bool below_most = false;
     std::string_view values = {}; ///< "0 1 2"; others are wrong
 
-    /// Only there: names of sections (PROGRAM_HEAD for one of two words), codes of which one is surely in force in the block, its own included.
+    /// Only there: names of sections (PROGRAM_HEAD for one of two words), codes of which one is surely in
+    /// force in the block, its own included.
     std::string_view sections = {};
     std::string_view under = {};
-    /// Only on controls of these names or models; empty: on all of the table.
+    /// Only on controls of these names or models; empty: on all of the table. One that nobody has named is
+    /// "fanuc".
     std::string_view controls = {};
-    bool named_only = false; ///< and only where somebody says which control it is: others write so, too
-    bool kept = false;    ///< the words stay while a code of its group is in force: only its first block needs them
+    bool kept =
+        false; ///< the words stay while a code of its group is in force: only its first block needs them
     bool in_calls = false; ///< also in blocks that call a program: its code does
 
-    std::string_view means;  ///< what the words are, without an article before: "depth of a peck"
-    /// What comes of it at the machine, a sentence that begins with a small letter, without its full stop: "the hole is
-    /// drilled in one stroke".
+    std::string_view means = {}; ///< what the words are, without an article before: "depth of a peck"
+    /// What comes of it at the machine, a sentence that begins with a small letter, without its full stop:
+    /// "the hole is drilled in one stroke".
     std::string_view effect;
     Severity severity;
     std::array<RowAlarm, 3> alarms = {};
@@ -56,9 +58,9 @@ struct WordRow {
 
 /// Rows of one language.
 struct WordTable {
-    std::string_view language;              ///< of the control: "fanuc"
-    std::optional<Machine> machine = {};    ///< nothing: of mills and lathes
-    std::string_view sections = {};         ///< where a row names none; empty: any
+    std::string_view language;           ///< of the control: "fanuc"
+    std::optional<Machine> machine = {}; ///< nothing: of mills and lathes
+    std::string_view sections = {};      ///< where a row names none; empty: any
     std::span<const WordRow> rows;
 };
 

@@ -14,9 +14,9 @@ extern const Rule word_without_partner{
     .code = "MAC577",
     .name = "word-without-partner",
     .summary = "A word stands without the one that it counts with",
-    .why =
-        "A word that only tells more of another one does nothing alone: the control passes it over, and what was"
-        " meant does not happen.",
+    .why = "A word that only tells more of another one does nothing alone: the control passes it over, and "
+           "what was"
+           " meant does not happen.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .messages = {{"alone", "Word '{0}' of {1} counts beside {2} only: {3}.", "Write {2}, or remove '{0}'."}},
@@ -48,8 +48,9 @@ void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
     const Word* word = block.find(row.words);
     if (word == nullptr || block.find(row.others) != nullptr) return;
-    block.report(reporter, *word, "alone",
-                 {block.text_of(*word), block.text_of(block.code), either_of(row.others), std::string(row.effect)});
+    block.report(
+        reporter, *word, "alone",
+        {block.text_of(*word), block.text_of(block.code), either_of(row.others), std::string(row.effect)});
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 //! MAC575: words that exclude each other in a block.
-#include "rules/words/row_of_block.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/words/row_of_block.hpp"
 
 #include <algorithm>
 #include <string>
@@ -21,7 +21,8 @@ extern const Rule words_exclude_each_other{
         " message, or the control stops.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"both", "Words '{1}' and '{2}' exclude each other beside {0}: {3}.", "Remove the one that is not meant."}},
+    .messages = {{"both", "Words '{1}' and '{2}' exclude each other beside {0}: {3}.",
+                  "Remove the one that is not meant."}},
     .bad = {{"fanuc", R"nc(
 O9575(DWELL)
 G90 G54 G0 X0 Y0
@@ -44,14 +45,14 @@ void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
     for (const Word* word : block.all(row.words)) {
         const auto others = block.all(row.others);
-        const auto other = std::ranges::find_if(others, [&](const Word* one) { return one->address != word->address; });
+        const auto other =
+            std::ranges::find_if(others, [&](const Word* one) { return one->address != word->address; });
         if (other == others.end()) continue;
-        const auto [first, second] = std::minmax(word, *other, [](const Word* a, const Word* b) {
-            return a->span.begin < b->span.begin;
-        });
+        const auto [first, second] = std::minmax(
+            word, *other, [](const Word* a, const Word* b) { return a->span.begin < b->span.begin; });
         Finding& finding = block.report(reporter, *second, "both",
-                                        {block.text_of(block.code), block.text_of(*first), block.text_of(*second),
-                                         std::string(row.effect)});
+                                        {block.text_of(block.code), block.text_of(*first),
+                                         block.text_of(*second), std::string(row.effect)});
         finding.related.push_back({block.block.analysis.source(), first->span, "the other one stands here"});
         return;
     }

@@ -67,7 +67,8 @@ Standing standing_in(const std::string& blocks) {
     for_each_block_with_words(
         program, [](const WordSummary&) { return true; },
         [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
-            const WordsOfBlock one{analysis, block, words, has_modal_calls(program), program.sections.front()};
+            const WordsOfBlock one{analysis, block, words, has_modal_calls(program),
+                                   program.sections.front()};
             all.push_back({has_alternatives(one), may_call(one)});
         });
     return all.at(all.size() - 2);

@@ -20,8 +20,10 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr std::ptrdiff_t most_lines = 130;
-/// A list with a row a rule: it is as long as there are rules.
-constexpr std::string_view registry = "rules/registry.cpp";
+/// Lists of rows are as long as there is something to say.
+bool is_list(std::string_view path) {
+    return path == "rules/registry.cpp" || path.starts_with("rules/words/tables_");
+}
 
 std::vector<ProjectFile> rule_files() {
     std::vector<ProjectFile> files = sources();
@@ -33,7 +35,7 @@ std::vector<std::string> too_long(const std::vector<ProjectFile>& files) {
     std::vector<std::string> found;
     for (const ProjectFile& file : files) {
         const auto lines = std::ranges::count(file.text, '\n');
-        if (lines > most_lines && file.path != registry)
+        if (lines > most_lines && !is_list(file.path))
             found.push_back(file.path + " has " + std::to_string(lines) + " lines");
     }
     return found;

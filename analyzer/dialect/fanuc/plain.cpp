@@ -65,8 +65,7 @@ PlainTables plain_tables(const CodeTable& codes) {
     tables.codes[1] = {.rows = {}, .decimals = 0};
     for (std::size_t i = 0; i < codes.m.size(); ++i) {
         const GroupId group = i < codes.m_groups.size() ? codes.m_groups[i] : no_group;
-        tables.codes[1].rows.push_back(
-            {group, plain_traits_of(codes.m[i]), syntax::CodeSet::kind_of(1, i)});
+        tables.codes[1].rows.push_back({group, plain_traits_of(codes.m[i]), syntax::CodeSet::kind_of(1, i)});
     }
 
     tables.comment_end = ')';

@@ -1,0 +1,60 @@
+//! Writes what a row says.
+#include "rules/words/row_text.hpp"
+
+#include "rules/path.hpp"
+#include "rules/words/word_list.hpp"
+
+#include <cmath>
+
+namespace maclint {
+namespace {
+
+std::string rule_in_words(const RowForCode& of_code) {
+    const WordRow& row = *of_code.row;
+    const std::string code = code_of(of_code);
+    const std::string words = words_with_meaning(row);
+    switch (row.says) {
+    case RowStatement::needs: return code + " needs " + words + "; without it ";
+    case RowStatement::takes_not: return code + " does not take " + words + ": ";
+    case RowStatement::excludes:
+        return code + " takes " + words + " or " + either_of(row.others) + ", not both: ";
+    case RowStatement::only_with:
+        return words + " of " + code + " counts beside " + either_of(row.others) + " only: ";
+    case RowStatement::values: return code + " takes " + words + " of " + values_allowed_by(row) + "; else ";
+    case RowStatement::whole: return words + " of " + code + " has no decimal point; with one ";
+    case RowStatement::alone:
+        return code + " stands alone in its block" +
+               (row.words.empty() ? ": " : ", beside " + either_of(row.words) + " at most: ");
+    case RowStatement::precedes: return "The block after " + code + " holds " + either_of(row.others) + ": ";
+    case RowStatement::refused: return code + " has no place here: ";
+    }
+    return {};
+}
+
+/// "Under G41 or G42, " in front of what holds only there.
+std::string condition_of(const WordRow& row) {
+    return row.under.empty() ? "" : "Under " + either_of(row.under) + ": ";
+}
+
+} // namespace
+
+std::string words_with_meaning(const WordRow& row) {
+    const std::string words = either_of(row.words);
+    return row.means.empty() ? words : words + " (" + std::string(row.means) + ")";
+}
+
+std::string values_allowed_by(const WordRow& row) {
+    if (!row.values.empty()) return either_of(row.values);
+    const std::string least = (row.above_least ? "more than " : "at least ") + number_word(row.least);
+    const std::string most = (row.below_most ? "less than " : "at most ") + number_word(row.most);
+    if (!std::isfinite(row.most)) return least;
+    return std::isfinite(row.least) ? least + " and " + most : most;
+}
+
+std::string code_of(const RowForCode& row) { return row.letter + number_word(row.code); }
+
+std::string sentence_of(const RowForCode& row) {
+    return condition_of(*row.row) + rule_in_words(row) + std::string(row.row->effect) + ".";
+}
+
+} // namespace maclint
