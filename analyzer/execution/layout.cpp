@@ -14,7 +14,10 @@ Layout::Layout(const Program& program, const flow::Regions& regions)
         if (section.executed == Section::Executed::never) continue;
         for_each_block(program, section, [&](const BlockView& block) {
             index(block.effects, steps_.size(), std::nullopt);
-            steps_.push_back({block, {block.settings.begin(), block.settings.end()}});
+            steps_.push_back({block, {}});
+            if (block.effects.count != 0) return; // they say what it sets
+            for (const BlockSetting& setting : block.settings)
+                steps_.back().settings.push_back({setting.group, *setting.value});
         });
     }
 }

@@ -144,7 +144,7 @@ void Stepper::step() {
         return;
     }
     ++level.at.step;
-    for (const ModalSetting& setting : step.settings) group(setting.group) = setting.value;
+    for (const ModalSetting& setting : step.settings) set_code(setting.group, setting.value);
     if (step.block.moves) move();
 }
 
@@ -220,9 +220,15 @@ void Stepper::set_modal(const SetModal& set) {
 
 void Stepper::set_group(GroupId changed, Content content) {
     if (!content) return;
-    group(changed) = *content;
+    set_code(changed, *content);
     if (control().group_with(ModalRole::macro_call) == changed) end_modal_call();
     report(GroupSet{changed, *content});
+}
+
+void Stepper::set_code(GroupId changed, double code) {
+    group(changed) = code;
+    for (const EndedGroup& ended : control().ended_groups())
+        if (ended.by == changed) group(ended.group) = ended.code;
 }
 
 void Stepper::stop(EffectId id, const Stop& stop) {

@@ -87,6 +87,7 @@ class Stepper {
     void store_at(const StoreAt& target, Content content);
     void set_modal(const SetModal& set);
     void set_group(GroupId changed, Content content);
+    void set_code(GroupId changed, double code);
     void stop(EffectId id, const Stop& stop);
     void pass_mark(EffectId id, const RegionMark& mark);
     void open(EffectId id, const flow::Region& region);

@@ -103,6 +103,7 @@ class Building {
             std::ranges::any_of(loose_, [](const Loose& l) { return l.condition.has_value(); });
         if (branches) new_node(graph_.nodes.back().item, {program_.span.end, program_.span.end}, {}, false);
         for (const Loose& loose : loose_) graph_.exits.push_back({loose.from, ExitKind::runs_off, {}});
+        graph_.nodes_in_text = static_cast<NodeId>(graph_.nodes.size());
         resolve_jumps();
         resolve_returns();
         std::ranges::stable_sort(graph_.exits, {}, &Exit::node); // who runs off the end came last
@@ -684,6 +685,14 @@ const LabelledBlock* Graph::find_label(const Label& label, Offset from, LabelSea
     case LabelSearch::forward_then_backward: return after != blocks.end() ? at(after) : last_before(after);
     }
     return nullptr;
+}
+
+std::optional<NodeId> Graph::node_of(Span block) const {
+    const auto in_text = std::span(nodes).first(nodes_in_text);
+    const auto node = std::ranges::partition_point(
+        in_text, [&](const Node& before) { return before.part.end < block.end; });
+    if (node == in_text.end() || node->part.begin > block.begin) return std::nullopt;
+    return static_cast<NodeId>(node - in_text.begin());
 }
 
 std::optional<NodeId> Graph::node_of(EffectId effect) const {

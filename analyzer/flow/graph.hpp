@@ -100,7 +100,8 @@ class EdgesByNode {
 };
 
 struct Graph {
-    std::vector<Node> nodes; ///< in text order; node 0 is the entry; at least one
+    std::vector<Node> nodes;  ///< in text order; node 0 is the entry; at least one
+    NodeId nodes_in_text = 0; ///< those after so many are for edges to meet in, and hold no block
     std::vector<Edge> edges;
     EdgesByNode out, in;
     std::vector<Exit> exits;           ///< sorted by node
@@ -116,6 +117,9 @@ struct Graph {
     [[nodiscard]] NodeChannels channels_at(NodeId node) const {
         return channels.empty() ? NodeChannels{all_channels, 0} : channels[node];
     }
+    /// The first of the nodes that a block, or a plain stretch with it, is; nothing in parts that are never
+    /// executed.
+    [[nodiscard]] std::optional<NodeId> node_of(Span block) const;
     /// The block at which the control's search for the label stops that begins in the block at `from`.
     [[nodiscard]] const LabelledBlock* find_label(const Label& label, Offset from, LabelSearch search) const;
     /// Whether each of the labels (sorted, each once) is that of a block.

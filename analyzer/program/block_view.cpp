@@ -14,15 +14,26 @@ bool moves(const Program& program, const Stretch& stretch) {
 std::vector<ModalSetting> last_settings(const Program& program, const PlainRun& run, Span part) {
     std::vector<ModalSetting> last;
     blocks::visit_part(program, run, part, [&](const BlockView& block) {
-        for (const ModalSetting& setting : block.settings) {
-            const auto known = std::ranges::find(last, setting.group, &ModalSetting::group);
-            if (known == last.end())
-                last.push_back(setting);
-            else
-                known->value = setting.value;
+        for (const BlockSetting& setting : block.settings) {
+            std::erase_if(last, [&](const ModalSetting& known) { return known.group == setting.group; });
+            last.push_back({setting.group, *setting.value});
         }
     });
     return last;
+}
+
+std::optional<BlockSetting> setting_of(const Program& program, const Effect& effect) {
+    if (const auto* set = std::get_if<SetModal>(&effect.what)) {
+        if (!set->group) return std::nullopt;
+        const auto* literal = std::get_if<Literal>(&program.expressions[set->value].node);
+        return BlockSetting{*set->group, literal == nullptr ? std::nullopt : std::optional(literal->value)};
+    }
+    const auto* call = std::get_if<Call>(&effect.what);
+    if (call == nullptr) return std::nullopt;
+    const CallKind& kind = program.control->calls[call->kind];
+    const auto group = program.control->group_with(ModalRole::macro_call);
+    if (kind.trigger == CallTrigger::once || !group) return std::nullopt;
+    return BlockSetting{*group, kind.modal_code};
 }
 
 syntax::AddressSet addresses_named(const Program& program, std::string_view names) {

@@ -1,6 +1,7 @@
 //! One view of a block, whatever lane it came through, and the only loops over the blocks of a program.
 #pragma once
 
+#include "analyzer/program/block_settings.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/syntax/plain_scanner.hpp"
 
@@ -27,10 +28,10 @@ struct BlockView {
     Channels channels = 0;         ///< that it names; 0: those of its section
     std::uint16_t skip_levels = 0; ///< bit n: skip level n (bit 1 for a bare '/'); 0: never skipped
     Slice effects = {};            ///< Program::effects, in execution order
-    /// What a block of addresses and literal numbers does without effects of its own: it sets these, then it
-    /// moves.
-    std::span<const ModalSetting> settings = {};
-    bool moves = false;
+    /// Modal groups that its words set; a block of addresses and literal numbers has no effects that say so,
+    /// and then moves.
+    BlockSettings settings = {};
+    bool moves = false; ///< without an effect of its own
 };
 
 /// Blocks in a row which the flow passes as one: a block with effects of its own, or others, as many as there
@@ -53,7 +54,7 @@ bool goes_on(const Visit& visit, const Things&... things) {
     }
 }
 
-inline BlockView view_of(const Block& block) {
+inline BlockView view_of(const Program& program, const Block& block) {
     return {.span = block.span,
             .number = block.sequence_number,
             .number_span = block.sequence_number_span,
@@ -61,11 +62,12 @@ inline BlockView view_of(const Block& block) {
             .name_span = block.name_span,
             .channels = block.channels,
             .skip_levels = block.skip_levels,
-            .effects = block.effects};
+            .effects = block.effects,
+            .settings = BlockSettings(program, program.effects_in(block.effects))};
 }
 
 inline BlockView view_of(const syntax::PlainBlock& block) {
-    BlockView view{.span = block.span, .settings = block.settings(), .moves = block.moves};
+    BlockView view{.span = block.span, .settings = BlockSettings(block.settings()), .moves = block.moves};
     if (block.number_span.empty()) return view;
     view.number = block.number;
     view.number_span = block.number_span;
@@ -97,7 +99,7 @@ bool visit_part(const Program& program, const PlainRun& run, Span part, const Vi
 template<class Visit>
 bool visit_item(const Program& program, const Item& item, const Visit& visit) {
     if (const auto* run = std::get_if<PlainRun>(&item)) return visit_part(program, *run, run->span, visit);
-    return goes_on(visit, view_of(std::get<Block>(item)));
+    return goes_on(visit, view_of(program, std::get<Block>(item)));
 }
 
 /// The address of a decoded word: upper case, or as it is written where the tables have no name for it.
@@ -133,7 +135,7 @@ template<class Visit>
 void for_each_block_with_effects(const Program& program, Slice items, const Visit& visit) {
     for (Id i = items.first; i < items.first + items.count; ++i) {
         const auto* block = std::get_if<Block>(&program.items[i]);
-        if (block != nullptr && block->effects.count != 0) visit(blocks::view_of(*block));
+        if (block != nullptr && block->effects.count != 0) visit(blocks::view_of(program, *block));
     }
 }
 template<class Visit>
@@ -148,7 +150,7 @@ void for_each_block(const Program& program, const Stretch& stretch, const Visit&
     if (const auto* run = std::get_if<PlainRun>(&item))
         blocks::visit_part(program, *run, stretch.span, visit);
     else
-        blocks::goes_on(visit, blocks::view_of(std::get<Block>(item)));
+        blocks::goes_on(visit, blocks::view_of(program, std::get<Block>(item)));
 }
 
 /// The blocks of a section whose numbers are wanted: `wanted(number)`, and `wanted.between(lowest, highest)`
@@ -182,7 +184,7 @@ void for_each_stretch(const Program& program, const Section& section, const Want
     for (Id i = section.items.first; i < section.items.first + section.items.count; ++i) {
         const auto* run = std::get_if<PlainRun>(&program.items[i]);
         if (run == nullptr) {
-            const BlockView block = blocks::view_of(std::get<Block>(program.items[i]));
+            const BlockView block = blocks::view_of(program, std::get<Block>(program.items[i]));
             visit(StretchView{{i, block.span}, &block, false});
             continue;
         }
@@ -203,10 +205,10 @@ void for_each_stretch(const Program& program, const Section& section, const Want
 /// Whether any block of a plain stretch moves.
 [[nodiscard]] bool moves(const Program& program, const Stretch& stretch);
 
-/// The last settings in a part of plain blocks in a row, one a group.
+/// The last settings in a part of plain blocks in a row, one a group, in the order of the text.
 [[nodiscard]] std::vector<ModalSetting> last_settings(const Program& program, const PlainRun& run, Span part);
 
-/// What a plain stretch leaves set: `visit(ModalSetting)`, one a group.
+/// What a plain stretch leaves set: `visit(ModalSetting)`, one a group, in the order of the text.
 template<class Visit>
 void for_each_last_setting(const Program& program, const Stretch& stretch, const Visit& visit) {
     const auto& run = std::get<PlainRun>(program.items[stretch.item]);
@@ -281,7 +283,7 @@ void for_each_block_with_words(const Program& program, Slice items, const RunWan
         const Item& item = program.items[i];
         if (const auto* block = std::get_if<Block>(&item)) {
             const auto stored = std::span(program.words).subspan(block->words.first, block->words.count);
-            if (!stored.empty()) visit(blocks::view_of(*block), stored, nullptr);
+            if (!stored.empty()) visit(blocks::view_of(program, *block), stored, nullptr);
             continue;
         }
         const auto& run = std::get<PlainRun>(item);
@@ -299,7 +301,7 @@ template<class Visit>
 void for_each_block_with_words(const Program& program, const Stretch& stretch, const Visit& visit) {
     const Item& item = program.items[stretch.item];
     if (const auto* block = std::get_if<Block>(&item)) {
-        visit(blocks::view_of(*block),
+        visit(blocks::view_of(program, *block),
               std::span(program.words).subspan(block->words.first, block->words.count));
         return;
     }

@@ -104,8 +104,9 @@ std::string describe(const Program& program, const BlockView& block) {
         if ((block.skip_levels >> level & 1U) != 0) out += '/' + std::to_string(level) + ' ';
     std::string effects = describe_slice(program, block.effects);
     const auto add = [&](const std::string& effect) { effects += (effects.empty() ? "" : "; ") + effect; };
-    for (const ModalSetting& setting : block.settings)
-        add(std::string(program.control->groups[setting.group].name) + '=' + text_of(setting.value));
+    if (block.effects.count == 0)
+        for (const BlockSetting& setting : block.settings)
+            add(std::string(program.control->groups[setting.group].name) + '=' + text_of(*setting.value));
     if (block.moves) add("move");
     return out + effects;
 }
@@ -214,7 +215,10 @@ std::string describe(const Program& program, const Effect& effect) {
                     text += ' ' + describe(program, value);
                 return text;
             },
-            [](Motion motion) { return std::string(motion.without_feed ? "rapid move" : "move"); },
+            [](Motion motion) {
+                return std::string(motion.without_feed ? "rapid move" : "move") +
+                       (motion.to_reference ? " to reference" : "");
+            },
             [](Synchronise stop) {
                 return std::string(stop.from_here_on ? "synchronise from here on" : "synchronise");
             },

@@ -88,6 +88,9 @@ struct ModalGroup {
     bool for_callers = false;           ///< a subprogram may switch it on for its caller, who is to cancel it
     /// Of a group whose code is a sum: what each of its bits switches off.
     std::vector<std::string_view> switched_off = {};
+    std::vector<double> circles = {}; ///< of the motion mode: the codes that move on circles in a plane
+    /// The group each of whose codes ends what this one has in force, as `cancel` does: G00 a canned cycle.
+    std::optional<ModalRole> ended_by = {};
 };
 
 /// The row of that role, or nothing.
@@ -95,6 +98,13 @@ struct ModalGroup {
 
 /// A code of a group.
 struct GroupCode {
+    GroupId group;
+    double code;
+};
+
+/// A code of the group `by` sets another group to its cancelling code.
+struct EndedGroup {
+    GroupId by;
     GroupId group;
     double code;
 };

@@ -84,6 +84,16 @@ std::optional<GroupId> ControlModel::group_with(ModalRole role) const {
     return maclint::group_with(role, groups);
 }
 
+std::vector<EndedGroup> ControlModel::ended_groups() const {
+    std::vector<EndedGroup> ended;
+    for (std::size_t group = 0; group < groups.size(); ++group) {
+        const auto by = groups[group].ended_by ? group_with(*groups[group].ended_by) : std::nullopt;
+        if (by && groups[group].cancel)
+            ended.push_back({*by, static_cast<GroupId>(group), *groups[group].cancel});
+    }
+    return ended;
+}
+
 std::optional<GroupId> ControlModel::group_of(char letter, double code) const {
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const ModalGroup& group = groups[i];

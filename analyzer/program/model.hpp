@@ -151,6 +151,7 @@ struct EvaluateWords {
 /// Axes move.
 struct Motion {
     bool without_feed = false; ///< at rapid traverse, whatever the motion mode is
+    bool to_reference = false; ///< to or from a reference position of the machine
 };
 /// Look-ahead stops here.
 struct Synchronise {

@@ -27,7 +27,7 @@ class PlainRunTotals {
             run_.highest_number = number > run_.highest_number ? number : run_.highest_number;
         }
         for (const ModalSetting& setting : block.settings()) {
-            last_[setting.group] = setting.value;
+            last_[setting.group] = {setting.value, ++set_};
             touched_ |= std::uint64_t{1} << setting.group;
         }
     }
@@ -40,15 +40,20 @@ class PlainRunTotals {
         run.tables = tables;
         return run;
     }
-    /// What it leaves set, one setting a group.
+    /// What it leaves set, one setting a group, in the order of the text.
     [[nodiscard]] std::vector<ModalSetting> net() const;
 
   private:
     static constexpr std::uint32_t most_blocks = 4096;
 
     PlainRun run_{};
+    struct Last {
+        double value;
+        std::uint32_t at; ///< so many settings came before or are this one
+    };
     std::uint64_t touched_ = 0; ///< bit n: group n is set
-    std::array<double, 64> last_{};
+    std::uint32_t set_ = 0;
+    std::array<Last, 64> last_{};
 };
 
 } // namespace maclint

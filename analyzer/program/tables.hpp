@@ -92,6 +92,8 @@ struct ControlModel {
     [[nodiscard]] bool has(Capability capability) const;
     /// The group of that role, or nothing.
     [[nodiscard]] std::optional<GroupId> group_with(ModalRole role) const;
+    /// The groups that codes of others end (ModalGroup::ended_by).
+    [[nodiscard]] std::vector<EndedGroup> ended_groups() const;
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;
     /// The letter of a call that reaches the variable; nothing where there is none.

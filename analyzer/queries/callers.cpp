@@ -38,6 +38,14 @@ const ProgramAnalysis* called_program(const ProgramAnalysis& analysis, const Cal
     return site.target ? &analysis.workspace().programs()[*site.target] : nullptr;
 }
 
+bool call_may_change(const ProgramAnalysis& analysis, EffectId call, GroupId group) {
+    const CallSite* site = analysis.call_at(call);
+    const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(analysis, *site);
+    return callee == nullptr ||
+           std::ranges::find(callee->summary().groups, group, &dataflow::GroupChange::group) !=
+               callee->summary().groups.end();
+}
+
 const Call& call_of(const Program& program, EffectId effect) {
     return std::get<Call>(program.effects[effect].what);
 }

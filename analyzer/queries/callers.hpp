@@ -26,6 +26,9 @@ struct KnownCallers {
 /// The program that the call runs; nullptr when it is computed, unknown, or one of several.
 [[nodiscard]] const ProgramAnalysis* called_program(const ProgramAnalysis& analysis, const CallSite& site);
 
+/// Whether the program that the call runs may leave the group other than it found it.
+[[nodiscard]] bool call_may_change(const ProgramAnalysis& analysis, EffectId call, GroupId group);
+
 /// The call that an effect is, which must be one.
 [[nodiscard]] const Call& call_of(const Program& program, EffectId effect);
 

@@ -68,9 +68,7 @@ class Ends {
         const CallSite* site = caller_.call_at(id);
         const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(caller_, *site);
         if (callee == nullptr) return Said::otherwise;
-        const auto& groups = callee->summary().groups;
-        if (std::ranges::find(groups, group_, &dataflow::GroupChange::group) == groups.end())
-            return Said::nothing;
+        if (!call_may_change(caller_, id, group_)) return Said::nothing;
         Said said = Said::otherwise;
         for_each_block(callee->program(), [&](const BlockView& block) {
             const Said here = said_by(callee->program(), block);
@@ -93,16 +91,10 @@ class Ends {
         const auto& groups = program.control->groups;
         std::optional<double> code;
         std::size_t cancelled = 0;
-        const auto look_at = [&](GroupId group, double value) {
-            if (group == group_) code = value;
-            cancelled += groups[group].cancel == value ? 1U : 0U;
-        };
-        for (const ModalSetting& setting : block.settings) look_at(setting.group, setting.value);
-        for (const Effect& effect : program.effects_in(block.effects)) {
-            const auto* set = std::get_if<SetModal>(&effect.what);
-            const auto* number =
-                set == nullptr ? nullptr : std::get_if<Literal>(&program.expressions[set->value].node);
-            if (number != nullptr && set->group) look_at(*set->group, number->value);
+        for (const BlockSetting& setting : block.settings) {
+            if (!setting.value) continue;
+            if (setting.group == group_) code = setting.value;
+            cancelled += groups[setting.group].cancel == setting.value ? 1U : 0U;
         }
         if (!code) return Said::nothing;
         return code == groups[group_].cancel && cancelled == 1 ? Said::cancelled : Said::otherwise;

@@ -202,10 +202,7 @@ class Search {
     bool visit_run(const ProgramAnalysis& program, const flow::Node& node, Point& point) {
         bool goes_on = true;
         for_each_block(program.program(), node.stretch(), [&](const BlockView& block) {
-            for (const ModalSetting& setting : block.settings) {
-                goes_on &= setting.group != group_;
-                note_code(setting.group, setting.value, point);
-            }
+            for (const BlockSetting& setting : block.settings) goes_on &= passes_setting(setting, point);
             if (goes_on && block.moves) goes_on = passes_move(program, {node.item, block.span}, point, false);
             return goes_on;
         });
@@ -218,7 +215,12 @@ class Search {
             const Effect& effect = program.program().effects[id];
             const bool goes_on =
                 std::visit(overloaded{
-                               [&](const SetModal& set) { return passes_setting(program, set, point); },
+                               [&](const SetModal& set) {
+                                   // Without a group it may be the one that sets it.
+                                   const auto setting = setting_of(program.program(), effect);
+                                   return setting ? passes_setting(*setting, point)
+                                                  : control_.groups[group_].letter != set.letter;
+                               },
                                [&](const Motion& motion) {
                                    return passes_move(program, node.stretch(), point, motion.without_feed);
                                },
@@ -233,19 +235,13 @@ class Search {
         return true;
     }
 
-    /// A word without a group may be the one that sets it.
-    bool passes_setting(const ProgramAnalysis& program, const SetModal& set, Point& point) const {
-        if (!set.group) return control_.groups[group_].letter != set.letter;
-        if (*set.group == group_) return false;
-        const auto* code = std::get_if<Literal>(&program.program().expressions[set.value].node);
-        note_code(*set.group, code == nullptr ? std::nullopt : std::optional(code->value), point);
-        return true;
-    }
-
-    void note_code(GroupId group, std::optional<double> code, Point& point) const {
+    /// Whether the word leaves the group alone.
+    bool passes_setting(const BlockSetting& setting, Point& point) const {
         for (std::size_t i = 0; i < idle_.size(); ++i)
-            if (idle_[i].under.group == group)
-                point.idle = code == idle_[i].under.code ? point.idle | 1U << i : point.idle & ~(1U << i);
+            if (idle_[i].under.group == setting.group)
+                point.idle =
+                    setting.value == idle_[i].under.code ? point.idle | 1U << i : point.idle & ~(1U << i);
+        return setting.group != group_;
     }
 
     /// A move for which the value is idle, or to which no path leads from the call, does not count.

@@ -8,6 +8,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/handed_modes.hpp"
+#include "analyzer/queries/modes_at.hpp"
 #include "analyzer/queries/origins.hpp"
 #include "analyzer/queries/own_settings.hpp"
 #include "analyzer/queries/saved_state.hpp"
@@ -28,18 +29,11 @@ bool may_mean_something_else(const ProgramAnalysis& analysis, GroupId group, dat
     });
 }
 
-/// Whether a word may set the group: it names it, or only its letter, and the value decides.
-bool may_set(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write, GroupId group) {
+/// Whether the value of a word decides what it sets, and it may be the group.
+bool decides_itself(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write, GroupId group) {
     if (write.group) return *write.group == group;
     const auto* set = std::get_if<SetModal>(&analysis.program().effects[write.effect].what);
     return set == nullptr || set->letter == analysis.control().groups[group].letter;
-}
-
-/// A word whose value is a number: one that is vacant would be ignored.
-bool surely_sets(const ProgramAnalysis& analysis, const dataflow::ModalWrite& write) {
-    const auto* set = std::get_if<SetModal>(&analysis.program().effects[write.effect].what);
-    return write.group && set != nullptr &&
-           std::holds_alternative<Literal>(analysis.program().expressions[set->value].node);
 }
 
 enum class Change : std::uint8_t { sure, possible };
@@ -63,14 +57,11 @@ std::vector<flow::NodeId> changes_of(const ProgramAnalysis& analysis, GroupId gr
     const flow::Graph& graph = analysis.graph();
     std::vector<flow::NodeId> nodes;
     for (flow::NodeId node = 0; node < graph.nodes.size(); ++node)
-        if (graph.nodes[node].is_run)
-            for_each_last_setting(analysis.program(), graph.nodes[node].stretch(),
-                                  [&](const ModalSetting& setting) {
-                                      if (setting.group == group) nodes.push_back(node);
-                                  });
+        if (const auto setting = last_setting_in(analysis, node, group);
+            setting && (wanted == Change::possible || setting->value)) // one that is vacant is ignored
+            nodes.push_back(node);
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>())
-        if (may_set(analysis, write, group) && (wanted == Change::possible || surely_sets(analysis, write)))
-            nodes.push_back(write.node);
+        if (wanted == Change::possible && decides_itself(analysis, write, group)) nodes.push_back(write.node);
     for (const dataflow::CallMade& call : analysis.facts().all<dataflow::CallMade>())
         if (changes_group(analysis, call, group, wanted)) nodes.push_back(call.node);
     std::ranges::sort(nodes);

@@ -14,7 +14,7 @@ using Kind = dataflow::Origin::Kind;
 Span last_setting(const Program& program, const flow::Node& node, GroupId group) {
     Span found = node.part;
     for_each_block(program, node.stretch(), [&](const BlockView& block) {
-        for (const ModalSetting& setting : block.settings)
+        for (const BlockSetting& setting : block.settings)
             if (setting.group == group) found = block.span;
     });
     return found;

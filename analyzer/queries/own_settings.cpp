@@ -7,6 +7,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/modes_at.hpp"
 #include "analyzer/queries/origins.hpp"
 
 #include <algorithm>
@@ -17,40 +18,13 @@
 namespace maclint::queries {
 namespace {
 
-/// The code that a word gives; nothing where it is computed.
-std::optional<double> literal_of(const Program& program, const SetModal& set) {
-    const auto* literal = std::get_if<Literal>(&program.expressions[set.value].node);
-    return literal == nullptr ? std::nullopt : std::optional(literal->value);
-}
-
-/// What the node's last word for the group gives; nothing where none stands there.
-std::optional<std::optional<double>> setting_in(const ProgramAnalysis& analysis, flow::NodeId id,
-                                                GroupId group) {
-    const Program& program = analysis.program();
-    const flow::Node& node = analysis.graph().nodes[id];
-    std::optional<std::optional<double>> last;
-    if (node.is_run)
-        for_each_last_setting(program, node.stretch(), [&](const ModalSetting& setting) {
-            if (setting.group == group) last = std::optional(setting.value);
-        });
-    for (const Effect& effect : program.effects_in(node.effects))
-        if (const auto* set = std::get_if<SetModal>(&effect.what); set != nullptr && set->group == group)
-            last = literal_of(program, *set);
-    return last;
-}
-
 /// Whether a call in the node may set the group.
 bool calls_change(const ProgramAnalysis& analysis, flow::NodeId node, GroupId group) {
     const Slice effects = analysis.graph().nodes[node].effects;
-    for (EffectId id = effects.first; id < effects.first + effects.count; ++id) {
-        if (!std::holds_alternative<Call>(analysis.program().effects[id].what)) continue;
-        const CallSite* site = analysis.call_at(id);
-        const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(analysis, *site);
-        if (callee == nullptr ||
-            std::ranges::find(callee->summary().groups, group, &dataflow::GroupChange::group) !=
-                callee->summary().groups.end())
+    for (EffectId id = effects.first; id < effects.first + effects.count; ++id)
+        if (std::holds_alternative<Call>(analysis.program().effects[id].what) &&
+            call_may_change(analysis, id, group))
             return true;
-    }
     return false;
 }
 
@@ -61,8 +35,8 @@ void for_each_setting_before(const ProgramAnalysis& analysis, flow::NodeId node,
     flow::walk<flow::Direction::backward>(analysis.graph(), {node},
                                           [&](flow::EdgeId edge, flow::NodeId from) {
                                               if (!analysis.data().passable(edge)) return flow::Step::refuse;
-                                              const auto setting = setting_in(analysis, from, group);
-                                              if (setting) visit(from, *setting);
+                                              const auto setting = last_setting_in(analysis, from, group);
+                                              if (setting) visit(from, setting->value);
                                               return setting ? flow::Step::end : flow::Step::go_on;
                                           });
 }
@@ -88,11 +62,11 @@ bool is_set_on_a_path_to(const ProgramAnalysis& analysis, flow::NodeId node, Gro
 
 bool stays_at(const ProgramAnalysis& analysis, flow::NodeId node, GroupCode code) {
     std::vector<std::optional<double>> now = last_settings_before(analysis, node, code.group);
-    if (const auto setting = setting_in(analysis, node, code.group)) now = {*setting};
+    if (const auto setting = last_setting_in(analysis, node, code.group)) now = {setting->value};
     bool by_a_call = false;
     flow::walk<flow::Direction::forward>(analysis.graph(), {node}, [&](flow::EdgeId edge, flow::NodeId to) {
         if (!analysis.data().passable(edge)) return flow::Step::refuse;
-        if (const auto setting = setting_in(analysis, to, code.group)) now.push_back(*setting);
+        if (const auto setting = last_setting_in(analysis, to, code.group)) now.push_back(setting->value);
         by_a_call = by_a_call || calls_change(analysis, to, code.group);
         return by_a_call ? flow::Step::end : flow::Step::go_on;
     });
@@ -104,10 +78,11 @@ bool stays_at(const ProgramAnalysis& analysis, flow::NodeId node, GroupCode code
 bool is_given_on_the_way(const ProgramAnalysis& analysis, flow::NodeId from, flow::NodeId to,
                          GroupCode code) {
     std::vector<flow::NodeId> giving; // sorted
-    for (flow::NodeId node = 0; node < analysis.graph().nodes.size(); ++node)
-        if (analysis.data().reached(node) && setting_in(analysis, node, code.group) == code.code &&
-            stays_at(analysis, node, code))
-            giving.push_back(node);
+    for (flow::NodeId node = 0; node < analysis.graph().nodes.size(); ++node) {
+        if (!analysis.data().reached(node)) continue;
+        const auto setting = last_setting_in(analysis, node, code.group);
+        if (setting && setting->value == code.code && stays_at(analysis, node, code)) giving.push_back(node);
+    }
     if (giving.empty()) return false;
     execution::PathSearch search(analysis);
     const auto around = search.find(std::array{execution::Leg{from, {}}, execution::Leg{to, giving}});
@@ -115,20 +90,16 @@ bool is_given_on_the_way(const ProgramAnalysis& analysis, flow::NodeId from, flo
 }
 
 bool stands_beside(const ProgramAnalysis& analysis, dataflow::OriginId set, GroupCode code) {
-    const Program& program = analysis.program();
-    const flow::Node& node = analysis.graph().nodes[node_of_origin(analysis, set)];
-    if (!node.is_run)
-        return std::ranges::any_of(program.effects_in(node.effects), [&](const Effect& effect) {
-            const auto* other = std::get_if<SetModal>(&effect.what);
-            return other != nullptr && other->group == code.group && literal_of(program, *other) == code.code;
-        });
     const Span block = span_of_origin(analysis, set);
+    const auto gives = [&](const BlockSetting& setting) {
+        return setting.group == code.group && setting.value == code.code;
+    };
     bool found = false;
-    for_each_block(program, node.stretch(), [&](const BlockView& view) {
-        found |= view.span == block && std::ranges::any_of(view.settings, [&](const ModalSetting& setting) {
-                     return setting.group == code.group && setting.value == code.code;
-                 });
-    });
+    for_each_block(analysis.program(), analysis.graph().nodes[node_of_origin(analysis, set)].stretch(),
+                   [&](const BlockView& view) {
+                       const bool sets = view.span.begin <= block.begin && block.end <= view.span.end;
+                       found |= sets && std::ranges::any_of(view.settings, gives);
+                   });
     return found;
 }
 

@@ -92,10 +92,9 @@ bool is_set_after(const Program& program, GroupId group, Offset offset) {
     bool found = false;
     for_each_block(program, [&](const BlockView& block) {
         if (block.span.begin <= offset) return true;
-        for (const ModalSetting& setting : block.settings) found |= setting.group == group;
+        for (const BlockSetting& setting : block.settings) found |= setting.group == group;
         for (const Effect& effect : program.effects_in(block.effects))
-            if (const auto* set = std::get_if<SetModal>(&effect.what))
-                found |= !set->group || *set->group == group;
+            if (const auto* set = std::get_if<SetModal>(&effect.what)) found |= !set->group;
         return !found;
     });
     return found;

@@ -20,17 +20,12 @@ std::string meaning(const Program& program, const BlockView& block) {
     const auto set = [&](GroupId group, double value) {
         text += " " + std::to_string(group) + "=" + std::to_string(value);
     };
-    for (const ModalSetting& setting : block.settings) set(setting.group, setting.value);
+    for (const BlockSetting& setting : block.settings)
+        if (setting.value) set(setting.group, *setting.value);
     if (block.moves) text += " move";
-    for (const Effect& effect : program.effects_in(block.effects)) {
-        const auto* setting = std::get_if<SetModal>(&effect.what);
-        const auto* value =
-            setting == nullptr ? nullptr : std::get_if<Literal>(&program.expressions[setting->value].node);
-        if (value != nullptr && setting->group)
-            set(*setting->group, value->value);
-        else
+    for (const Effect& effect : program.effects_in(block.effects))
+        if (const auto setting = setting_of(program, effect); !setting || !setting->value)
             text += " " + describe(program, effect);
-    }
     return text;
 }
 

@@ -79,7 +79,7 @@ TEST(PlainLane, JoinsBlocksToRunsWithWhatTheyLeaveAfter) {
         left += std::string(program.control->groups[setting.group].name) + '=' +
                 std::to_string(static_cast<int>(setting.value)) + ' ';
     });
-    EXPECT_EQ(left, "motion mode=1 distance mode=90 feed=200 ");
+    EXPECT_EQ(left, "distance mode=90 motion mode=1 feed=200 ");
     EXPECT_EQ(count_blocks(program), 3U);
     EXPECT_EQ(test::read("G17\n#1=1\nG18").programs.front().items.size(), 3U);
 }
@@ -104,8 +104,8 @@ TEST(PlainLane, DecodesItsBlocksAgain) {
         std::string one(program.slice(block.span));
         one += block.moves ? " moves" : "";
         if (block.number) one += " at " + std::to_string(*block.number);
-        for (const ModalSetting& setting : block.settings)
-            one += ' ' + std::to_string(setting.group) + '=' + std::to_string(setting.value).substr(0, 4);
+        for (const BlockSetting& setting : block.settings)
+            one += ' ' + std::to_string(setting.group) + '=' + std::to_string(*setting.value).substr(0, 4);
         seen.push_back(std::move(one));
     });
     EXPECT_THAT(seen,

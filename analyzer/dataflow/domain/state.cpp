@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace maclint::dataflow {
@@ -327,6 +328,7 @@ void States::keep_groups_of(std::span<State* const> states) {
     std::vector<Root*> roots;
     for (State* state : states) {
         state->root = maps_.without(state->root, 0, group_keys - 1);
+        state->root = maps_.without(state->root, entry_code_keys, std::numeric_limits<Key>::max());
         roots.push_back(&state->root);
     }
     entry_values_ = 0;

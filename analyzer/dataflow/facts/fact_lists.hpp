@@ -30,7 +30,7 @@ namespace maclint::dataflow {
 /// and asked for.
 template<template<class...> class Of>
 using OfEveryFact = Of<Application, Comparison, Condition, Read, ModalRead, Store, Clobber, CallMade,
-                       ModalWrite, ComputedJump, BeforeToolChange, BeforeWatchedWord, ExitState>;
+                       ModalWrite, ComputedJump, BeforeToolChange, BeforeWatchedWord, ExitState, BeforeNode>;
 
 /// Whether each type has the place at which it stands.
 template<class... Types>

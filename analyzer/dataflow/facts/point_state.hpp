@@ -1,4 +1,4 @@
-//! States in front of effects that rules want to know of.
+//! States in front of nodes and effects that rules want to know of.
 #pragma once
 
 #include "analyzer/dataflow/domain/state.hpp"
@@ -6,6 +6,14 @@
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {
+
+/// The state in front of a node, which holds for those after it, too, up to the next that has one. Nodes that
+/// no path reaches have none.
+struct BeforeNode {
+    static constexpr FactPlace place{13};
+    flow::NodeId node;
+    State state;
+};
 
 /// The state in front of an effect that a rule wants to know of.
 struct PointState {

@@ -96,9 +96,16 @@ class AnalysisBuilder {
 
   private:
     void keep_what_is_wanted() {
+        if (wanted_.has<BeforeNode>())
+            for (flow::NodeId node = 0; node < before_.size(); ++node)
+                if (before_[node].reached) facts_.add(BeforeNode{node, before_[node]});
         std::vector<State*> asked;
         facts_.for_each_state(wanted_, [&](State& state) { asked.push_back(&state); });
         states_.keep_groups_of(asked);
+        // Most nodes set no group: only those after a change are kept.
+        const auto same = std::ranges::unique(facts_.of<BeforeNode>(), {},
+                                              [](const BeforeNode& before) { return before.state.root; });
+        facts_.of<BeforeNode>().erase(same.begin(), same.end());
         result_.facts_ = facts_.hand_over(wanted_, worth_keeping);
     }
 

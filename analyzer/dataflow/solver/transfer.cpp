@@ -25,6 +25,7 @@ Transfer::Transfer(const Program& program, const flow::Graph& graph, States& sta
     , callees_(callees)
     , index_reaches_(program)
     , modal_call_group_(program.control->group_with(ModalRole::macro_call))
+    , ended_groups_(program.control->ended_groups())
     , constants_(program.expressions.size(), 0)
     , origins_(program.effects.size(), 0) {
     for (const Variable variable : program.handed_down) own_handed_down_.push_back(key_of(variable));
@@ -277,19 +278,45 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
             either.put_in_order();
             write_group(state, {channel, group}, std::move(either));
         });
-        return;
+        return perhaps_end_groups(state, group, origin);
     }
     if (value.vacancy == Vacancy::unknown) {
         const SymbolId either = states_.table().symbols({Symbol::Kind::if_set, value.symbol, effect_, node_});
         for_each_channel(channels_.running, [&](std::uint8_t channel) {
             write_group(state, {channel, group}, {{{either, origin}}, false});
         });
-        return;
+        return perhaps_end_groups(state, group, origin);
     }
     if (const auto code = value.constant()) return set_code(state, group, *code, origin);
     for_each_channel(channels_.running, [&](std::uint8_t channel) {
         write_group(state, {channel, group}, {{{value.symbol, origin}}, false});
     });
+    end_groups(state, group, origin);
+}
+
+/// A code of the one group ends what others have in force: G00 a canned cycle.
+void Transfer::end_groups(State& state, GroupId by, OriginId origin) {
+    for (const EndedGroup& ended : ended_groups_) {
+        if (ended.by != by) continue;
+        const ModalValue now = states_.read(state, channels_.running, ended.group);
+        const SymbolId cancelled = states_.table().constant(ended.code);
+        if (now.unknown ||
+            std::ranges::any_of(now.parts, [&](const ModalPart& part) { return part.symbol != cancelled; }))
+            set_code(state, ended.group, ended.code, origin);
+    }
+}
+
+/// The same for a word that may be ignored.
+void Transfer::perhaps_end_groups(State& state, GroupId by, OriginId origin) {
+    for (const EndedGroup& ended : ended_groups_) {
+        if (ended.by != by) continue;
+        for_each_channel(channels_.running, [&](std::uint8_t channel) {
+            ModalValue either = states_.read(state, ChannelGroup{channel, ended.group});
+            either.parts.push_back({states_.table().constant(ended.code), origin});
+            either.put_in_order();
+            write_group(state, {channel, ended.group}, std::move(either));
+        });
+    }
 }
 
 /// A channel that does not come here sets nothing; one of which that is not known may have.
@@ -315,6 +342,7 @@ void Transfer::set_code(State& state, GroupId group, double code, OriginId origi
             symbol = states_.table().symbols({Symbol::Kind::entry_group, group});
         write_group(state, {channel, group}, {{{symbol, origin}}, false});
     });
+    end_groups(state, group, origin);
 }
 
 /// Without a letter: all groups.

@@ -105,6 +105,8 @@ class Transfer {
     void set_modal(State& state, const SetModal& set);
     void set_group(State& state, GroupId group, const Value& value);
     void set_code(State& state, GroupId group, double code, OriginId origin);
+    void end_groups(State& state, GroupId by, OriginId origin);
+    void perhaps_end_groups(State& state, GroupId by, OriginId origin);
     [[nodiscard]] ModalId written(const State& state, ChannelGroup of, ModalId value);
     void write_group(State& state, ChannelGroup of, ModalValue value);
     void havoc_groups(State& state, std::optional<char> letter);
@@ -132,6 +134,7 @@ class Transfer {
     const Callees& callees_;
     IndexReaches index_reaches_;
     std::optional<GroupId> modal_call_group_;
+    std::vector<EndedGroup> ended_groups_;
     FactLists* facts_ = nullptr;
     std::vector<ModalId> written_groups_; ///< of one channel, while they are collected
     std::vector<Key> own_handed_down_;    ///< variables that the program hands down, sorted

@@ -35,7 +35,7 @@ std::vector<ModalGroup> modal_groups() {
     using Restore = RestorePolicy;
     // clang-format off
     //   name                            role                     letter restore         members                                     customary    cancel reset source                      cancel words
-    return {
+    std::vector<ModalGroup> groups = {
         {"motion mode",                  Role::motion,              'G', Restore::none,     {0, 1, 2, 3, 12, 13},                       {},          unknown,  unknown, "l.10297"},
         {"plane",                        Role::plane,               'G', Restore::none,     {17, 18, 19},                               {17, 18, 19},unknown,  18,   "l.23169", "", true},
         {"radius compensation",          Role::cutter_compensation, 'G', Restore::own_rule, {40, 41, 42},                               {40},        40,    40,   "l.12673-12718",            "G40"},
@@ -49,6 +49,8 @@ std::vector<ModalGroup> modal_groups() {
         {"spindle speed",                Role::speed,               'S', Restore::none,     {},                                         {},          unknown,  unknown, "l.12596-12628"},
     };
     // clang-format on
+    groups[*group_with(Role::motion, groups)].circles = {2, 3, 12, 13}; // l.12341, l.12421
+    return groups;
 }
 
 std::optional<GroupId> group_read(std::int32_t number, std::string_view selector) {

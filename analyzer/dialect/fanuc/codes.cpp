@@ -10,10 +10,11 @@
 namespace maclint::fanuc {
 namespace {
 
-constexpr std::uint8_t own = own_effect;
-constexpr std::uint8_t sync = synchronises;
-constexpr std::uint8_t rapid = without_feed;
-constexpr std::uint8_t limit = limits_ahead;
+constexpr std::uint16_t own = own_effect;
+constexpr std::uint16_t sync = synchronises;
+constexpr std::uint16_t rapid = without_feed;
+constexpr std::uint16_t limit = limits_ahead;
+constexpr std::uint16_t ref = to_reference;
 constexpr auto mill = Machine::mill;
 constexpr auto lathe = Machine::lathe;
 constexpr auto both = std::nullopt;
@@ -31,10 +32,11 @@ constexpr CodeFact facts[] = {
     {'G',  10.6, both,  no_axes,                   "T: retract"},
     {'G',  22,   mill,  no_axes,                   "T: stored stroke limits X Y Z I J K"},
     {'G',  22,   lathe, no_axes,                   "T: stored stroke limits X Z I K"},
-    {'G',  28,   both,  own | sync | rapid,        "T: reference position return"},
-    {'G',  29,   both,  own | sync,                "T: return from reference position"},
-    {'G',  30,   both,  own | sync | rapid,        "T: second reference position return"},
-    {'G',  30.1, both,  own | sync | rapid,        "T: floating reference position return"},
+    {'G',  27,   both,  own | rapid | ref,         "T: reference position return check"},
+    {'G',  28,   both,  own | sync | rapid | ref,  "T: reference position return"},
+    {'G',  29,   both,  own | sync | ref,          "T: return from reference position"},
+    {'G',  30,   both,  own | sync | rapid | ref,  "T: second reference position return"},
+    {'G',  30.1, both,  own | sync | rapid | ref,  "T: floating reference position return"},
     {'G',  31,   both,  own | sync,                "6: G31 ends look-ahead on most controls"},
     {'G',  31.1, both,  own | sync,                "as G31"},
     {'G',  31.2, both,  own | sync,                "as G31"},
@@ -124,7 +126,7 @@ Code CodeTable::g_code(double code) const {
     return g[static_cast<std::size_t>(index)];
 }
 
-std::uint8_t CodeTable::m_code(double code) const {
+std::uint16_t CodeTable::m_code(double code) const {
     if (!(code >= 0 && code < static_cast<double>(m_codes)) || code != std::floor(code)) return 0;
     return m[static_cast<std::size_t>(code)];
 }

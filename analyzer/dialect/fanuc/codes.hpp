@@ -12,7 +12,7 @@
 namespace maclint::fanuc {
 
 /// What a code does, as bits that add up.
-enum Trait : std::uint8_t {
+enum Trait : std::uint16_t {
     own_effect = 1 << 0,   ///< the model needs an effect of its own: the block goes to the grammar
     synchronises = 1 << 1, ///< look-ahead stops here; such a block goes to the grammar too
     no_axes = 1 << 2,      ///< axis words beside it are no target of a move
@@ -21,6 +21,7 @@ enum Trait : std::uint8_t {
     without_feed = 1 << 5, ///< moves at rapid traverse, whatever the motion mode is
     may_call = 1 << 6,     ///< no table knows it: it may call a macro with the words beside it as arguments
     limits_ahead = 1 << 7, ///< with a P, look-ahead is limited from here on
+    to_reference = 1 << 8, ///< moves to or from a reference position, or asks whether it is there
 };
 
 /// One row of the code table.
@@ -28,14 +29,14 @@ struct CodeFact {
     char letter;
     double code;
     std::optional<Machine> machine; ///< nothing: both
-    std::uint8_t traits;
+    std::uint16_t traits;
     std::string_view source;
 };
 
 /// A code as the scanner meets it.
 struct Code {
     GroupId group;
-    std::uint8_t traits;
+    std::uint16_t traits;
 };
 constexpr GroupId no_group = syntax::no_group;
 
@@ -44,7 +45,7 @@ struct CodeTable {
     static constexpr std::size_t g_codes = 10'000; ///< in tenths: G54.1 is 541
     static constexpr std::size_t m_codes = 10'000;
     std::array<Code, g_codes> g;
-    std::array<std::uint8_t, m_codes> m;
+    std::array<std::uint16_t, m_codes> m;
     std::array<GroupId, 100> m_groups; ///< of M00 to M99
     GroupId feed;
     GroupId speed;
@@ -57,7 +58,7 @@ struct CodeTable {
     }
     /// The row of a literal G code; codes that no table holds set nothing and do nothing.
     [[nodiscard]] Code g_code(double code) const;
-    [[nodiscard]] std::uint8_t m_code(double code) const;
+    [[nodiscard]] std::uint16_t m_code(double code) const;
     [[nodiscard]] GroupId m_group(double code) const;
 };
 

@@ -143,7 +143,7 @@ Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
 
 /// Order of a block's words: modal codes, F and S, the move, then what stops, calls or ends.
 void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) {
-    std::uint8_t traits = 0;
+    std::uint16_t traits = 0;
     for (const NcWord& word : words) {
         if (word.comma || !word.literal) continue;
         if (word.letter == 'G') traits |= codes_.g_code(*word.literal).traits;
@@ -178,7 +178,8 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
         lower_possible_call(words, span);
     else
         builder_->add_values(computed_, span);
-    if (moves && (traits & (no_axes | no_words)) == 0) effect({Motion{(traits & without_feed) != 0}, span});
+    if (moves && (traits & (no_axes | no_words)) == 0)
+        effect({Motion{(traits & without_feed) != 0, (traits & to_reference) != 0}, span});
     if ((traits & synchronises) != 0) {
         const bool limited = std::ranges::any_of(words, [](const NcWord& word) {
             return word.letter == 'P' && !word.comma && word.literal.value_or(1) > 0;

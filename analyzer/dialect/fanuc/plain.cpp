@@ -17,7 +17,7 @@ constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 /// A speed beside a code that makes it a limit.
 constexpr std::uint8_t speed_as_limit = syntax::plain_traits::first_own;
 
-std::uint8_t plain_traits_of(std::uint8_t traits) {
+std::uint8_t plain_traits_of(std::uint16_t traits) {
     namespace scanned = syntax::plain_traits;
     unsigned plain = 0;
     if ((traits & (own_effect | synchronises)) != 0) plain |= scanned::not_plain;

@@ -30,6 +30,13 @@ void append_values(std::vector<ModalGroup>& groups) {
     // clang-format on
 }
 
+// What codes of a group say of it and of others.
+void relate(std::vector<ModalGroup>& groups) {
+    groups[*group_with(ModalRole::motion, groups)].circles = {2, 3};
+    // T: a canned cycle is cancelled by G80 or by a G code of group 01.
+    groups[*group_with(ModalRole::cycle, groups)].ended_by = ModalRole::motion;
+}
+
 } // namespace
 
 std::vector<ModalGroup> mill_groups() {
@@ -61,6 +68,7 @@ std::vector<ModalGroup> mill_groups() {
     };
     // clang-format on
     append_values(groups);
+    relate(groups);
     return groups;
 }
 
@@ -93,6 +101,7 @@ std::vector<ModalGroup> lathe_groups() {
     };
     // clang-format on
     append_values(groups);
+    relate(groups);
     return groups;
 }
 
