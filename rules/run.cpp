@@ -1,5 +1,6 @@
 //! Runs rules over a workspace, files in parallel.
 #include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/execution/given_up.hpp"
 #include "analyzer/source/work_limit.hpp"
@@ -80,7 +81,13 @@ std::vector<Finding> check(const Selection& selection, const Thing& thing, std::
 
 dataflow::FactSet facts_for(const Rule& rule) {
     constexpr dataflow::FactSet of_paths = dataflow::facts<dataflow::Store, dataflow::Clobber>();
-    return rule.data_flow ? rule.facts | of_paths : rule.facts;
+    const bool asks_for_modes = std::ranges::any_of(rows_of(rule), [](const RuleRow& row) {
+        return std::ranges::any_of(row.rows, [](const RowForCode& one) { return one.row->kept || !one.row->under.empty(); });
+    });
+    dataflow::FactSet facts = rule.facts;
+    if (rule.data_flow) facts |= of_paths;
+    if (asks_for_modes) facts |= dataflow::facts<dataflow::BeforeNode>();
+    return facts;
 }
 
 dataflow::FactSet facts_for(const Selection& selection) {

@@ -1,6 +1,7 @@
 //! Puts the state in front of a node and the words of its blocks together.
 #include "analyzer/queries/modes_at.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/origins.hpp"
 

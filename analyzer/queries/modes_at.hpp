@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/domain/small_vector.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/modal_groups.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>

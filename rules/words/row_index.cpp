@@ -2,6 +2,7 @@
 #include "rules/words/row_index.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 //! What checks of rows ask of a block.
 #include "rules/words/row_of_block.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/words/word_list.hpp"

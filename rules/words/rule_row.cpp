@@ -6,7 +6,6 @@
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <utility>
 
@@ -28,12 +27,6 @@ std::string key_of(const RowForCode& code) {
     return key;
 }
 
-double number_of(std::string_view code) {
-    double number = 0;
-    std::from_chars(code.data() + 1, code.data() + code.size(), number);
-    return number;
-}
-
 const Rule* rule_for(RowStatement says) {
     for (const Rule* rule : all_rules())
         if (const auto* check = std::get_if<RowCheck>(&rule->check); check != nullptr && check->says == says)
@@ -47,7 +40,7 @@ std::vector<RuleRow> make_rows() {
     for (const WordTable* table : all_word_tables())
         for (const WordRow& row : table->rows)
             for (const std::string_view code : words_of(row.code)) {
-                const RowForCode one{table, &row, code.front(), number_of(code)};
+                const RowForCode one{table, &row, code.front(), code_number_of(code)};
                 const Rule* rule = rule_for(row.says);
                 std::string key = key_of(one);
                 const auto [place, is_new] = known.try_emplace({rule, key}, rows.size());

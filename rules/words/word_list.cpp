@@ -1,6 +1,9 @@
 //! Cuts lists at their blanks.
 #include "rules/words/word_list.hpp"
 
+#include <algorithm>
+#include <charconv>
+
 namespace maclint {
 
 std::vector<std::string_view> words_of(std::string_view list) {
@@ -20,6 +23,12 @@ bool has_word(std::string_view list, std::string_view word) {
         begin = end + 1;
     }
     return false;
+}
+
+double code_number_of(std::string_view code) {
+    double number = 0;
+    std::from_chars(code.data() + 1, code.data() + code.size(), number);
+    return number;
 }
 
 std::string either_of(std::string_view list) {

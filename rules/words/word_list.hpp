@@ -12,6 +12,9 @@ namespace maclint {
 
 [[nodiscard]] bool has_word(std::string_view list, std::string_view word);
 
+/// 83 of "G83".
+[[nodiscard]] double code_number_of(std::string_view code);
+
 /// "X", "X or Z", "X, Z or PZ".
 [[nodiscard]] std::string either_of(std::string_view list);
 

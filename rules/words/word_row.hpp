@@ -1,6 +1,7 @@
 //! A row of the table of words: what must be of the words that stand in a block with a code.
 #pragma once
 
+#include "analyzer/program/tables.hpp"
 #include "rules/finding.hpp"
 #include "rules/rule.hpp"
 

@@ -6,6 +6,7 @@
 #include "analyzer/dataflow/solver/index_reach.hpp"
 #include "analyzer/dataflow/solver/known_start.hpp"
 #include "analyzer/dataflow/solver/summary.hpp"
+#include "analyzer/program/modal_groups.hpp"
 
 #include <optional>
 #include <span>
