@@ -79,6 +79,7 @@
     RULE(motion_mode_not_restored)              /* MAC504 */ \
     RULE(restore_from_wrong_variable)           /* MAC505 */ \
     RULE(saved_value_lost)                      /* MAC506 */ \
+    RULE(compensation_started_on_arc)           /* MAC511 */ \
     RULE(modal_group_conflict)                  /* MAC514 */ \
     RULE(single_block_suppression_not_restored) /* MAC515 */ \
     RULE(saved_after_change)                    /* MAC517 */ \
@@ -88,6 +89,7 @@
     RULE(code_forbidden_here)                   /* MAC527 */ \
     RULE(integer_word_decimal)                  /* MAC551 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
+    RULE(canned_cycle_over_tool_change)         /* MAC569 */ \
     RULE(modal_code_as_number)                  /* MAC574 */ \
     RULE(words_exclude_each_other)              /* MAC575 */ \
     RULE(value_not_allowed)                     /* MAC576 */ \

@@ -227,7 +227,7 @@ void Stepper::set_group(GroupId changed, Content content) {
 
 void Stepper::set_code(GroupId changed, double code) {
     group(changed) = code;
-    for (const EndedGroup& ended : control().ended_groups())
+    for (const EndedGroup& ended : control().ended_groups)
         if (ended.by == changed) group(ended.group) = ended.code;
 }
 

@@ -218,6 +218,21 @@ void for_each_last_setting(const Program& program, const Stretch& stretch, const
         std::ranges::for_each(last_settings(program, run, stretch.span), visit);
 }
 
+/// The blocks that set the group by words of their own; plain ones are read only in rows that set it.
+template<class Visit>
+void for_each_block_that_sets(const Program& program, GroupId group, const Visit& visit) {
+    const auto sets = [group](const auto& setting) { return setting.group == group; };
+    for (const Item& item : program.items) {
+        if (const auto* run = std::get_if<PlainRun>(&item))
+            if (std::ranges::none_of(std::span(program.settings).subspan(run->net.first, run->net.count),
+                                     sets))
+                continue;
+        blocks::visit_item(program, item, [&](const BlockView& block) {
+            if (std::ranges::any_of(block.settings, sets)) visit(block);
+        });
+    }
+}
+
 /// All effects of the slice, those under conditions included, as `visit(EffectId)` in text order.
 template<class Visit>
 void for_each_effect_in(const Program& program, Slice slice, const Visit& visit) {

@@ -40,6 +40,12 @@ ControlModel checked(ControlModel control) {
                                std::to_string(control.spaces.size()) +
                                " spaces of variables, and the analysis has room for " +
                                std::to_string(most_spaces) + ": raise most_spaces");
+    control.ended_groups.clear();
+    for (std::size_t group = 0; group < control.groups.size(); ++group) {
+        const ModalGroup& row = control.groups[group];
+        const auto by = row.ended_by ? control.group_with(*row.ended_by) : std::nullopt;
+        if (by && row.cancel) control.ended_groups.push_back({*by, static_cast<GroupId>(group), *row.cancel});
+    }
     return control;
 }
 
@@ -82,16 +88,6 @@ bool MachineFunctions::may_stop_look_ahead(double number) const {
 
 std::optional<GroupId> ControlModel::group_with(ModalRole role) const {
     return maclint::group_with(role, groups);
-}
-
-std::vector<EndedGroup> ControlModel::ended_groups() const {
-    std::vector<EndedGroup> ended;
-    for (std::size_t group = 0; group < groups.size(); ++group) {
-        const auto by = groups[group].ended_by ? group_with(*groups[group].ended_by) : std::nullopt;
-        if (by && groups[group].cancel)
-            ended.push_back({*by, static_cast<GroupId>(group), *groups[group].cancel});
-    }
-    return ended;
 }
 
 std::optional<GroupId> ControlModel::group_of(char letter, double code) const {

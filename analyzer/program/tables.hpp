@@ -73,6 +73,7 @@ struct ControlModel {
     std::vector<VariableSpace> spaces;
     std::vector<VariableFamily> families;
     std::vector<ModalGroup> groups;
+    std::vector<EndedGroup> ended_groups = {}; ///< by codes of others: filled from `groups` by checked()
     std::vector<CallKind> calls;
     std::vector<Variable>
         formals; ///< local variables that an argument letter of a call reaches (specification I)
@@ -92,8 +93,6 @@ struct ControlModel {
     [[nodiscard]] bool has(Capability capability) const;
     /// The group of that role, or nothing.
     [[nodiscard]] std::optional<GroupId> group_with(ModalRole role) const;
-    /// The groups that codes of others end (ModalGroup::ended_by).
-    [[nodiscard]] std::vector<EndedGroup> ended_groups() const;
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;
     /// The letter of a call that reaches the variable; nothing where there is none.

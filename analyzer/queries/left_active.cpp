@@ -2,11 +2,11 @@
 #include "analyzer/queries/left_active.hpp"
 
 #include "analyzer/dataflow/facts/exit_state.hpp"
-#include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/modal_parts.hpp"
+#include "analyzer/queries/modes_at.hpp"
 #include "analyzer/queries/origins.hpp"
 
 #include <algorithm>
@@ -48,8 +48,7 @@ std::optional<GroupId> find_own_group(const ControlModel& control, ModalRole rol
     return own ? group : std::nullopt;
 }
 
-bool Lasting::until(flow::NodeId node, GroupId group, const dataflow::ModalPart& part) {
-    const flow::NodeId set = node_of_origin(analysis_, part.origin);
+bool Lasting::until(flow::NodeId node, GroupId group, flow::NodeId set) {
     if (set == node) return true;
     const flow::Graph& graph = analysis_.graph();
     const auto channels =
@@ -60,10 +59,12 @@ bool Lasting::until(flow::NodeId node, GroupId group, const dataflow::ModalPart&
 const std::vector<flow::NodeId>& Lasting::setting(GroupId group, Channels channels) {
     const auto [known, fresh] = setting_.try_emplace({group, channels});
     if (!fresh) return known->second;
-    for (const dataflow::ModalWrite& write : analysis_.facts().all<dataflow::ModalWrite>()) {
+    const flow::Graph& graph = analysis_.graph();
+    for (flow::NodeId node = 0; node < graph.nodes.size(); ++node) {
         // What sets the group for other channels leaves it alone for these.
-        const unsigned others = ~unsigned{analysis_.graph().channels_at(write.node).running};
-        if (write.group == group && (channels & others) == 0) known->second.push_back(write.node);
+        const unsigned others = ~unsigned{graph.channels_at(node).running};
+        if ((channels & others) == 0 && last_setting_in(analysis_, node, group))
+            known->second.push_back(node);
     }
     return known->second;
 }
@@ -73,7 +74,8 @@ namespace {
 /// Of a program in one channel find_modal_leaks asks for a path.
 bool lasts_in_its_channels(const ProgramAnalysis& analysis, Lasting& lasting, const dataflow::ExitState& exit,
                            GroupId group, const dataflow::ModalPart& part) {
-    return !analysis.program().has_several_channels() || lasting.until(exit.exit.node, group, part);
+    return !analysis.program().has_several_channels() ||
+           lasting.until(exit.exit.node, group, node_of_origin(analysis, part.origin));
 }
 
 } // namespace

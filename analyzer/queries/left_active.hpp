@@ -27,9 +27,9 @@ class Lasting {
   public:
     explicit Lasting(const ProgramAnalysis& analysis)
         : analysis_(analysis) {}
-    /// Whether some path that can be taken leads from the block that set the part to the node, with the group
+    /// Whether some path that can be taken leads from the node that set the group to this one, with the group
     /// left alone in between.
-    [[nodiscard]] bool until(flow::NodeId node, GroupId group, const dataflow::ModalPart& part);
+    [[nodiscard]] bool until(flow::NodeId node, GroupId group, flow::NodeId set);
 
   private:
     /// The nodes that set the group for all of the channels, sorted.

@@ -58,7 +58,7 @@ Modes BlockModes::with_words(GroupId group) const { return modes_->with_words(*b
 
 ModesAt::ModesAt(const ProgramAnalysis& analysis)
     : analysis_(analysis)
-    , ended_groups_(analysis.control().ended_groups())
+    , ended_groups_(analysis.control().ended_groups)
     , modal_call_group_(analysis.control().group_with(ModalRole::macro_call))
     , at_node_(analysis.control().groups.size())
     , set_(analysis.control().groups.size()) {}
@@ -217,12 +217,18 @@ std::optional<BlockSetting> last_setting_in(const ProgramAnalysis& analysis, flo
     const Program& program = analysis.program();
     const flow::Node& node = analysis.graph().nodes[id];
     std::optional<BlockSetting> last;
+    const auto look_at = [&](const BlockSetting& setting) {
+        if (setting.group == group) last = setting;
+        for (const EndedGroup& ended : program.control->ended_groups)
+            if (ended.group == group && ended.by == setting.group)
+                last = {group, setting.value ? std::optional(ended.code) : std::nullopt};
+    };
     if (node.is_run)
         for_each_last_setting(program, node.stretch(), [&](const ModalSetting& setting) {
-            if (setting.group == group) last = {group, setting.value};
+            look_at({setting.group, setting.value});
         });
     for (const BlockSetting& setting : BlockSettings(program, program.effects_in(node.effects)))
-        if (setting.group == group) last = setting;
+        look_at(setting);
     return last;
 }
 

@@ -101,7 +101,7 @@ class ModesAt {
     };
 
     const ProgramAnalysis& analysis_;
-    std::vector<EndedGroup> ended_groups_;
+    std::span<const EndedGroup> ended_groups_;
     std::optional<GroupId> modal_call_group_;
     std::optional<flow::NodeId> node_;
     const dataflow::BeforeNode* state_ = nullptr; ///< in front of the node
@@ -115,7 +115,8 @@ class ModesAt {
     bool last_moves_ = false;
 };
 
-/// What the last word in a node for the group sets it to, calls left out; nothing where none stands there.
+/// What the last word in a node for the group sets it to, or that of a group which ends it, calls left out;
+/// nothing where none stands there.
 [[nodiscard]] std::optional<BlockSetting> last_setting_in(const ProgramAnalysis& analysis, flow::NodeId node,
                                                           GroupId group);
 

@@ -123,7 +123,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (value.unknown) continue;
         for (const dataflow::ModalPart& part : value.parts) {
             if (!queries::is_switched_on(analysis, analysis.control().groups[*group], part)) continue;
-            if (reported.contains(part.origin) || !lasting.until(change.node, *group, part)) continue;
+            const flow::NodeId set = queries::node_of_origin(analysis, part.origin);
+            if (reported.contains(part.origin) || !lasting.until(change.node, *group, set)) continue;
             reported.insert(part.origin);
             report_at_tool(analysis, *group, part, change, reporter);
         }

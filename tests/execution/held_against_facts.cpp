@@ -72,7 +72,22 @@ HeldAgainstFacts::HeldAgainstFacts(const Workspace& workspace)
     : workspace_(workspace) {
     for (const ProgramAnalysis& analysis : workspace.programs()) {
         watched_[&analysis] = watched_in(analysis);
+        claims_by_block_[&analysis] = claims_of(analysis);
     }
+}
+
+HeldAgainstFacts::ClaimsByBlock HeldAgainstFacts::claims_of(const ProgramAnalysis& analysis) {
+    ClaimsByBlock claims;
+    queries::for_each_block_with_modes(
+        analysis, [&](const BlockView& block, const queries::BlockModes& modes) {
+            BlockClaims& here = claims[block.span.begin];
+            here.reached = modes.reached();
+            for (std::size_t group = 0; group < analysis.control().groups.size(); ++group) {
+                here.before.push_back(modes.before(static_cast<GroupId>(group)));
+                here.with_words.push_back(modes.with_words(static_cast<GroupId>(group)));
+            }
+        });
+    return claims;
 }
 
 /// All that some program names, and a few that an index may reach.
@@ -175,11 +190,30 @@ bool HeldAgainstFacts::allows(const dataflow::ModalValue& value, double code) co
            });
 }
 
+bool HeldAgainstFacts::allows(const queries::Modes& modes, GroupId group, double code) const {
+    return modes.unknown || std::ranges::any_of(modes.possible, [&](const queries::Mode& mode) {
+               const bool is_callers = mode.set_by == queries::Mode::SetBy::nobody && !mode.code;
+               return is_callers ? levels_.back().codes[group] == code : mode.code.value_or(code) == code;
+           });
+}
+
+void HeldAgainstFacts::check_modes(execution::Stepper& stepper, const std::vector<queries::Modes>& modes,
+                                   const std::string& kind) {
+    const ControlModel& control = levels_.back().analysis->control();
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        const auto group = static_cast<GroupId>(i);
+        const double code = stepper.code(group);
+        const std::string what = std::string(control.groups[i].name) + " is " + std::to_string(code);
+        claim(allows(modes[i], group, code), kind, what);
+        if (const auto sure = modes[i].sure_code()) claim(*sure == code, kind + ", surely", what);
+    }
+}
+
 // ---- programs
 
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::ProgramBegins&) {
     const ProgramAnalysis& analysis = stepper.program();
-    levels_.push_back({&analysis, {}, {}, {}, {}, {}, 0, {}, {}, {}});
+    levels_.push_back({&analysis, {}, {}, {}, {}, {}, 0, {}, {}, {}, 0});
     Level& level = levels_.back();
     for (const Variable variable : watched_[&analysis]) {
         level.variables.push_back(stepper.content(variable));
@@ -229,15 +263,24 @@ void HeldAgainstFacts::check_changes(execution::Stepper& stepper, EffectId call)
 
 // ---- the path through the program
 
-void HeldAgainstFacts::on(execution::Stepper&, const execution::EffectBegins& event) {
+void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::EffectBegins& event) {
     const auto node = levels_.back().analysis->graph().node_of(event.effect);
     if (!node) return claim(false, "nodes", "an effect without a node runs");
     Level& level = levels_.back();
     come_to(*node, level.node == node && level.effect && *level.effect < event.effect);
     level.effect = event.effect;
+    const Program& program = level.analysis->program();
+    const auto claims = claims_by_block_[level.analysis].find(level.block);
+    const bool moves = std::holds_alternative<Motion>(program.effects[event.effect].what);
+    if (moves && claims != claims_by_block_[level.analysis].end())
+        check_modes(stepper, claims->second.with_words, "modes with the words of a block");
 }
 
-void HeldAgainstFacts::on(execution::Stepper&, const execution::BlockBegins& event) {
+void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::BlockBegins& event) {
+    levels_.back().block = event.span.begin;
+    const auto& claims = claims_by_block_[levels_.back().analysis].at(event.span.begin);
+    claim(claims.reached, "reached blocks", "it runs");
+    check_modes(stepper, claims.before, "modes before a block");
     if (event.has_effects) return; // they say where it is
     Level& level = levels_.back();
     const auto& nodes = level.analysis->graph().nodes;

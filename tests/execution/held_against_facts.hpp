@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/execution/stepper.hpp"
+#include "analyzer/queries/modes_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>
@@ -48,6 +49,7 @@ class HeldAgainstFacts {
         std::optional<double> jumped_to;  ///< the label that a computed jump has just named
         std::vector<flow::EdgeId> path;   ///< from the program's start
         std::optional<std::size_t> cycle; ///< of the inescapable ones of the analysis
+        Offset block = 0;                 ///< that is under way
     };
 
     void on(execution::Stepper& stepper, const execution::ProgramBegins& event);
@@ -64,6 +66,17 @@ class HeldAgainstFacts {
     void on(execution::Stepper& stepper, const execution::CallBegins& event);
     void on(execution::Stepper& stepper, const execution::CallEnds& event);
     void on(execution::Stepper& stepper, const execution::ProgramLeft& event);
+
+    /// What is claimed of every group at a block.
+    struct BlockClaims {
+        bool reached;
+        std::vector<queries::Modes> before, with_words;
+    };
+    using ClaimsByBlock = std::map<Offset, BlockClaims>;
+    [[nodiscard]] static ClaimsByBlock claims_of(const ProgramAnalysis& analysis);
+    void check_modes(execution::Stepper& stepper, const std::vector<queries::Modes>& modes,
+                     const std::string& kind);
+    [[nodiscard]] bool allows(const queries::Modes& modes, GroupId group, double code) const;
 
     void come_to(flow::NodeId node, bool goes_on);
     [[nodiscard]] std::optional<std::vector<flow::EdgeId>> path(const ProgramAnalysis& analysis,
@@ -85,6 +98,7 @@ class HeldAgainstFacts {
 
     const Workspace& workspace_;
     std::unordered_map<const ProgramAnalysis*, Watched> watched_;
+    std::unordered_map<const ProgramAnalysis*, ClaimsByBlock> claims_by_block_;
     std::map<std::tuple<const ProgramAnalysis*, flow::NodeId, flow::NodeId, std::optional<double>>,
              std::optional<std::vector<flow::EdgeId>>>
         paths_;

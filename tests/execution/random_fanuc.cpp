@@ -16,9 +16,9 @@ constexpr std::array<std::string_view, 17> functions{"SIN",  "COS", "TAN",   "AS
                                                      "EXP",  "BIN", "BCD",   "ADP",  "ABS"};
 constexpr std::array<std::string_view, 9> system_variables{"#4001", "#4003", "#4003", "#4007", "#4109",
                                                            "#3003", "#5041", "#1000", "#4012"};
-constexpr std::array<std::string_view, 12> plain_words{"G90",   "G91",  "G90 X1",   "G91 G1 Y2 F100",
-                                                       "G0 Z5", "G17",  "G18 F200", "G41",
-                                                       "G40",   "S800", "X1 Y2",    "G90 G1 F50"};
+constexpr std::array<std::string_view, 14> plain_words{"G90", "G91",   "G90 X1", "G91 G1 Y2 F100", "G81 Z-5",
+                                                       "G80", "G0 Z5", "G17",    "G18 F200",       "G41",
+                                                       "G40", "S800",  "X1 Y2",  "G90 G1 F50"};
 constexpr std::string_view open_label = "@"; // replaced by a sequence number when all are there
 
 class Writer {

@@ -25,7 +25,7 @@ Transfer::Transfer(const Program& program, const flow::Graph& graph, States& sta
     , callees_(callees)
     , index_reaches_(program)
     , modal_call_group_(program.control->group_with(ModalRole::macro_call))
-    , ended_groups_(program.control->ended_groups())
+    , ended_groups_(program.control->ended_groups)
     , constants_(program.expressions.size(), 0)
     , origins_(program.effects.size(), 0) {
     for (const Variable variable : program.handed_down) own_handed_down_.push_back(key_of(variable));

@@ -135,7 +135,7 @@ class Transfer {
     const Callees& callees_;
     IndexReaches index_reaches_;
     std::optional<GroupId> modal_call_group_;
-    std::vector<EndedGroup> ended_groups_;
+    std::span<const EndedGroup> ended_groups_;
     FactLists* facts_ = nullptr;
     std::vector<ModalId> written_groups_; ///< of one channel, while they are collected
     std::vector<Key> own_handed_down_;    ///< variables that the program hands down, sorted
