@@ -1,20 +1,20 @@
-//! `maclint explain RULE`: a rule's page, or the rules that a word may mean.
+//! `maclint explain RULE`: the page of a rule or of a row, or all that a word may mean.
 #include "cli/commands/commands.hpp"
-#include "cli/config/selection.hpp"
+#include "cli/config/rule_words.hpp"
 #include "cli/engine/engine.hpp"
+#include "cli/report/row_page.hpp"
 #include "cli/report/rule_page.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
+#include "rules/words/row_examples.hpp"
 
 namespace maclint::cli {
 namespace {
 
-/// The lines of a bad example at which the rule has its findings.
-std::vector<std::uint32_t> lines_found(const Rule& rule, const Example& example) {
-    Overrides overrides;
+/// The lines of a bad example at which what is selected has its findings.
+std::vector<std::uint32_t> lines_found(const Example& example, Overrides overrides) {
     overrides.isolated = true;
     overrides.dialect = find_dialect(example.dialect);
-    overrides.select = {std::string(rule.code)};
     overrides.complete = example.complete;
     Settings settings(std::move(overrides));
     const std::string path = "example.nc";
@@ -29,22 +29,54 @@ std::vector<std::uint32_t> lines_found(const Rule& rule, const Example& example)
     return lines;
 }
 
-std::string page_of(const Rule& rule, ColourChoice colour) {
+std::string page_of(const Rule& rule, const PageStyle& style) {
+    Overrides overrides;
+    overrides.select = {std::string(rule.code)};
     MarkedLines marked;
-    for (const Example& example : rule.bad) marked.push_back(lines_found(rule, example));
-    return plain_page(rule, {colour_for_output(colour), output_width()}, marked);
+    for (const Example& example : rule.bad) marked.push_back(lines_found(example, overrides));
+    return plain_page(rule, style, marked) + plain_rows(rule, style);
+}
+
+std::string page_of(const RuleRow& row, const PageStyle& style) {
+    Overrides overrides;
+    overrides.select = {row.name()};
+    MarkedRows marked;
+    for (const RowForCode& entry : row.rows) {
+        const RowExamples examples = examples_of(entry);
+        overrides.control = examples.control;
+        marked.push_back(lines_found(Example(examples.dialect, examples.bad), overrides));
+    }
+    return plain_row_page(row, style, marked);
+}
+
+/// The rules, or the rows, that a word may mean.
+std::string list_of(const std::vector<NamedRule>& named) {
+    std::vector<const Rule*> rules;
+    std::vector<const RuleRow*> rows;
+    for (const auto& [rule, row] : named) {
+        if (row == nullptr)
+            rules.push_back(rule);
+        else
+            rows.push_back(row);
+    }
+    std::vector<std::string> counts;
+    if (!rules.empty()) counts.push_back(counted(rules.size(), "rule"));
+    if (!rows.empty()) counts.push_back(counted(rows.size(), "row"));
+    return plain_list(rules, ListedRows::left_out) + list_of_rows(rows) + "\n" + enumerate(counts);
 }
 
 } // namespace
 
 int run_explain(const ExplainRequest& request) {
-    const auto rules = rules_meant(request.rule);
-    if (rules.size() == 1) return print_text(page_of(*rules.front(), request.colour));
-    if (!rules.empty())
-        return print_text(plain_list(rules) + "\n" + counted(rules.size(), "rule") + " may be meant by '" +
-                          shown(request.rule) + "'.\n");
-    print_error("there is no rule '" + shown(request.rule) + "'." +
-                did_you_mean(request.rule, rule_words(), "See 'maclint rules' for the list."));
+    const auto named = rules_meant(request.rule);
+    const PageStyle style{colour_for_output(request.colour), output_width()};
+    if (named.size() == 1) {
+        const auto& [rule, row] = named.front();
+        return print_text(row == nullptr ? page_of(*rule, style) : page_of(*row, style));
+    }
+    if (!named.empty())
+        return print_text(list_of(named) + " may be meant by '" + shown(request.rule) + "'.\n");
+    print_error("there is no rule '" + shown(request.rule) + "'." + advice_for(request.rule));
     return exit_error;
 }
 

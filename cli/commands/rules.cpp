@@ -4,6 +4,7 @@
 #include "analyzer/source/source.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/report/row_page.hpp"
 #include "cli/report/rule_page.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
@@ -19,11 +20,31 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string text_list() {
-    return plain_list(all_rules()) + "\nOff: only with --select. 'maclint explain RULE' tells more.\n";
+    return plain_list(all_rules(), ListedRows::shown) + "\nOff: only with --select. A row is named with its "
+                                                        "rule, as MAC523/G83.Q. 'maclint explain RULE' tells "
+                                                        "more.\n";
+}
+
+using Json = nlohmann::ordered_json;
+
+Json rows_as_json(const Rule& rule) {
+    Json rows = Json::array();
+    for (const RuleRow& row : rows_of(rule)) {
+        Json entries = Json::array();
+        for (const RowForCode& entry : row.rows)
+            entries.push_back({{"says", sentence_of(entry)},
+                               {"where", where_of(entry)},
+                               {"severity", name_of(entry.row->severity)},
+                               {"aliases", entry.row->aliases},
+                               {"source", entry.row->source}});
+        rows.push_back(
+            {{"key", row.key}, {"on_by_default", row.on_by_default()}, {"entries", std::move(entries)}});
+    }
+    return rows;
 }
 
 std::string json_list() {
-    auto list = nlohmann::ordered_json::array();
+    Json list = Json::array();
     for (const Rule* rule : all_rules())
         list.push_back({{"code", rule->code},
                         {"name", rule->name},
@@ -33,7 +54,8 @@ std::string json_list() {
                         {"why", rule->why},
                         {"severity", name_of(rule->severity)},
                         {"precision", name_of(rule->precision)},
-                        {"on_by_default", rule->on_by_default}});
+                        {"on_by_default", rule->on_by_default},
+                        {"rows", rows_as_json(*rule)}});
     return list.dump(2) + "\n";
 }
 
@@ -63,9 +85,10 @@ bool is_ours(const fs::path& folder) {
     return source != nullptr && source->bytes().find(generated_mark) != std::string_view::npos;
 }
 
-/// The page with what only a page beside the others can have: a link to the table of sources.
+/// The page with what only a page beside the others can have: its rows, which are many, and a link to the
+/// table of sources.
 std::string written_page(const Rule& rule) {
-    std::string page = markdown_page(rule);
+    std::string page = markdown_page(rule) + markdown_rows(rule);
     if (!rule.sources.empty()) page += "\n[What the keys stand for](../sources.md)\n";
     return page;
 }

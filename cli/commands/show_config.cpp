@@ -5,6 +5,7 @@
 #include "cli/engine/read.hpp"
 #include "cli/suggest.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -44,30 +45,65 @@ std::string look_ahead_line(const MachineFunctions& functions) {
     return line("look-ahead", "stopped by the words of the language, and " + list);
 }
 
-/// Rules whose state is not the one they come with, by reason.
-std::string changed_rules(const RuleStates& rules) {
-    const RuleStates standard;
-    std::map<std::string, std::string> by_reason;
-    for (const Rule* rule : all_rules()) {
-        const RuleState& state = rules.of(*rule);
-        std::string& list = by_reason[state.reason];
-        const std::string code(rule->code);
-        if (state.on != standard.of(*rule).on)
-            list.append(list.empty() ? "" : ", ").append(code).append(state.on ? " on" : " off");
-        if (state.severity)
-            list.append(list.empty() ? "" : ", ").append(code).append(" ").append(name_of(*state.severity));
+/// What is not as it comes, by reason.
+class Changes {
+  public:
+    explicit Changes(const RuleStates& rules)
+        : rules_(rules) {
+        for (const Rule* rule : all_rules()) add(*rule);
     }
-    std::string out;
-    for (const auto& [reason, list] : by_reason)
-        if (!list.empty()) out += line("", std::string(list).append(" (").append(reason).append(")"));
-    return out;
-}
+
+    [[nodiscard]] std::string lines() const {
+        std::string out;
+        for (const auto& [reason, list] : by_reason_)
+            out += line("", std::string(list).append(" (").append(reason).append(")"));
+        return out;
+    }
+
+  private:
+    void add(const Rule& rule) {
+        const RuleState& state = rules_.of(rule);
+        const std::string code(rule.code);
+        if (state.on != standard_.of(rule).on) add(state, code + (state.on ? " on" : " off"));
+        if (state.severity) add(state, code + " " + std::string(name_of(*state.severity)));
+        if (wakes_rows(rule)) add(state, code + " with all its rows");
+        for (const RuleRow& row : rows_of(rule)) add(row, state);
+    }
+
+    /// Rows that say something else than their rule, where not both are as they come.
+    void add(const RuleRow& row, const RuleState& rule) {
+        const RuleState& state = rules_.of(row);
+        const bool is_changed = state.on != standard_.of(row).on || rule.on != standard_.of(*row.rule).on;
+        if (state.on != rule.on && is_changed) add(state, row.name() + (state.on ? " on" : " off"));
+        if (state.severity && state.severity != rule.severity)
+            add(state, row.name() + " " + std::string(name_of(*state.severity)));
+    }
+
+    /// Whether the rule, which is on by default, was selected with rows that are not.
+    [[nodiscard]] bool wakes_rows(const Rule& rule) const {
+        return rules_.of(rule).on && standard_.of(rule).on &&
+               std::ranges::any_of(rows_of(rule), [&](const RuleRow& row) {
+                   return rules_.of(row).on && !standard_.of(row).on;
+               });
+    }
+
+    void add(const RuleState& state, const std::string& what) {
+        std::string& list = by_reason_[rules_.reason_of(state)];
+        list.append(list.empty() ? "" : ", ").append(what);
+    }
+
+    const RuleStates& rules_;
+    const RuleStates standard_;
+    std::map<std::string, std::string> by_reason_;
+};
 
 std::string rules_lines(const RuleStates& rules) {
-    std::size_t on = 0;
-    for (const RuleState& state : rules.all()) on += state.on ? 1 : 0;
-    return line("rules", std::to_string(on) + " of " + std::to_string(rules.all().size()) + " on") +
-           changed_rules(rules);
+    const auto on = std::ranges::count(rules.rules_on(), true);
+    const auto rows_on = std::ranges::count(rules.rows(), true, &RuleState::on);
+    return line("rules", std::to_string(on) + " of " + std::to_string(rules.rules_on().size()) + " on, " +
+                             std::to_string(rows_on) + " of " + std::to_string(rules.rows().size()) +
+                             " rows of rules") +
+           Changes(rules).lines();
 }
 
 ReadFile read(const SnapshotFile& file, ProgramStore& store) {

@@ -379,9 +379,7 @@ class Loader {
 
     /// A mistyped word in "select" would switch everything else off, so no such word is passed over.
     void require_rules(const std::string& word, Span span) const {
-        if (rules_named(word).empty())
-            reject(span, "there is no rule '" + word + "'." +
-                             did_you_mean(word, cli::rule_words(), "See 'maclint rules' for the list."));
+        if (rules_named(word).empty()) reject(span, "there is no rule '" + word + "'." + advice_for(word));
     }
 
     // ---- complaints

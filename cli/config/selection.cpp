@@ -1,96 +1,81 @@
-//! From words to rules, and the state of each.
+//! The state of each rule and row.
 #include "cli/config/selection.hpp"
 
 #include "cli/suggest.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <unordered_map>
 
 namespace maclint::cli {
 namespace {
 
 constexpr std::array<std::string_view, 3> severity_names = {"note", "warning", "error"};
+enum : std::uint32_t { on_by_default, off_by_default }; // the first reasons
 
-bool has_digit(std::string_view text) {
-    return std::ranges::any_of(text, [](unsigned char c) { return std::isdigit(c) != 0; });
-}
-
-/// "MAC", "MAC3" and "MAC30" are prefixes; "M" and "JUMP" are not.
-bool is_prefix(std::string_view word) {
-    return word == "MAC" || word == "DIN" ||
-           ((word.starts_with("MAC") || word.starts_with("DIN")) && has_digit(word));
-}
+RuleState state_by_default(bool on) { return {on, std::nullopt, on ? on_by_default : off_by_default}; }
 
 } // namespace
 
-std::vector<const Rule*> rules_named(std::string_view word) {
-    const std::string capitals = in_upper_case(word);
-    std::vector<const Rule*> rules;
-    if (const Rule* rule = find_rule(word)) {
-        rules.push_back(rule);
-    } else if (capitals == "ALL") {
-        rules.assign(all_rules().begin(), all_rules().end());
-    } else if (is_prefix(capitals)) {
-        std::ranges::copy_if(all_rules(), std::back_inserter(rules),
-                             [&](const Rule* candidate) { return candidate->code.starts_with(capitals); });
+RuleStates::RuleStates()
+    : reasons_{"on by default", "off by default"} {
+    for (const RuleRow& row : all_rule_rows()) rows_.push_back(state_by_default(row.on_by_default()));
+    for (const Rule* rule : all_rules()) {
+        rules_.push_back(state_by_default(rule->on_by_default));
+        const auto rows = rows_of(*rule);
+        on_.push_back(rows.empty() ? rule->on_by_default
+                                   : std::ranges::any_of(rows, &RuleRow::on_by_default));
     }
-    return rules;
 }
 
-std::vector<const Rule*> rules_meant(std::string_view word) {
-    std::vector<const Rule*> rules = rules_named(word);
-    if (!rules.empty() || word.empty()) return rules;
-    const std::string part = in_lower_case(word);
-    const bool is_number = part.find_first_not_of("0123456789") == std::string::npos;
-    std::ranges::copy_if(all_rules(), std::back_inserter(rules), [&](const Rule* rule) {
-        constexpr std::size_t letters = 3; // of a code
-        return is_number ? rule->code.substr(letters).starts_with(part)
-                         : rule->name.find(part) != std::string_view::npos;
+template<class Change>
+void RuleStates::change(const std::vector<NamedRule>& rules, const Change& apply) {
+    for (const auto& [rule, row] : rules) {
+        const std::size_t index = index_of(*rule);
+        const auto rows = rows_of(*rule);
+        if (row != nullptr) {
+            apply(rows_[row->index]);
+        } else {
+            apply(rules_[index]);
+            for (const RuleRow& each : rows) apply(rows_[each.index]);
+        }
+        on_[index] = rows.empty()
+                         ? rules_[index].on
+                         : std::ranges::any_of(rows, [&](const RuleRow& each) { return of(each).on; });
+    }
+}
+
+std::uint32_t RuleStates::add_reason(std::string_view reason) {
+    reasons_.emplace_back(reason);
+    return static_cast<std::uint32_t>(reasons_.size() - 1);
+}
+
+void RuleStates::select_only(const std::vector<NamedRule>& rules, std::string_view reason) {
+    const std::uint32_t why = add_reason(reason);
+    for (auto* states : {&rules_, &rows_})
+        for (RuleState& state : *states) {
+            state.on = false;
+            state.reason = why;
+        }
+    on_.assign(on_.size(), false);
+    change(rules, [](RuleState& state) { state.on = true; });
+}
+
+void RuleStates::switch_off(const std::vector<NamedRule>& rules, std::string_view reason) {
+    const std::uint32_t why = add_reason(reason);
+    change(rules, [&](RuleState& state) {
+        state.on = false;
+        state.reason = why;
     });
-    return rules;
 }
 
-const std::vector<std::string>& rule_words() {
-    static const std::vector<std::string> words = [] {
-        std::vector<std::string> all;
-        for (const Rule* rule : all_rules())
-            all.insert(all.end(), {std::string(rule->code), std::string(rule->name)});
-        return all;
-    }();
-    return words;
-}
-
-RuleStates::RuleStates() {
-    for (const Rule* rule : all_rules())
-        states_.push_back(
-            {rule->on_by_default, std::nullopt, rule->on_by_default ? "on by default" : "off by default"});
-}
-
-void RuleStates::select_only(const std::vector<const Rule*>& rules, std::string_view reason) {
-    for (RuleState& state : states_) {
-        state.on = false;
-        state.reason = reason;
-    }
-    for (const Rule* rule : rules) states_[index_of(*rule)].on = true;
-}
-
-void RuleStates::switch_off(const std::vector<const Rule*>& rules, std::string_view reason) {
-    for (const Rule* rule : rules) {
-        RuleState& state = states_[index_of(*rule)];
-        state.on = false;
-        state.reason = reason;
-    }
-}
-
-void RuleStates::set_severity(const std::vector<const Rule*>& rules, Severity severity,
+void RuleStates::set_severity(const std::vector<NamedRule>& rules, Severity severity,
                               std::string_view reason) {
-    for (const Rule* rule : rules) {
-        RuleState& state = states_[index_of(*rule)];
+    const std::uint32_t why = add_reason(reason);
+    change(rules, [&](RuleState& state) {
         state.severity = severity;
-        state.reason = reason;
-    }
+        state.reason = why;
+    });
 }
 
 std::size_t RuleStates::index_of(const Rule& rule) {

@@ -1,8 +1,11 @@
-//! Which rules hold for a file and how severe they are, and why.
+//! Which rules and rows hold for a file and how severe they are, and why.
 #pragma once
 
+#include "cli/config/rule_words.hpp"
 #include "rules/rule.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,40 +13,53 @@
 
 namespace maclint::cli {
 
-/// The rules that a word names: a code, an alias or a name in any case, a prefix of codes ("MAC3"), or ALL.
-[[nodiscard]] std::vector<const Rule*> rules_named(std::string_view word);
-
-/// Those, or the rules that somebody may mean by a part of a code or name: "220", "jump".
-[[nodiscard]] std::vector<const Rule*> rules_meant(std::string_view word);
-
-/// Codes and names, for guessing what a mistyped word means.
-[[nodiscard]] const std::vector<std::string>& rule_words();
-
-/// A setting of one rule and where it comes from.
+/// A setting of a rule or a row. Small: there are as many as rows, for every configuration.
 struct RuleState {
     bool on;
     std::optional<Severity> severity; ///< when the user chose one; else the finding's own
-    std::string reason;               ///< "on by default", "--ignore", ".maclint.json: ignore"
+    std::uint32_t reason;             ///< where it comes from, see RuleStates::reason_of
 };
 
-/// One state a rule, in the order of all_rules().
+/// A state for each rule and each row. What is said of a rule is said of all its rows; what is said later
+/// counts.
 class RuleStates {
   public:
-    /// Every rule as its record says.
+    /// Every rule and row as its record says.
     RuleStates();
-    [[nodiscard]] const RuleState& of(const Rule& rule) const { return states_[index_of(rule)]; }
-    [[nodiscard]] const std::vector<RuleState>& all() const { return states_; }
+    /// What was last said of the rule with all of its rows.
+    [[nodiscard]] const RuleState& of(const Rule& rule) const { return rules_[index_of(rule)]; }
+    [[nodiscard]] const RuleState& of(const RuleRow& row) const { return rows_[row.index]; }
+    /// Of the row that found it, or of the rule where that has none.
+    [[nodiscard]] const RuleState& of(const Finding& finding) const {
+        return finding.row == nullptr ? of(*finding.rule) : of(*finding.row);
+    }
+    /// Whether it finds anything: a rule with rows does when one of them is on.
+    [[nodiscard]] bool is_on(const Rule& rule) const { return on_[index_of(rule)]; }
+    /// That of all rules, in the order of all_rules().
+    [[nodiscard]] const std::vector<bool>& rules_on() const { return on_; }
+    /// In the order of all_rule_rows().
+    [[nodiscard]] const std::vector<RuleState>& rows() const { return rows_; }
+    /// "on by default", "--ignore", ".maclint.json: ignore".
+    [[nodiscard]] const std::string& reason_of(const RuleState& state) const {
+        return reasons_[state.reason];
+    }
 
-    /// These rules and no others.
-    void select_only(const std::vector<const Rule*>& rules, std::string_view reason);
-    void switch_off(const std::vector<const Rule*>& rules, std::string_view reason);
-    void set_severity(const std::vector<const Rule*>& rules, Severity severity, std::string_view reason);
+    /// These and no others.
+    void select_only(const std::vector<NamedRule>& rules, std::string_view reason);
+    void switch_off(const std::vector<NamedRule>& rules, std::string_view reason);
+    void set_severity(const std::vector<NamedRule>& rules, Severity severity, std::string_view reason);
 
-    /// Variable of a rule in all_rules().
+    /// Place of a rule in all_rules().
     [[nodiscard]] static std::size_t index_of(const Rule& rule);
 
   private:
-    std::vector<RuleState> states_;
+    template<class Change>
+    void change(const std::vector<NamedRule>& rules, const Change& apply);
+    std::uint32_t add_reason(std::string_view reason);
+
+    std::vector<RuleState> rules_, rows_;
+    std::vector<bool> on_;
+    std::vector<std::string> reasons_;
 };
 
 [[nodiscard]] std::string_view name_of(Severity severity);

@@ -25,30 +25,39 @@ fs::path folder_named(const std::string& path) {
     return whole.has_filename() || !whole.has_relative_path() ? whole : whole.parent_path();
 }
 
-std::vector<const Rule*> rules_of(const std::vector<RuleWord>& words) {
-    std::vector<const Rule*> rules;
-    for (const RuleWord& word : words) {
-        const auto named = rules_named(word.word);
-        rules.insert(rules.end(), named.begin(), named.end());
-    }
+void append(std::vector<NamedRule>& rules, std::string_view word) {
+    const auto named = rules_named(word);
+    rules.insert(rules.end(), named.begin(), named.end());
+}
+
+std::vector<NamedRule> rules_of(const std::vector<RuleWord>& words) {
+    std::vector<NamedRule> rules;
+    for (const RuleWord& word : words) append(rules, word.word);
     return rules;
 }
 
-std::vector<const Rule*> rules_of(const std::vector<std::string>& words) {
-    std::vector<const Rule*> rules;
-    for (const std::string& word : words) {
-        const auto named = rules_named(word);
-        rules.insert(rules.end(), named.begin(), named.end());
-    }
+std::vector<NamedRule> rules_of(const std::vector<std::string>& words) {
+    std::vector<NamedRule> rules;
+    for (const std::string& word : words) append(rules, word);
     return rules;
+}
+
+/// How much a word names: a rule counts for more than any of its rows.
+std::size_t width_of(std::string_view word) {
+    std::size_t width = 0;
+    for (const NamedRule& named : rules_named(word)) {
+        constexpr std::size_t itself = 1;
+        width += itself + (named.row == nullptr ? rows_of(*named.rule).size() : 0);
+    }
+    return width;
 }
 
 /// So that what is set last holds: the nearer file's word over that of the file it extends, "MAC501" over
-/// "MAC5" within a file.
+/// "MAC5" within a file, and "MAC523/G83.Q" over "MAC523".
 std::vector<SeverityEntry> farthest_and_widest_first(std::vector<SeverityEntry> entries) {
     std::unordered_map<std::string, std::size_t> widths;
     for (const SeverityEntry& entry : entries)
-        widths.try_emplace(entry.rules.word, rules_named(entry.rules.word).size());
+        widths.try_emplace(entry.rules.word, width_of(entry.rules.word));
     std::ranges::stable_sort(entries, [&](const SeverityEntry& a, const SeverityEntry& b) {
         if (a.rules.source != b.rules.source) return a.rules.source > b.rules.source;
         return widths.at(a.rules.word) > widths.at(b.rules.word);

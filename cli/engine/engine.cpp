@@ -10,6 +10,7 @@
 #include "cli/engine/computed_calls.hpp"
 #include "cli/engine/other_control.hpp"
 #include "cli/engine/read.hpp"
+#include "rules/words/row_indexes.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -17,6 +18,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 
 namespace maclint::cli {
@@ -36,6 +38,38 @@ struct SeenFile {
 
 using Group = std::vector<std::size_t>; ///< places in the snapshot
 
+/// Rows that run, chosen once for all files: what is made of them serves all programs of a control.
+struct RowChoice {
+    explicit RowChoice(const Snapshot& snapshot)
+        : is_wanted(all_rule_rows().size()) {
+        std::unordered_set<const RuleStates*> seen;
+        for (const SnapshotFile& file : snapshot.files) {
+            if (!file.input.asked || !seen.insert(file.settings.rules.get()).second) continue;
+            for (std::size_t i = 0; i < is_wanted.size(); ++i)
+                if (file.settings.rules->rows()[i].on) is_wanted[i] = true;
+        }
+        std::vector<const RuleRow*> rows;
+        std::vector<const RuleRow*> every;
+        for (const RuleRow& row : all_rule_rows()) {
+            every.push_back(&row);
+            if (is_wanted[row.index]) rows.push_back(&row);
+        }
+        wanted = std::make_shared<const RowIndexes>(std::move(rows));
+        all = std::make_shared<const RowIndexes>(std::move(every));
+    }
+
+    /// Whether it is among those that some file wants; of a rule all its rows.
+    [[nodiscard]] bool wants(const NamedRule& named) const {
+        if (named.row != nullptr) return is_wanted[named.row->index];
+        return std::ranges::all_of(rows_of(*named.rule),
+                                   [&](const RuleRow& row) { return is_wanted[row.index]; });
+    }
+
+    std::vector<bool> is_wanted; ///< by a file that was asked for, in the order of all_rule_rows()
+    std::shared_ptr<const RowIndexes> wanted;
+    std::shared_ptr<const RowIndexes> all; ///< for groups in which a comment allows what no file wants
+};
+
 /// The work on one snapshot.
 class Run {
   public:
@@ -46,6 +80,7 @@ class Run {
         , progress_(progress)
         , store_(store)
         , stop_(stop)
+        , rows_(snapshot)
         , seen_(snapshot.files.size()) {}
 
     Result run() {
@@ -232,21 +267,23 @@ class Run {
     }
 
     /// What any file wants, or needs to have its suppressions judged; each file drops what it did not want.
-    static Selection selection_of(const std::vector<FileRules>& files) {
+    Selection selection_of(const std::vector<FileRules>& files) const {
         const Rule& unused_suppression = *find_rule("MAC001");
         std::vector<bool> wanted(all_rules().size());
         std::vector<const RuleStates*> seen;
+        Selection selection{.rules = {}, .rows = rows_.wanted};
         for (const FileRules& file : files) {
             const RuleStates& states = *file.rules;
-            if (states.of(unused_suppression).on)
-                for (const Rule* rule : rules_in_suppressions(*file.file))
-                    wanted[RuleStates::index_of(*rule)] = true;
+            if (states.is_on(unused_suppression))
+                for (const NamedRule& named : rules_in_suppressions(*file.file)) {
+                    wanted[RuleStates::index_of(*named.rule)] = true;
+                    if (!rows_.wants(named)) selection.rows = rows_.all;
+                }
             if (std::ranges::find(seen, &states) != seen.end()) continue;
             seen.push_back(&states);
             for (std::size_t i = 0; i < wanted.size(); ++i)
-                if (states.all()[i].on) wanted[i] = true;
+                if (states.rules_on()[i]) wanted[i] = true;
         }
-        Selection selection;
         for (std::size_t i = 0; i < wanted.size(); ++i)
             if (wanted[i]) selection.rules.push_back(all_rules()[i]);
         return selection;
@@ -257,6 +294,7 @@ class Run {
     Progress& progress_;
     ProgramStore& store_;
     const std::stop_token& stop_;
+    RowChoice rows_;
     std::vector<SeenFile> seen_;           ///< by place in the snapshot
     std::atomic<std::size_t> at_once_ = 0; ///< bytes of texts that were asked for
     ComputedCalls computed_calls_;

@@ -7,8 +7,10 @@
 #include "cli/suggest.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -23,6 +25,25 @@ struct Allowance {
     const Directive* directive;
     const RuleToken* token;
     bool used = false;
+};
+
+/// What an OFF or ON said last of a rule as a whole, and after that of its rows; nullptr: it is on.
+struct SwitchedRule {
+    Allowance* whole = nullptr;
+    std::unordered_map<const RuleRow*, Allowance*> rows = {};
+
+    void set(const RuleRow* row, Allowance* allowance) {
+        if (row != nullptr) {
+            rows[row] = allowance;
+            return;
+        }
+        whole = allowance;
+        rows.clear();
+    }
+    [[nodiscard]] Allowance* of(const RuleRow* row) const {
+        const auto own = rows.find(row);
+        return own == rows.end() ? whole : own->second;
+    }
 };
 
 /// The suppressions of one file, asked finding by finding in the order of the text.
@@ -47,10 +68,9 @@ class Suppressions {
     Allowance* find(const Finding& finding) {
         pass_switches(finding.span.begin);
         if (Allowance* block = of_block(finding)) return use(*block);
-        const auto off = off_.find(finding.rule);
-        if (off != off_.end() && off->second != nullptr) return use(*off->second);
-        const auto file = of_file_.find(finding.rule);
-        return file == of_file_.end() ? nullptr : use(allowances_[file->second]);
+        if (const auto off = off_.find(finding.rule); off != off_.end())
+            if (Allowance* switched = off->second.of(finding.row)) return use(*switched);
+        return of_file(finding);
     }
 
     /// The next findings come from the beginning of the file again.
@@ -75,12 +95,12 @@ class Suppressions {
             for (const Span block : {comment.block, comment.next_block}) {
                 if (block.empty()) continue;
                 blocks_.push_back(block);
-                for (const Rule* rule : allowance.token->rules)
-                    of_block_.insert_or_assign({block.begin, rule}, index);
+                for (const auto& [rule, row] : allowance.token->rules)
+                    of_block_.insert_or_assign({block.begin, {rule, row}}, index);
             }
             break;
         case Verb::allow_file:
-            for (const Rule* rule : allowance.token->rules) of_file_.emplace(rule, index);
+            for (const auto& [rule, row] : allowance.token->rules) of_file_.try_emplace({rule, row}, index);
             break;
         case Verb::off:
         case Verb::on: break;
@@ -94,8 +114,27 @@ class Suppressions {
         if (after == blocks_.begin()) return nullptr;
         const Span block = *std::prev(after);
         if (!block.contains(finding.span.begin)) return nullptr;
-        const auto found = of_block_.find({block.begin, finding.rule});
-        return found == of_block_.end() ? nullptr : &allowances_[found->second];
+        Allowance* last = nullptr;
+        for (const RuleRow* row : rows_that_allow(finding))
+            if (const auto found = of_block_.find({block.begin, {finding.rule, row}});
+                found != of_block_.end())
+                last = std::max(last, &allowances_[found->second]);
+        return last;
+    }
+
+    /// Of several allowances for the file the first one counts.
+    Allowance* of_file(const Finding& finding) {
+        Allowance* first = nullptr;
+        for (const RuleRow* row : rows_that_allow(finding))
+            if (const auto found = of_file_.find({finding.rule, row}); found != of_file_.end())
+                if (Allowance* one = &allowances_[found->second]; first == nullptr || one < first)
+                    first = one;
+        return first == nullptr ? nullptr : use(*first);
+    }
+
+    /// The rule as a whole, and the row that found it.
+    static std::array<const RuleRow*, 2> rows_that_allow(const Finding& finding) {
+        return {nullptr, finding.row};
     }
 
     void pass_switches(Offset place) {
@@ -104,7 +143,7 @@ class Suppressions {
             const Directive& directive = *switches_[next_switch_];
             if (directive.tokens.empty()) off_.clear();
             for (const RuleToken& token : directive.tokens)
-                for (const Rule* rule : token.rules) off_[rule] = allowance_of(token);
+                for (const auto& [rule, row] : token.rules) off_[rule].set(row, allowance_of(token));
         }
     }
 
@@ -117,16 +156,17 @@ class Suppressions {
     std::vector<Allowance> allowances_;
     std::unordered_map<const RuleToken*, std::size_t> by_token_;
     std::vector<Span> blocks_; ///< for which something is allowed, by where they begin
-    std::map<std::pair<Offset, const Rule*>, std::size_t> of_block_; ///< by where it begins
-    std::unordered_map<const Rule*, std::size_t> of_file_;
+    using RuleAndRow = std::pair<const Rule*, const RuleRow*>;      ///< nullptr: the rule with all its rows
+    std::map<std::pair<Offset, RuleAndRow>, std::size_t> of_block_; ///< by where it begins
+    std::map<RuleAndRow, std::size_t> of_file_;
     std::vector<const Directive*> switches_;
     std::size_t next_switch_ = 0;
-    std::unordered_map<const Rule*, Allowance*> off_;
+    std::unordered_map<const Rule*, SwitchedRule> off_;
 };
 
 /// Whether MAC001 may speak of the token: what it names has run, see rules_in_suppressions.
 bool is_filtered(const RuleToken& token) {
-    const bool only_itself = token.rules.size() == 1 && token.rules.front()->code == unused_suppression;
+    const bool only_itself = token.rules.size() == 1 && token.rules.front().rule->code == unused_suppression;
     return !token.rules.empty() && !only_itself;
 }
 
@@ -171,7 +211,7 @@ class FileSuppressions {
 
     std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings) {
         // Before suppression: who allows what the owner says has not asked to hear the other one.
-        drop_yielding(findings, [this](const Rule& rule) { return rules_.of(rule).on; });
+        drop_yielding(findings, [this](const Finding& finding) { return rules_.of(finding).on; });
         report_faults(findings);
         take(std::move(findings));
         suppressions_.start_over();
@@ -202,7 +242,7 @@ class FileSuppressions {
             std::optional<Suppression> suppressed;
             if (const Allowance* allowance = suppressions_.find(finding))
                 suppressed = Suppression{allowance->directive->comment->span, allowance->directive->reason};
-            const RuleState& state = rules_.of(*finding.rule);
+            const RuleState& state = rules_.of(finding);
             if (!state.on) continue; // it ran only to tell whether its suppressions are of use
             finding.severity = state.severity.value_or(finding.severity);
             if (Finding* first = suppressed ? nullptr : first_of_cause(finding)) {
@@ -218,7 +258,7 @@ class FileSuppressions {
     Finding* first_of_cause(const Finding& finding) {
         if (finding.same_cause.empty()) return nullptr;
         const auto [first, is_new] =
-            first_of_cause_.try_emplace({finding.rule, finding.same_cause}, evaluated_.size());
+            first_of_cause_.try_emplace({finding.rule, finding.row, finding.same_cause}, evaluated_.size());
         return is_new ? nullptr : &evaluated_[first->second].finding;
     }
 
@@ -260,13 +300,14 @@ class FileSuppressions {
     std::vector<Directive> directives_;
     Suppressions suppressions_;
     std::vector<FilteredFinding> evaluated_;
-    std::map<std::pair<const Rule*, std::string>, std::size_t> first_of_cause_; ///< places in evaluated_
+    std::map<std::tuple<const Rule*, const RuleRow*, std::string>, std::size_t>
+        first_of_cause_; ///< places in evaluated_
 };
 
 } // namespace
 
-std::vector<const Rule*> rules_in_suppressions(const ProgramFile& file) {
-    std::vector<const Rule*> rules;
+std::vector<NamedRule> rules_in_suppressions(const ProgramFile& file) {
+    std::vector<NamedRule> rules;
     for (const DirectiveComment& comment : file.comments) {
         const auto directive = read_directive(file, comment);
         if (!directive || !directive->valid) continue;

@@ -28,8 +28,9 @@ struct FileRules {
     const RuleStates* rules;
 };
 
-/// Rules that must run, wanted or not, so that it can be told which suppressions of the file are of use.
-[[nodiscard]] std::vector<const Rule*> rules_in_suppressions(const ProgramFile& file);
+/// Rules and rows that must run, wanted or not, so that it can be told which suppressions of the file are of
+/// use.
+[[nodiscard]] std::vector<NamedRule> rules_in_suppressions(const ProgramFile& file);
 
 /// Judges findings of the files given; others are dropped. In the order of reports.
 [[nodiscard]] std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings,

@@ -1,9 +1,8 @@
 //! Reads a directive word by word. What a control's comment can hold is enough: letters, digits, blanks,
-//! minus.
+//! minus, and the slash and point of a row's key.
 #include "cli/filter/directive.hpp"
 
 #include "analyzer/program/model.hpp"
-#include "cli/config/selection.hpp"
 #include "cli/suggest.hpp"
 
 #include <algorithm>
@@ -73,7 +72,8 @@ constexpr std::size_t most_proposals = 8;
 DirectiveFault unknown_rule(const ProgramFile& file, const RuleToken& token, bool proposes) {
     const std::string word = file.source->to_utf8(token.word);
     if (!proposes) return {token.span, "unknown", {word}};
-    if (const auto similar = closest(word, rule_words())) return {token.span, "similar", {word, *similar}};
+    if (const auto similar = rules_like(word); !similar.empty())
+        return {token.span, "similar", {word, similar.front()}};
     return {token.span, "unknown", {word}};
 }
 

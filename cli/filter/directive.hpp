@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/source/span.hpp"
-#include "rules/rule.hpp"
+#include "cli/config/rule_words.hpp"
 
 #include <optional>
 #include <string>
@@ -26,7 +26,7 @@ enum class Verb : std::uint8_t {
 struct RuleToken {
     Span span;
     std::string word;
-    std::vector<const Rule*> rules; ///< empty: there is no such rule
+    std::vector<NamedRule> rules; ///< empty: there is no such rule or row
 };
 
 /// What is wrong with a comment whose first word is MACLINT, as MAC002 says it.

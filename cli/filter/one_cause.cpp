@@ -16,7 +16,7 @@ std::size_t key_of(const Cause& cause) {
 
 } // namespace
 
-void drop_yielding(std::vector<Finding>& findings, const std::function<bool(const Rule&)>& is_on) {
+void drop_yielding(std::vector<Finding>& findings, const std::function<bool(const Finding&)>& is_on) {
     if (std::ranges::all_of(findings, [](const Finding& finding) { return finding.rule->yields_to.empty(); }))
         return;
     struct Owned {
@@ -25,7 +25,7 @@ void drop_yielding(std::vector<Finding>& findings, const std::function<bool(cons
     };
     std::unordered_multimap<std::size_t, Owned> owned;
     for (const Finding& finding : findings)
-        if (is_on(*finding.rule)) owned.emplace(key_of(finding.cause), Owned{finding.rule, finding.cause});
+        if (is_on(finding)) owned.emplace(key_of(finding.cause), Owned{finding.rule, finding.cause});
     std::erase_if(findings, [&](const Finding& finding) {
         if (finding.rule->yields_to.empty()) return false;
         const auto [first, last] = owned.equal_range(key_of(finding.cause));

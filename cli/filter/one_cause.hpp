@@ -8,7 +8,7 @@
 
 namespace maclint::cli {
 
-/// Drops the findings of rules that yield to one which has found the same cause and `is_on`.
-void drop_yielding(std::vector<Finding>& findings, const std::function<bool(const Rule&)>& is_on);
+/// Drops the findings of rules that yield to one which has found the same cause where it `is_on`.
+void drop_yielding(std::vector<Finding>& findings, const std::function<bool(const Finding&)>& is_on);
 
 } // namespace maclint::cli

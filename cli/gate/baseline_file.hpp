@@ -17,7 +17,7 @@ namespace maclint::cli {
 /// What a finding is known again by.
 struct KnownPlace {
     std::string file; ///< see name_in_baseline
-    std::string rule;
+    std::string rule; ///< its code, with the key of the row that found it: "MAC303", "MAC523/G83.Q"
     std::string fingerprint;
 
     friend auto operator<=>(const KnownPlace&, const KnownPlace&) = default;

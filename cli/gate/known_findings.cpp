@@ -4,6 +4,7 @@
 #include "analyzer/source/encoding.hpp"
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
+#include "cli/config/rule_words.hpp"
 #include "cli/gate/match.hpp"
 #include "cli/gate/write_alone.hpp"
 #include "cli/report/fingerprint.hpp"
@@ -60,8 +61,7 @@ Share share_of(const std::string& path, const Snapshot& snapshot, Result& result
         if (filtered.suppressed || name == names.end()) continue;
         FoundPlaces& places = share.places.emplace_back();
         for_each_place(finding, [&](Span place) {
-            places.push_back(
-                {name->second, std::string(finding.rule->code), prints.of_place(finding, place)});
+            places.push_back({name->second, code_with_key(finding), prints.of_place(finding, place)});
         });
         share.findings.push_back(&filtered);
     }

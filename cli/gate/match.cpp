@@ -9,10 +9,12 @@
 namespace maclint::cli {
 namespace {
 
-/// Whether the rule held for a file when findings were looked for. One that no longer exists finds nothing.
+/// Whether the rule, or the row, held for a file when findings were looked for. One that no longer exists
+/// finds nothing.
 bool was_looked_for(const KnownPlace& place, const RuleStates& rules) {
-    const Rule* rule = find_rule(place.rule);
-    return rule == nullptr || rules.of(*rule).on;
+    if (const Rule* rule = find_rule(place.rule)) return rules.is_on(*rule);
+    const RuleRow* row = find_rule_row(place.rule);
+    return row == nullptr || rules.of(*row).on;
 }
 
 std::string_view last_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }

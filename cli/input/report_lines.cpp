@@ -2,6 +2,7 @@
 #include "cli/input/report_lines.hpp"
 
 #include "rules/rule.hpp"
+#include "rules/words/rule_row.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,13 +19,21 @@ constexpr std::string_view blanks = " \t";
 
 bool is_digit(char c) { return digits.find(c) != std::string_view::npos; }
 
-/// Takes a code off the front; nullptr: no rule has it.
+/// Takes the key of a row off the front, with its slash.
+bool take_key(std::string_view& text, std::string_view code) {
+    const std::size_t end = std::min(text.size(), text.find_first_of("] :=,\t"));
+    if (find_rule_row(std::string(code).append(text.substr(0, end))) == nullptr) return false;
+    text.remove_prefix(end);
+    return true;
+}
+
+/// Takes a code off the front, with the key of one of its rows where there is one; nullptr: no rule has it.
 const Rule* take_code(std::string_view& text) {
     const std::string_view code = text.substr(0, code_length);
     const Rule* rule = find_rule(code);
     if (rule == nullptr || rule->code != code) return nullptr;
     text.remove_prefix(code_length);
-    return rule;
+    return text.starts_with('/') && !take_key(text, code) ? nullptr : rule;
 }
 
 /// Takes a number off the front; false: there is none.

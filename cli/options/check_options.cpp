@@ -173,8 +173,9 @@ void declare_check(CLI::App& check, CheckWords& words) {
         .add_option("--dialect", words.dialect, "Language of all files: auto, " + enumerate(dialect_names()))
         ->type_name("NAME");
     check.add_option("--control", words.control, "Control that all files are for")->type_name("NAME");
-    repeatable(check.add_option("--select", words.select,
-                                "Only these rules: codes, names, prefixes such as MAC3, ALL"))
+    repeatable(check.add_option(
+                   "--select", words.select,
+                   "Only these rules: codes, names, rows such as MAC523/G83.Q, prefixes such as MAC3, ALL"))
         ->type_name("RULES");
     repeatable(check.add_option("--ignore", words.ignore, "Not these rules"))->type_name("RULES");
     repeatable(check.add_option("--severity", words.severity, "Change a severity to error, warning or note"))

@@ -3,7 +3,7 @@
 
 #include "analyzer/source/read.hpp"
 #include "cli/config/configuration.hpp"
-#include "cli/config/selection.hpp"
+#include "cli/config/rule_words.hpp"
 #include "cli/suggest.hpp"
 
 #include <utility>
@@ -68,8 +68,7 @@ std::vector<std::string> fail_on_words() {
 void require_rules(std::string_view option, const std::vector<std::string>& words) {
     for (const std::string& word : words)
         if (rules_named(word).empty())
-            refuse(std::string(option) + " names no rule: '" + word + "'." +
-                   did_you_mean(word, rule_words(), "See 'maclint rules' for the list."));
+            refuse(std::string(option) + " names no rule: '" + word + "'." + advice_for(word));
 }
 
 } // namespace maclint::cli

@@ -1,5 +1,6 @@
 //! Checkstyle's XML: a list of errors for each file, empty for those without findings.
 #include "analyzer/source/encoding.hpp"
+#include "cli/config/rule_words.hpp"
 #include "cli/report/rule_page.hpp"
 #include "cli/report/service.hpp"
 #include "cli/report/uri.hpp"
@@ -22,11 +23,15 @@ std::string category_of(const Rule& rule) {
 }
 
 /// Readers show what stands behind the last point of a source as the type, what stands before as its
-/// category.
+/// category: a key of a row has points of its own, so the message names it.
 std::string error(Position at, std::string_view severity, std::string_view message, std::string_view source) {
     return "<error" + xml_attribute("line", std::to_string(at.line)) +
            xml_attribute("column", std::to_string(at.column)) + xml_attribute("severity", severity) +
            xml_attribute("message", message) + xml_attribute("source", source) + "/>\n";
+}
+
+std::string message_of(const Finding& finding) {
+    return printable(finding.message()) + (finding.row == nullptr ? "" : " [" + code_with_key(finding) + "]");
 }
 
 } // namespace
@@ -45,7 +50,7 @@ std::string write_checkstyle(const Report& report) {
         std::string errors;
         for (const Finding* finding : findings)
             errors += "    " + error(source->position(finding->span.begin), severity_of(finding->severity),
-                                     printable(finding->message()),
+                                     message_of(*finding),
                                      "maclint." + category_of(*finding->rule) + "." +
                                          std::string(finding->rule->code));
         add_file(service_path(source->path(), root), errors);

@@ -1,4 +1,5 @@
 //! One line a finding: file:line:column: error[MAC303] message.
+#include "cli/config/rule_words.hpp"
 #include "cli/report/ansi_style.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/statistics.hpp"
@@ -14,8 +15,8 @@ std::string write_concise(const Report& report, const TextStyle& style) {
         const Source& source = *finding.source;
         const Position at = source.position(finding.span.begin);
         out += shown(source.path()) + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": ";
-        out += ansi.severity(finding.severity, std::string(name_of(finding.severity)) + "[" +
-                                                   std::string(finding.rule->code) + "]");
+        out += ansi.severity(finding.severity,
+                             std::string(name_of(finding.severity)) + "[" + code_with_key(finding) + "]");
         out += " " + printable(finding.message()) + "\n";
     }
     if (report.statistics) out += statistics_text(report);

@@ -1,6 +1,7 @@
 //! A rolling hash over UTF-16 code units, and FNV-1a.
 #include "cli/report/fingerprint.hpp"
 
+#include "cli/config/rule_words.hpp"
 #include "rules/rule.hpp"
 
 #include <array>
@@ -117,7 +118,7 @@ std::map<std::uint32_t, std::string> line_hashes(const Source& source,
 
 std::string Fingerprints::of_place(const Finding& finding, Span place) {
     const auto [line, part] = numberless_.of(*finding.source, place);
-    std::string key(finding.rule->code);
+    std::string key = code_with_key(finding);
     for (const std::string_view word : {finding.message_id, std::string_view(line), std::string_view(part)})
         key.append("\n").append(word);
     return hexadecimal(fnv1a(key));

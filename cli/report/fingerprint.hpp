@@ -20,8 +20,8 @@ namespace maclint::cli {
 [[nodiscard]] std::map<std::uint32_t, std::string> line_hashes(const Source& source,
                                                                const std::set<std::uint32_t>& wanted);
 
-/// maclint's own fingerprints, version 2: rule, message, the text of the line and of the part of it that the
-/// finding points at, both without what spacing and renumbering change.
+/// maclint's own fingerprints, version 2: rule and row, message, the text of the line and of the part of it
+/// that the finding points at, both without what spacing and renumbering change.
 class Fingerprints {
   public:
     /// Of the finding, with a number behind ':' when the file holds several. Ask in the order of reports.

@@ -1,6 +1,7 @@
 //! Workflow commands of GitHub Actions, which mark findings in the files of a pull request:
 //! ::error file=O1.nc,line=4,col=1,endLine=4,endColumn=7,title=MAC303 jump-into-loop::message
 #include "analyzer/source/encoding.hpp"
+#include "cli/config/rule_words.hpp"
 #include "cli/report/service.hpp"
 #include "cli/report/uri.hpp"
 
@@ -60,7 +61,7 @@ std::string write_github(const Report& report, const TextStyle& style) {
     }
     for (const auto& [finding, suppressed] : report.findings) {
         if (suppressed) continue;
-        const std::string title = std::string(finding.rule->code) + " " + std::string(finding.rule->name);
+        const std::string title = code_with_key(finding) + " " + std::string(finding.rule->name);
         std::string message = printable(finding.message());
         for (const std::string& step : steps_of(finding, style.path, root)) message += "\n" + step;
         out += "::" + std::string(command_of(finding.severity)) +

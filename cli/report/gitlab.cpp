@@ -1,6 +1,7 @@
 //! GitLab's code quality report: a list of issues as Code Climate has them. GitLab reads description,
 //! check_name, fingerprint, severity and location; of two issues with one fingerprint it drops one.
 #include "analyzer/source/encoding.hpp"
+#include "cli/config/rule_words.hpp"
 #include "cli/report/fingerprint.hpp"
 #include "cli/report/service.hpp"
 #include "cli/report/uri.hpp"
@@ -31,7 +32,7 @@ class GitlabWriter {
         const Position end = finding.source->position(finding.span.end);
         const std::string path = service_path(finding.source->path(), root_);
         Json issue = issue_of(path, severity_of(finding.severity), printable(finding.message()));
-        issue["check_name"] = finding.rule->code;
+        issue["check_name"] = code_with_key(finding);
         issue["fingerprint"] = hash_of(name_of(*finding.source)) + "-" + fingerprints_.of(finding);
         issue["location"]["lines"] = {{"begin", begin.line}, {"end", end.line}};
         std::string body;

@@ -4,6 +4,7 @@
 #include "cli/report/report.hpp"
 #include "cli/report/statistics.hpp"
 #include "cli/suggest.hpp"
+#include "rules/words/rule_row.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -47,17 +48,18 @@ Json json_of(const std::vector<Edit>& edits) {
 Json json_of(const FilteredFinding& filtered) {
     const Finding& finding = filtered.finding;
     const Source& source = *finding.source;
-    Json out = {{"code", finding.rule->code},
-                {"name", finding.rule->name},
-                {"severity", name_of(finding.severity)},
-                {"message", finding.message()},
-                {"message_id", finding.message_id},
-                {"arguments", finding.arguments},
-                {"file", path_of(source)},
-                {"range", json_of(source, finding.span)},
-                {"related", json_of(finding.further_places())},
-                {"path", json_of(finding.path)},
-                {"fix", finding.fixes.empty() ? Json::array() : json_of(finding.fixes.front().edits)}};
+    Json out = {{"code", finding.rule->code}, {"name", finding.rule->name}};
+    if (finding.row != nullptr) out["row"] = finding.row->key;
+    const Json rest = {{"severity", name_of(finding.severity)},
+                       {"message", finding.message()},
+                       {"message_id", finding.message_id},
+                       {"arguments", finding.arguments},
+                       {"file", path_of(source)},
+                       {"range", json_of(source, finding.span)},
+                       {"related", json_of(finding.further_places())},
+                       {"path", json_of(finding.path)},
+                       {"fix", finding.fixes.empty() ? Json::array() : json_of(finding.fixes.front().edits)}};
+    out.update(rest);
     if (!finding.fixes.empty()) {
         out["fix_title"] = finding.fixes.front().title;
         out["fix_applicability"] = name_of(finding.fixes.front().applicability);
@@ -76,11 +78,13 @@ Json json_of(const FilteredFinding& filtered) {
 
 Json json_of(const Statistics& statistics) {
     Json rules = Json::array();
-    for (const auto& [rule, severity, findings] : statistics.rules)
-        rules.push_back({{"code", rule->code},
-                         {"name", rule->name},
-                         {"severity", name_of(severity)},
-                         {"findings", findings}});
+    for (const auto& [rule, row, severity, findings] : statistics.rules) {
+        Json count = {{"code", rule->code}, {"name", rule->name}};
+        if (row != nullptr) count["row"] = row->key;
+        count["severity"] = name_of(severity);
+        count["findings"] = findings;
+        rules.push_back(std::move(count));
+    }
     Json files = Json::array();
     for (const auto& [source, findings] : statistics.files)
         files.push_back({{"file", path_of(*source)}, {"findings", findings}});

@@ -1,6 +1,7 @@
 //! JUnit's XML as Jenkins and Surefire have it: a suite for each file, a test case for each finding, or one
 //! that passed.
 #include "analyzer/source/encoding.hpp"
+#include "cli/config/rule_words.hpp"
 #include "cli/report/service.hpp"
 #include "cli/report/uri.hpp"
 #include "cli/report/xml.hpp"
@@ -93,7 +94,7 @@ class JunitWriter {
         std::string text = place + ": " + message;
         for (const std::string& step : steps_of(finding, detail_, root_)) text += "\n" + step;
         const bool fails = fail_on_ && finding.severity >= *fail_on_;
-        suite.add(finding.rule->code, place + " " + std::string(finding.rule->name),
+        suite.add(finding.rule->code, place + " " + name_with_key(finding),
                   element(fails ? "failure" : "skipped", name_of(finding.severity), message, text));
         ++(fails ? suite.counts.failures : suite.counts.skipped);
     }

@@ -1,7 +1,7 @@
 //! A rule's page: what `explain` shows, `rules --write-docs` writes and SARIF carries as help.
 #pragma once
 
-#include "cli/report/report.hpp"
+#include "cli/report/plain_page.hpp"
 #include "rules/rule.hpp"
 
 #include <cstddef>
@@ -19,19 +19,14 @@ inline constexpr std::string_view generated_mark = "Made from the rules by `macl
 
 /// Markdown with a heading of the first level.
 [[nodiscard]] std::string markdown_page(const Rule& rule);
-/// How a page is laid out for reading.
-struct PageStyle {
-    Colour colour = Colour::plain;
-    std::size_t width = 0; ///< columns; 0: the reader wraps lines
-};
-
 /// Lines (from 1) of each bad example that the rule speaks of.
 using MarkedLines = std::vector<std::vector<std::uint32_t>>;
 
 /// The same for a terminal or a plain-text viewer.
 [[nodiscard]] std::string plain_page(const Rule& rule, const PageStyle& style, const MarkedLines& marked);
-/// The rules by their families, a line each.
-[[nodiscard]] std::string plain_list(std::span<const Rule* const> rules);
+enum class ListedRows : std::uint8_t { left_out, shown };
+/// The rules by their families, a line each, and one for each of their rows.
+[[nodiscard]] std::string plain_list(std::span<const Rule* const> rules, ListedRows rows);
 /// Table of all rules with links to their pages.
 [[nodiscard]] std::string markdown_index();
 

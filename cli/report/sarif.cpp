@@ -1,5 +1,6 @@
 //! The report as SARIF 2.1.0 (OASIS standard of 27 March 2020); section numbers below are its.
 #include "analyzer/source/encoding.hpp"
+#include "cli/config/rule_words.hpp"
 #include "cli/report/fingerprint.hpp"
 #include "cli/report/heading.hpp"
 #include "cli/report/report.hpp"
@@ -243,8 +244,9 @@ class SarifWriter {
             message["id"] = finding.message_id;
             if (!finding.arguments.empty()) message["arguments"] = finding.arguments;
         }
+        // Of a row the identifier has one component more than that of the descriptor (3.27.5, 3.52.4).
         Json result = {
-            {"ruleId", finding.rule->code},
+            {"ruleId", code_with_key(finding)},
             {"ruleIndex", RuleStates::index_of(*finding.rule)},
             {"level", level_of(finding.severity)},
             {"message", std::move(message)},

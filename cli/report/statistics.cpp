@@ -1,7 +1,9 @@
 //! Counts in maps, then sorted: by number, and by code or path where numbers are equal.
 #include "cli/report/statistics.hpp"
 
+#include "cli/config/rule_words.hpp"
 #include "cli/suggest.hpp"
+#include "rules/words/rule_row.hpp"
 
 #include <algorithm>
 #include <map>
@@ -27,12 +29,14 @@ std::size_t widest_number(const Counts& counts) {
 } // namespace
 
 Statistics statistics_of(const Report& report) {
-    std::map<std::pair<std::string_view, Severity>, RuleCount> rules;
+    std::map<std::pair<std::string, Severity>, RuleCount> rules;
     std::unordered_map<const Source*, std::size_t> files;
     for (const auto* findings : {&report.findings, &report.not_shown}) {
         for (const auto& [finding, suppressed] : *findings) {
             if (suppressed) continue;
-            ++rules.try_emplace({finding.rule->code, finding.severity}, finding.rule, finding.severity, 0U)
+            ++rules
+                  .try_emplace({code_with_key(finding), finding.severity}, finding.rule, finding.row,
+                               finding.severity, 0U)
                   .first->second.findings;
             ++files[finding.source.get()];
         }
@@ -50,9 +54,10 @@ Statistics statistics_of(const Report& report) {
 std::string statistics_text(const Report& report) {
     const auto [rules, files] = statistics_of(report);
     std::string out = "findings by rule:\n";
-    for (const auto& [rule, severity, findings] : rules)
-        out += "  " + right_aligned(findings, widest_number(rules)) + "  " + std::string(rule->code) + " " +
-               std::string(rule->name) + " (" + std::string(name_of(severity)) + ")\n";
+    for (const auto& [rule, row, severity, findings] : rules)
+        out += "  " + right_aligned(findings, widest_number(rules)) + "  " +
+               (row == nullptr ? std::string(rule->code) : row->name()) + " " + std::string(rule->name) +
+               " (" + std::string(name_of(severity)) + ")\n";
     if (rules.empty()) out += "  none\n";
     out += "findings by file:\n";
     for (std::size_t i = 0; i < std::min(files.size(), most_files); ++i)

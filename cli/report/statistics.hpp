@@ -11,7 +11,8 @@ namespace maclint::cli {
 
 struct RuleCount {
     const Rule* rule;
-    Severity severity; ///< a rule's findings may differ in it
+    const RuleRow* row; ///< nullptr: of a rule without rows
+    Severity severity;  ///< a rule's findings may differ in it
     std::size_t findings;
 };
 

@@ -1,4 +1,5 @@
 //! Findings for people: what is wrong, where, how the control gets there and what it does then, the cure.
+#include "cli/config/rule_words.hpp"
 #include "cli/report/ansi_style.hpp"
 #include "cli/report/columns.hpp"
 #include "cli/report/report.hpp"
@@ -51,9 +52,8 @@ class TextWriter {
     }
 
     void add_headline(const Finding& finding) {
-        const std::string head =
-            std::string(name_of(finding.severity)) + "[" + std::string(finding.rule->code) + "]";
-        const std::size_t used = head.size() + 2;
+        const std::string head = std::string(name_of(finding.severity)) + "[" + code_with_key(finding) + "]";
+        const std::size_t used = std::min(head.size() + 2, wanted_.width); // a key of a row may be long
         const auto lines =
             wrapped(printable(finding.statement()), wanted_.width - used, wanted_.width - indent);
         out_ += style_.severity(finding.severity, head) + style_.bold(": " + lines.front()) + "\n";
@@ -128,10 +128,11 @@ class TextWriter {
     }
 
     /// The cure, and where to read more: beside it where there is room, on a line of its own for the first
-    /// finding of the rule.
+    /// finding of the rule or row.
     void add_end(const Finding& finding) {
-        const std::string more = "more: maclint explain " + std::string(finding.rule->code);
-        const bool is_first = explained_.insert(finding.rule).second;
+        const std::string code = code_with_key(finding);
+        const std::string more = "more: maclint explain " + code;
+        const bool is_first = explained_.insert(code).second;
         const std::string label = "cure: ";
         const std::string before = std::string(margin_, ' ') + " " + style_.frame("=") + " ";
         const std::size_t room = wanted_.width - margin_ - frame_width;
@@ -157,9 +158,9 @@ class TextWriter {
 
     TextStyle wanted_;
     AnsiStyle style_;
-    std::size_t margin_ = 0;   ///< columns before the frame
-    std::size_t left_out_ = 0; ///< rows of paths
-    std::unordered_set<const Rule*> explained_;
+    std::size_t margin_ = 0;                    ///< columns before the frame
+    std::size_t left_out_ = 0;                  ///< rows of paths
+    std::unordered_set<std::string> explained_; ///< codes, with keys of rows
     std::string out_;
 };
 

@@ -82,7 +82,7 @@ TEST_F(Match, ACauseWithAFurtherPlaceIsNew) {
 }
 
 TEST_F(Match, WhatIsGoneIsCountedOnlyWhereItWasLookedFor) {
-    rules.switch_off({find_rule("MAC501")}, "");
+    rules.switch_off(rules_named("MAC501"), "");
     const Matched matched = run({.baseline = {{"O1 MAC301 a", 3},
                                               {"O1 MAC501 a", 1},
                                               {"O2 MAC301 a", 1},
@@ -93,6 +93,27 @@ TEST_F(Match, WhatIsGoneIsCountedOnlyWhereItWasLookedFor) {
                                  .there = {"O2"}});
     EXPECT_EQ(matched.gone, 3U);
     EXPECT_THAT(rest_of(matched), ElementsAre("O1 MAC301 a 1", "O1 MAC501 a 1", "O2 MAC301 a 1"));
+}
+
+TEST_F(Match, ARowIsKnownByItsKeyAlone) {
+    const Matched matched =
+        run({.baseline = {{"O1 MAC523 a", 1}, {"O1 MAC523/G83.Q b", 1}},
+             .findings = {{"O1 MAC523/G83.Q a"}, {"O1 MAC523/G83.Q b"}, {"O1 MAC523/G73.Q b"}},
+             .looked_at = {"O1"}});
+    EXPECT_THAT(matched.known, ElementsAre(false, true, false));
+}
+
+TEST_F(Match, ARowIsGoneOnlyWhereItWasLookedFor) {
+    rules.switch_off(rules_named("MAC523/G83.Q"), "");
+    rules.switch_off(rules_named("MAC576"), "");
+    const Matched matched = run({.baseline = {{"O1 MAC523/G83.Q a", 1},
+                                              {"O1 MAC523/G73.Q a", 1},
+                                              {"O1 MAC523/G999.Q a", 1},
+                                              {"O1 MAC576/G48.A a", 1}},
+                                 .findings = {},
+                                 .looked_at = {"O1"}});
+    EXPECT_EQ(matched.gone, 2U);
+    EXPECT_THAT(rest_of(matched), ElementsAre("O1 MAC523/G83.Q a 1", "O1 MAC576/G48.A a 1"));
 }
 
 TEST_F(Match, AFileThatIsGoneGoesOnUnderANewName) {
@@ -173,7 +194,7 @@ TEST_F(Match, WhatManyFilesHaveInCommonSaysNotWhichWasRenamed) {
 
 TEST(OutOfSight, IsWhatTheRunDidNotLookFor) {
     RuleStates rules;
-    rules.switch_off({find_rule("MAC501")}, "");
+    rules.switch_off(rules_named("MAC501"), "");
     Baseline baseline;
     for (const char* words : {"O1 MAC301 a", "O1 MAC501 a", "O2 MAC301 a", "O3 MAC301 a"})
         baseline.push_back({.place = place(words), .block = {}});

@@ -43,7 +43,7 @@ std::vector<std::string> left(const std::vector<std::pair<const Rule*, Offset>>&
         reporter.report({*file, {at, at + 1}}, {at, at + 1}, "plain", {});
         findings.push_back(reporter.take().front());
     }
-    cli::drop_yielding(findings, [&](const Rule& asked) { return &asked != off; });
+    cli::drop_yielding(findings, [&](const Finding& asked) { return asked.rule != off; });
     std::vector<std::string> codes;
     for (const Finding& finding : findings) codes.emplace_back(finding.rule->code);
     return codes;
