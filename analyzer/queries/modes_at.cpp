@@ -6,6 +6,8 @@
 #include "analyzer/queries/origins.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 #include <variant>
 
 namespace maclint::queries {
@@ -118,12 +120,10 @@ Mode ModesAt::mode_of(GroupId group, const dataflow::ModalPart& part) const {
 bool ModesAt::is_set_in_node(GroupId group) const {
     const Program& program = analysis_.program();
     const auto& run = std::get<PlainRun>(program.items[analysis_.graph().nodes[*node_].item]);
-    return std::ranges::any_of(
-        std::span(program.settings).subspan(run.net.first, run.net.count), [&](const ModalSetting& setting) {
-            return setting.group == group || std::ranges::any_of(ended_groups_, [&](const EndedGroup& ended) {
-                       return ended.by == setting.group && ended.group == group;
-                   });
-        });
+    const auto net = std::span(program.settings).subspan(run.net.first, run.net.count);
+    return std::ranges::any_of(net, [&](const ModalSetting& setting) {
+        return setting.group == group || end_of(group, setting.group) != nullptr;
+    });
 }
 
 /// Whether a program that moves of the run call may change the group.
@@ -152,28 +152,41 @@ Modes ModesAt::before(const BlockView& block, GroupId group) {
 }
 
 Modes ModesAt::with_words(const BlockView& block, GroupId group) {
-    Modes modes = before(block, group);
-    if (state_ == nullptr) return modes;
+    if (state_ == nullptr) return {};
+    // What was in force before is not asked where a word says what is from here on.
+    std::optional<Modes> set;
+    std::size_t computed = 0; // words after that, which are ignored where their variables are vacant
+    bool may_be_ended = false;
     for (const BlockSetting& setting : block.settings) {
+        std::optional<double> code;
         if (setting.group == group) {
-            if (setting.value)
-                modes = set_here(*setting.value, block.span);
-            else // which is ignored where its variable is vacant
-                modes.possible.push_back({std::nullopt, Mode::SetBy::word, *node_, 0, block.span});
+            code = setting.value;
+            computed += code ? 0U : 1U;
+        } else if (const EndedGroup* ended = end_of(group, setting.group)) {
+            if (setting.value) code = ended->code;
+            may_be_ended |= !code;
         }
-        for (const EndedGroup& ended : ended_groups_) {
-            if (ended.group != group || ended.by != setting.group) continue;
-            if (setting.value)
-                modes = set_here(ended.code, block.span);
-            else
-                modes.unknown = true;
-        }
+        if (!code) continue;
+        set = set_here(*code, block.span);
+        computed = 0;
+        may_be_ended = false;
     }
+    Modes modes = set ? *std::move(set) : before(block, group);
+    for (; computed != 0; --computed)
+        modes.possible.push_back({std::nullopt, Mode::SetBy::word, *node_, 0, block.span});
     modes.unknown |=
+        may_be_ended ||
         std::ranges::any_of(analysis_.program().effects_in(block.effects), [&](const Effect& effect) {
             return may_set(analysis_.program(), effect, group);
         });
     return modes;
+}
+
+/// How a code of `by` ends the group; nullptr where it does not.
+const EndedGroup* ModesAt::end_of(GroupId group, GroupId by) const {
+    const auto found = std::ranges::find_if(
+        ended_groups_, [&](const EndedGroup& ended) { return ended.group == group && ended.by == by; });
+    return found == ended_groups_.end() ? nullptr : &*found;
 }
 
 /// What a word of the node has set. A channel of which it is not known that it comes here may pass it by.

@@ -84,8 +84,8 @@ class ModesAt {
     [[nodiscard]] Mode mode_of(GroupId group, const dataflow::ModalPart& part) const;
     [[nodiscard]] bool is_set_in_node(GroupId group) const;
     [[nodiscard]] bool calls_may_change(GroupId group);
+    [[nodiscard]] const EndedGroup* end_of(GroupId group, GroupId by) const;
     void read_up_to(const BlockView& block);
-    void pass(const BlockView& block);
     void set(GroupId group, double code, Span block);
     [[nodiscard]] Modes set_here(double code, Span block) const;
 

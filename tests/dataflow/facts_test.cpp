@@ -1,8 +1,10 @@
 //! Sets of types of facts, and what becomes of the types that nobody wants.
 #include "analyzer/dataflow/facts/fact_lists.hpp"
+#include "analyzer/dataflow/facts/point_state.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,6 +48,21 @@ TEST(Facts, StatesOfTheTypesThatAreWantedAreFoundByThemselves) {
     };
     EXPECT_THAT(roots(FactSet::all()), testing::UnorderedElementsAre(1, 2, 3));
     EXPECT_THAT(roots(facts<dataflow::ExitState, dataflow::Read>()), testing::ElementsAre(3));
+}
+
+TEST(Facts, StatesOfNodesAreKeptOnceForEachChange) {
+    const auto nodes = [](const std::string& text) {
+        const auto workspace = test::analyse_files(
+            {{"O1.nc", text}}, {.complete = true, .jobs = 1, .facts = facts<dataflow::BeforeNode>()});
+        std::vector<flow::NodeId> with_state;
+        for (const auto& before : workspace->programs().front().facts().all<dataflow::BeforeNode>())
+            with_state.push_back(before.node);
+        return with_state;
+    };
+    EXPECT_THAT(nodes("O1\n#1=1\n#2=2\nG91\n#3=3\n#4=4\nM30\n"), testing::ElementsAre(0, 4));
+    EXPECT_THAT(nodes("O1\n#1=1\nG91\nGOTO5\nG90\nN5#3=3\nM30\n"), testing::ElementsAre(0, 3));
+    // What is known of the caller's code on one path is no state of a group.
+    EXPECT_THAT(nodes("O1\nIF[#4002NE18]GOTO5\n#1=1\n#2=2\n#3=3\nN5M99\n"), testing::ElementsAre(0, 3));
 }
 
 /// The workspace itself needs some: what it finds out with them does not depend on what others want.

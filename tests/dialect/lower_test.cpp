@@ -163,7 +163,9 @@ TEST(FanucWords, ThatAreNoTargetsDoNotMove) {
 }
 
 TEST(FanucWords, ThatMoveOnTheirOwnAccordAlsoStopLookAhead) {
-    EXPECT_EQ(lower("G91G28Z0"), "distance mode=91; rapid move; synchronise");
+    EXPECT_EQ(lower("G91G28Z0"), "distance mode=91; rapid move to reference; synchronise");
+    EXPECT_EQ(lower("G27X0"), "rapid move to reference");
+    EXPECT_EQ(lower("G29X#1"), "values #1; move to reference; synchronise");
     EXPECT_EQ(lower("G103P1"), "synchronise from here on");
     EXPECT_EQ(lower("G103P0"), "synchronise");
     EXPECT_EQ(lower("G103"), "synchronise");

@@ -62,6 +62,14 @@ bool is_binary(Operation operation) {
 /// Nothing can happen there that an event tells of.
 bool is_silent(const flow::Node& node) { return node.effects.count == 0 && !node.is_run; }
 
+/// CASE and ELSE: who has run the branch before passes the block by.
+bool divides(const Program& program, const BlockView& block) {
+    return std::ranges::any_of(program.effects_in(block.effects), [](const Effect& effect) {
+        const auto* mark = std::get_if<RegionMark>(&effect.what);
+        return mark != nullptr && mark->part == RegionMark::Part::middle;
+    });
+}
+
 bool within(double low, double high, bool integer, double number) {
     return low <= number && number <= high && !(integer && std::floor(number) != number);
 }
@@ -82,6 +90,7 @@ HeldAgainstFacts::ClaimsByBlock HeldAgainstFacts::claims_of(const ProgramAnalysi
         analysis, [&](const BlockView& block, const queries::BlockModes& modes) {
             BlockClaims& here = claims[block.span.begin];
             here.reached = modes.reached();
+            here.falls_through = divides(analysis.program(), block);
             for (std::size_t group = 0; group < analysis.control().groups.size(); ++group) {
                 here.before.push_back(modes.before(static_cast<GroupId>(group)));
                 here.with_words.push_back(modes.with_words(static_cast<GroupId>(group)));
@@ -279,8 +288,10 @@ void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::EffectBe
 void HeldAgainstFacts::on(execution::Stepper& stepper, const execution::BlockBegins& event) {
     levels_.back().block = event.span.begin;
     const auto& claims = claims_by_block_[levels_.back().analysis].at(event.span.begin);
-    claim(claims.reached, "reached blocks", "it runs");
-    check_modes(stepper, claims.before, "modes before a block");
+    if (!claims.falls_through) {
+        claim(claims.reached, "reached blocks", "it runs");
+        check_modes(stepper, claims.before, "modes before a block");
+    }
     if (event.has_effects) return; // they say where it is
     Level& level = levels_.back();
     const auto& nodes = level.analysis->graph().nodes;

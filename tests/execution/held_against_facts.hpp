@@ -70,6 +70,7 @@ class HeldAgainstFacts {
     /// What is claimed of every group at a block.
     struct BlockClaims {
         bool reached;
+        bool falls_through; ///< the run may pass it by
         std::vector<queries::Modes> before, with_words;
     };
     using ClaimsByBlock = std::map<Offset, BlockClaims>;

@@ -120,7 +120,7 @@ TEST(ModesAt, DoesNotKnowWhatAWordWithoutAKnownValueSets) {
 
 TEST(ModesAt, GivesTheCodeOfAWordThatPutsBackWhatTheCallerHas) {
     const std::string text = "O1\nIF[#4003EQ90]GOTO5\nG91\nG90 X1.\nN5 G90\nX2.\nM99\n";
-    EXPECT_EQ(at_block(text, "X2.", distance).before, "G90 G90");
+    EXPECT_EQ(at_block(text, "X2.", distance).before, "G90");
     const std::string computed = "O1\nIF[#4003NE90]GOTO5\nG91 X#5\nG90 X#6\nX#7\nN5 M99\n";
     EXPECT_EQ(at_block(computed, "X#7", distance).before, "G90");
 }
@@ -149,7 +149,7 @@ TEST(ModesAt, EndsACycleByAMotionCode) {
     EXPECT_EQ(at_block("O1\nG0 X1.\nG81 X2.\nX3.\nM30\n", "M30", cycle).before, "G81");
     EXPECT_EQ(at_block("O1\nG81 X#1\nG1 X#2\nM30\n", "M30", cycle).before, "G80");
     EXPECT_EQ(at_block("O1\nG81 X#1\nG1 X#2\nM30\n", "G1", cycle).with_words, "G80");
-    EXPECT_EQ(at_block("O1\nG81 X#1\nG#2 X5.\nX6.\nM30\n", "X6.", cycle).before, "G81 ...");
+    EXPECT_EQ(at_block("O1\nG81 X#1\nG#100 X5.\nX6.\nM30\n", "X6.", cycle).before, "G81 ...");
 }
 
 TEST(ModesAt, CountsWithTheProgramsThatMovesOfARunCall) {

@@ -46,7 +46,8 @@ TEST(CompensationOnAnArc, MayNotEndInOne) {
 }
 
 TEST(CompensationOnAnArc, IsSwitchedOverOnlyWithAWarning) {
-    const std::string text = "O9511\nG17G90G40G0X0Y0\nG41D1G1X20.F200.\nG42G3X40.R10.\nG41X60.\nG40G1X0\nM30\n";
+    const std::string text =
+        "O9511\nG17G90G40G0X0Y0\nG41D1G1X20.F200.\nG42G3X40.R10.\nG41X60.\nG40G1X0\nM30\n";
     EXPECT_THAT(judged("MAC511", text), ElementsAre("warning 4", "warning 5"));
     EXPECT_THAT(messages_raised("MAC511", text)[0],
                 testing::AllOf(HasSubstr("'G42'"), HasSubstr("G3 "), testing::Not(HasSubstr("034"))));
@@ -84,7 +85,8 @@ TEST(CompensationOnAnArc, IsNotClaimedWhereAnotherCodeSaysHowToMove) {
 TEST(CompensationOnAnArc, ShowsWhatIsInForce) {
     EXPECT_THAT(path_raised("MAC511", "O9511\nG40G17\nG3X20.R10.F200.\n#1=1\nG42D#1X0R10.\nM30\n"),
                 ElementsAre(3, 5));
-    EXPECT_THAT(path_raised("MAC511", "O9511\nG41D1G1X9.\nG1X20.\n#1=1\nG40G3X#1R10.\nM30\n"), ElementsAre(2, 5));
+    EXPECT_THAT(path_raised("MAC511", "O9511\nG41D1G1X9.\nG1X20.\n#1=1\nG40G3X#1R10.\nM30\n"),
+                ElementsAre(2, 5));
 }
 
 std::vector<std::uint32_t> raised_in_din_plus(std::string_view code, const std::string& text) {
@@ -97,8 +99,10 @@ std::vector<std::uint32_t> raised_in_din_plus(std::string_view code, const std::
 
 TEST(CompensationOnAnArc, IsAFaultInDinPlusToo) {
     const std::string begin = "MACHINING\nN1 T2\nN2 G0 X18 Z3\nN3 G42\nN4 G1 Z-30\n";
-    EXPECT_THAT(raised_in_din_plus("MAC511", begin + "N5 G40 G2 X36 Z-40 R10\nN6 M30\nEND\n"), ElementsAre(6));
-    EXPECT_THAT(raised_in_din_plus("MAC511", begin + "N5 G40 G13 X36 Z-40 R10\nN6 M30\nEND\n"), ElementsAre(6));
+    EXPECT_THAT(raised_in_din_plus("MAC511", begin + "N5 G40 G2 X36 Z-40 R10\nN6 M30\nEND\n"),
+                ElementsAre(6));
+    EXPECT_THAT(raised_in_din_plus("MAC511", begin + "N5 G40 G13 X36 Z-40 R10\nN6 M30\nEND\n"),
+                ElementsAre(6));
     EXPECT_THAT(raised_in_din_plus("MAC511", begin + "N5 G2 X36 Z-40 R10\nN6 G40\nN7 G0 X50\nN8 M30\nEND\n"),
                 IsEmpty());
     EXPECT_THAT(raised_in_din_plus("MAC511", begin + "N5 G40 G0 X36\nN6 M30\nEND\n"), IsEmpty());
