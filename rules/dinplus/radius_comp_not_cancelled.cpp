@@ -98,14 +98,13 @@ std::vector<dataflow::PointState> find_points(const ProgramAnalysis& analysis) {
 }
 
 void report_at_tool(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part,
-                    const dataflow::PointState& change, Reporter& reporter) {
+                    flow::NodeId set, const dataflow::PointState& change, Reporter& reporter) {
     const Span span = queries::span_of_origin(analysis, part.origin);
     const Span there = analysis.program().effects[change.effect].span;
     auto words = words_of(analysis, group, *queries::own_code(analysis, part));
     words.push_back(quoted(analysis.program(), there));
     words.push_back(line_number(analysis.file(), there.begin));
     Finding& finding = reporter.report(cause_at(analysis, part.origin), span, "tool", std::move(words));
-    const flow::NodeId set = queries::node_of_origin(analysis, part.origin);
     trace(finding, analysis, set, "the compensation is switched on here");
     report_path_on(finding, analysis, set, change.node);
     finding.related.push_back(related_at_effect(analysis, change.effect, "it is still active here"));
@@ -126,7 +125,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             const flow::NodeId set = queries::node_of_origin(analysis, part.origin);
             if (reported.contains(part.origin) || !lasting.until(change.node, *group, set)) continue;
             reported.insert(part.origin);
-            report_at_tool(analysis, *group, part, change, reporter);
+            report_at_tool(analysis, *group, part, set, change, reporter);
         }
     }
     const auto leak = queries::left_at_end(analysis, compensation);

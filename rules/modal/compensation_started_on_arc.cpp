@@ -61,7 +61,7 @@ M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "034", "NO CIRC ALLOWED IN ST-UP /EXT BLK"},
                {"FANUC 30i/0i-D", "034", "NO CIRC ALLOWED IN ST-UP /EXT BLK"}},
-    .sources = {"SEED-004:242-244", "T: alarm 034", "SEED-003:12681, 12717"},
+    .sources = {"T: alarm 034", "SEED-003:12681, 12717"},
     .check = &check,
 };
 
