@@ -127,6 +127,10 @@ int main(int argc, char** argv) {
                   [](const std::vector<std::string>& files) {
                       benchmark::DoNotOptimize(maclint::bench::lint_every_value(files));
                   });
+    register_work("cam/thousand_rows/maclint", {make::cam_output(10 * megabyte)},
+                  [](const std::vector<std::string>& files) {
+                      benchmark::DoNotOptimize(maclint::bench::lint_thousand_rows(files));
+                  });
     register_speed("cam/numbered_with_a_jump", {make::numbered_cam_output(10 * megabyte)});
     register_speed("cam/thousand_files", a_thousand(make::cam_output, 10 * megabyte));
     register_speed("macro/one_file", {make::macro_code(2 * megabyte)});

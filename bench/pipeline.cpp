@@ -6,12 +6,14 @@
 #include "analyzer/workspace/workspace.hpp"
 #include "rules/rule.hpp"
 #include "rules/word_check.hpp"
+#include "rules/words/row_indexes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include <tree_sitter/api.h>
 
@@ -45,8 +47,37 @@ const Rule every_value{.code = "BENCH",
                        .sources = {},
                        .check = WordCheck{"", WordCheck::Blocks::all, &check_values}};
 
+/// What tables say of a code, so that programs as they should be keep it: only where a row can be wrong the words are
+/// looked at.
+constexpr std::array statements = {
+    WordRow{.says = RowStatement::needs, .code = "G0", .words = "X Y Z A B C F P R S", .effect = "", .severity = Severity::note, .source = ""},
+    WordRow{.says = RowStatement::takes_not, .code = "G0", .words = "D L", .effect = "", .severity = Severity::note, .source = ""},
+    WordRow{.says = RowStatement::takes_not, .code = "G0", .words = "E", .effect = "", .severity = Severity::note, .source = ""},
+    WordRow{.says = RowStatement::excludes, .code = "G0", .words = "R", .others = "I J K", .effect = "", .severity = Severity::note, .source = ""},
+    WordRow{.says = RowStatement::excludes, .code = "G0", .words = "P", .others = "L", .effect = "", .severity = Severity::note, .source = ""},
+    WordRow{.says = RowStatement::only_with, .code = "G0", .words = "Q", .others = "P R", .effect = "", .severity = Severity::note, .source = ""},
+    WordRow{.says = RowStatement::values, .code = "G0", .words = "F", .least = 0, .above_least = true, .effect = "", .severity = Severity::note, .source = ""},
+    WordRow{.says = RowStatement::values, .code = "G0", .words = "P L", .least = 0, .most = 9999, .effect = "", .severity = Severity::note, .source = ""},
+    WordRow{.says = RowStatement::values, .code = "G0", .words = "Q", .values = "0 1 2", .effect = "", .severity = Severity::note, .source = ""},
+    WordRow{.says = RowStatement::whole, .code = "G0", .words = "P L H D", .effect = "", .severity = Severity::note, .source = ""},
+};
+
+std::shared_ptr<const RowIndexes> thousand_rows() {
+    static const WordTable table{.language = "fanuc", .rows = statements};
+    static const std::vector<RuleRow> rows = [] {
+        std::vector<RuleRow> made;
+        for (int code = 0; code < 100; ++code)
+            for (const WordRow& row : statements)
+                made.push_back({find_rule_row("MAC575/G4.X-P")->rule, made.size(), "", {{&table, &row, 'G', static_cast<double>(code)}}});
+        return made;
+    }();
+    std::vector<const RuleRow*> all;
+    for (const RuleRow& row : rows) all.push_back(&row);
+    return std::make_shared<const RowIndexes>(std::move(all));
+}
+
 std::size_t lint_with(const std::vector<std::string>& files, std::string_view dialect_name,
-                      std::span<const Rule* const> more) {
+                      std::span<const Rule* const> more, std::shared_ptr<const RowIndexes> rows = nullptr) {
     const Dialect& dialect = *find_dialect(dialect_name);
     const ControlModel& control = *find_control(dialect.default_control);
     std::vector<WorkspaceFile> workspace;
@@ -61,6 +92,7 @@ std::size_t lint_with(const std::vector<std::string>& files, std::string_view di
     Selection selection;
     std::ranges::copy_if(all_rules(), std::back_inserter(selection.rules), &Rule::on_by_default);
     selection.rules.insert(selection.rules.end(), more.begin(), more.end());
+    selection.rows = std::move(rows);
     return run_rules(*analysed, selection, 1).size();
 }
 
@@ -72,6 +104,10 @@ std::size_t lint(const std::vector<std::string>& files, std::string_view dialect
 
 std::size_t lint_every_value(const std::vector<std::string>& files, std::string_view dialect) {
     return lint_with(files, dialect, std::array{&every_value});
+}
+
+std::size_t lint_thousand_rows(const std::vector<std::string>& files) {
+    return lint_with(files, "fanuc", {}, thousand_rows());
 }
 
 std::size_t parse_in_one_piece(const std::string& text, std::string_view dialect) {

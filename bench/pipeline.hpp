@@ -15,6 +15,9 @@ namespace maclint::bench {
 [[nodiscard]] std::size_t lint_every_value(const std::vector<std::string>& files,
                                            std::string_view dialect = "fanuc");
 
+/// The same with a thousand rows of the table of words more, ten for each G code below 100.
+[[nodiscard]] std::size_t lint_thousand_rows(const std::vector<std::string>& files);
+
 /// tree-sitter with our grammar of the dialect on the text in one piece; the number of nodes under the root.
 [[nodiscard]] std::size_t parse_in_one_piece(const std::string& text, std::string_view dialect = "fanuc");
 

@@ -21,6 +21,37 @@ bool has_alternatives(const WordsOfBlock& block) {
         [](const Effect& effect) { return std::holds_alternative<Guarded>(effect.what); });
 }
 
+namespace {
+
+/// Whether a code takes the word for itself.
+bool takes(const ControlModel& control, double code, const Word& word) {
+    constexpr std::string_view of_moves = "ABCFIJKRUVWXYZ";
+    const auto group = control.group_of('G', code);
+    if (!group) return true;
+    switch (control.groups[*group].role) {
+    case ModalRole::plane:
+    case ModalRole::distance:
+    case ModalRole::units:
+    case ModalRole::feed_mode:
+    case ModalRole::work_offset:
+    case ModalRole::offset_suspension:
+    case ModalRole::return_level:
+    case ModalRole::cutting_mode: return false;
+    case ModalRole::motion: return word.address.size() > 1 || of_moves.find(word.address) != std::string_view::npos;
+    default: return true;
+    }
+}
+
+} // namespace
+
+bool may_belong_to_another(const WordsOfBlock& block, const Word& code, const Word& word) {
+    const ControlModel& control = block.analysis.control();
+    return std::ranges::any_of(block.words, [&](const Word& other) {
+        const auto* number = std::get_if<Literal>(&other.value);
+        return &other != &code && other.address == "G" && (number == nullptr || takes(control, number->value, word));
+    });
+}
+
 bool calls(const WordsOfBlock& block) {
     const auto is_call = [](const Effect& effect) { return std::holds_alternative<Call>(effect.what); };
     const auto is_computed = [](const Word& word) {

@@ -40,7 +40,7 @@ namespace {
 
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
-    for (const Word* word : block.all(row.words)) {
+    for (const Word* word : block.own(row.words)) {
         const auto* value = std::get_if<Literal>(&word->value);
         if (value == nullptr || !value->decimal_point) continue;
         block.report(reporter, *word, "point",

@@ -12,14 +12,18 @@
 namespace maclint {
 
 const Word* RowOfBlock::find(std::string_view addresses) const {
-    const std::vector<const Word*> words = all(addresses);
-    return words.empty() ? nullptr : words.front();
+    const auto found = std::ranges::find_if(block.words, [&](const Word& word) {
+        return &word != &code && word.has_value() && has_word(addresses, word.address);
+    });
+    return found == block.words.end() ? nullptr : &*found;
 }
 
-std::vector<const Word*> RowOfBlock::all(std::string_view addresses) const {
+std::vector<const Word*> RowOfBlock::own(std::string_view addresses) const {
     std::vector<const Word*> found;
     for (const Word& word : block.words)
-        if (&word != &code && word.has_value() && has_word(addresses, word.address)) found.push_back(&word);
+        if (&word != &code && word.has_value() && has_word(addresses, word.address) &&
+            !queries::may_belong_to_another(block, code, word))
+            found.push_back(&word);
     return found;
 }
 

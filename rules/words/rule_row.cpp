@@ -19,11 +19,13 @@ std::string joined(std::string_view list, std::string_view separator) {
     return text;
 }
 
-/// "G83" for the row's code, then ".Q" for its words and "-P" for the others.
+/// "G83" for the row's code, then ".Q" for its words and "-P" for those that they are held against.
 std::string key_of(const RowForCode& code) {
+    const WordRow& row = *code.row;
     std::string key = code_of(code);
-    if (!code.row->words.empty()) key += "." + joined(code.row->words, "+");
-    if (!code.row->others.empty()) key += "-" + joined(code.row->others, "+");
+    if (!row.words.empty()) key += "." + joined(row.words, "+");
+    if (!row.others.empty() && row.says != RowStatement::precedes) key += "-" + joined(row.others, "+");
+    if (!row.under.empty()) key += "-" + std::string(words_of(row.under).front());
     return key;
 }
 

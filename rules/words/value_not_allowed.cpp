@@ -50,7 +50,7 @@ bool allows(const WordRow& row, double value) {
 
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
-    for (const Word* word : block.all(row.words)) {
+    for (const Word* word : block.own(row.words)) {
         const auto* value = std::get_if<Literal>(&word->value);
         if (value == nullptr || word->incremental || allows(row, value->value)) continue;
         block.report(reporter, *word, "outside",

@@ -40,7 +40,7 @@ namespace {
 
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
-    if (const Word* word = block.find(row.words))
+    for (const Word* word : block.own(row.words))
         block.report(reporter, *word, "foreign",
                      {block.text_of(*word), block.text_of(block.code), std::string(row.effect)});
 }

@@ -46,11 +46,10 @@ namespace {
 
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
-    const Word* word = block.find(row.words);
-    if (word == nullptr || block.find(row.others) != nullptr) return;
-    block.report(
-        reporter, *word, "alone",
-        {block.text_of(*word), block.text_of(block.code), either_of(row.others), std::string(row.effect)});
+    if (block.find(row.others) != nullptr) return;
+    for (const Word* word : block.own(row.words))
+        block.report(reporter, *word, "alone",
+                     {block.text_of(*word), block.text_of(block.code), either_of(row.others), std::string(row.effect)});
 }
 
 } // namespace

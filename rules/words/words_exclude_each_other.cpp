@@ -43,8 +43,8 @@ namespace {
 
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
-    for (const Word* word : block.all(row.words)) {
-        const auto others = block.all(row.others);
+    for (const Word* word : block.own(row.words)) {
+        const auto others = block.own(row.others);
         const auto other =
             std::ranges::find_if(others, [&](const Word* one) { return one->address != word->address; });
         if (other == others.end()) continue;

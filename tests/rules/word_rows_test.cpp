@@ -120,5 +120,75 @@ TEST(RuleRows, HaveAliasesThatNoRuleHas) {
             EXPECT_EQ(find_rule(alias), nullptr) << alias;
 }
 
+/// Names and lines of the rows that a program raises: "MAC523/G83.Q 3".
+std::vector<std::string> raised_in(std::string_view dialect, const std::string& text, const std::string& control = {}) {
+    cli::Overrides overrides;
+    overrides.dialect = find_dialect(dialect);
+    if (!control.empty()) overrides.control = control;
+    overrides.select = codes_of_row_rules();
+    std::vector<std::string> all;
+    for (const auto& [finding, suppressed] : lint_texts({{"example.nc", text}}, std::move(overrides)).findings)
+        all.push_back(finding.row->name() + " " +
+                      std::to_string(finding.source->position(finding.span.begin).line));
+    return all;
+}
+
+TEST(RowsOfBlocks, AreLookedAtInPlainBlocksAndInOthers) {
+    EXPECT_THAT(raised_in("fanuc", "O1\nG4 X1. P5\nG4 X#1 P5\nG4 X1.\nM30\n"),
+                ElementsAre("MAC575/G4.X-P 2", "MAC575/G4.X-P 3"));
+}
+
+TEST(RowsOfBlocks, AreFoundFarInsideARowOfPlainBlocks) {
+    std::string text = "O1\n";
+    for (int i = 0; i < 5000; ++i) text += "G1 X1. Y2. F100.\n";
+    text += "G4 X1. P5\n";
+    EXPECT_THAT(raised_in("fanuc", text + "G1 X3.\nM30\n"), ElementsAre("MAC575/G4.X-P 5002"));
+}
+
+TEST(RowsOfBlocks, LeaveValuesThatAreCalculatedAlone) {
+    EXPECT_THAT(raised_in("fanuc", "O1\nG30 P#1 X0\nG30 P[2+3] X0\nG30 P5 X0\nM30\n"), ElementsAre("MAC576/G30.P 4"));
+}
+
+TEST(RowsOfBlocks, TakeNoWordThatBelongsToAnotherCode) {
+    EXPECT_THAT(raised_in("dinplus", "MACHINING\nN1 G4 F1200\nN2 G1 X50 F1200 G4 D2\nEND\n"),
+                ElementsAre("MAC576/G4.F 2"));
+    EXPECT_THAT(raised_in("fanuc", "O1\nG90 G30 P5 X0\nG30 G10 L2 P5 X0\nM30\n"), ElementsAre("MAC576/G30.P 2"))
+        << "G90 takes no words, G10 may";
+}
+
+TEST(RowsOfBlocks, AreSilentWhereTheBlockCallsOrAWordMayBeSkipped) {
+    EXPECT_THAT(raised_in("fanuc", "O1\nG65 P9001 G4 X1. P5\nM30\n"), IsEmpty());
+    EXPECT_THAT(raised_in("fanuc", "O1\nG#1 G4 X1. P5\nM30\n"), IsEmpty());
+}
+
+TEST(KeptWords, AreNeededInTheFirstBlockOfACycleAlone) {
+    EXPECT_THAT(raised_in("fanuc", "O1\nG83 X1. Z-5. R2. Q1. F9.\nG83 X2.\nG80\nG83 X3.\nM30\n"),
+                ElementsAre("MAC523/G83.Q 5"));
+}
+
+TEST(KeptWords, MayComeFromTheCaller) {
+    EXPECT_THAT(raised_in("fanuc", "O1\nG83 X3. Z-5. R2. F9.\nM99\n"), IsEmpty());
+    EXPECT_THAT(raised_in("fanuc", "O1\nG80\nG83 X3. Z-5. R2. F9.\nM99\n"), ElementsAre("MAC523/G83.Q 3"));
+}
+
+TEST(CodesUnderOthers, AreRefusedWhereOneIsSurelyInForce) {
+    EXPECT_THAT(raised_in("fanuc", "O1\nG41 G1 X1. D1\nG31 X5.\nG40 X9.\nG31 X5.\nM30\n"), ElementsAre("MAC527/G31-G41 3"));
+    EXPECT_THAT(raised_in("fanuc", "O1\nIF[#1EQ1]GOTO5\nG41 G1 X1. D1\nN5 G31 X5.\nM30\n"), IsEmpty())
+        << "on some path alone";
+    EXPECT_THAT(raised_in("fanuc", "O1\nG41 G1 X1. D1\nG31 X5.\nM30\n", "haas"), IsEmpty());
+}
+
+TEST(RowsOfSections, HoldThereAlone) {
+    EXPECT_THAT(raised_in("dinplus", "FINISHED\nN1 G149 D20\nMACHINING\nN2 G149 D20\nEND\n"),
+                ElementsAre("MAC576/G149.D 4"));
+}
+
+TEST(OrderOfBlocks, LooksForTheNextCode) {
+    EXPECT_THAT(raised_in("dinplus", "MACHINING\nN1 G41\nN2 M8\nN3 G1 X5\nN4 G40\nN5 G41\nN6 G2 X9 Z1 R9\nEND\n"),
+                ElementsAre("MAC580/G41 6"));
+    EXPECT_THAT(raised_in("dinplus", "MACHINING\nN1 G41\nN2 X5\nN3 G2 X9 Z1 R9\nEND\n"), IsEmpty())
+        << "a move without a code may be straight";
+}
+
 } // namespace
 } // namespace maclint::test
