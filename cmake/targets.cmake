@@ -15,19 +15,31 @@ function(maclint_own_code target scope)
   endif()
 endfunction()
 
-# maclint_library(name SOURCES files... LINKS libraries... [DEFINITIONS macros...] [OWN_CODE])
+# maclint_library(name SOURCES files... LINKS libraries... [DEFINITIONS macros...] [OWN_CODE] [RELEASE_OPTION option])
+# RELEASE_OPTION says how much a release is optimised, where it is not as CMake has it.
 function(maclint_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "OWN_CODE" "" "SOURCES;LINKS;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OWN_CODE" "RELEASE_OPTION" "SOURCES;LINKS;DEFINITIONS")
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${arg_LINKS})
   target_compile_definitions(${name} PUBLIC ${arg_DEFINITIONS})
   if(arg_OWN_CODE)
     maclint_own_code(${name} PUBLIC)
   endif()
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:${arg_RELEASE_OPTION}>)
+endfunction()
+
+# Compiles so many files of `target` at a time, so that what they include and instantiate is made once: their names must
+# not clash, those of anonymous namespaces included.
+function(maclint_together target files)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${MACLINT_FAST_BUILD} UNITY_BUILD_BATCH_SIZE ${files})
+  if(MACLINT_FAST_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC takes each file but the first for a header, which should hold no anonymous namespace.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
 endfunction()
 
 # Compiles `target` as tests, in a release with `optimisation`: what is tested is in the libraries, the tests themselves
-# are to compile fast. Four files go at a time, so that what they instantiate is made once: their names must not clash.
+# are to compile fast.
 function(maclint_test_code target optimisation)
   target_link_libraries(${target} PRIVATE maclint_cli GTest::gtest GTest::gmock)
   target_compile_definitions(${target} PRIVATE
@@ -35,7 +47,7 @@ function(maclint_test_code target optimisation)
     MACLINT_SHARED="${MACLINT_SHARED}")
   maclint_own_code(${target} PRIVATE)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${optimisation}>)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${MACLINT_FAST_BUILD} UNITY_BUILD_BATCH_SIZE 4)
+  maclint_together(${target} 4)
 endfunction()
 
 # Links jemalloc into the executable `target`: programs are let go group by group, which leaves the C library's

@@ -8,6 +8,7 @@
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
 #include "rules/bounds_met.hpp"
+#include "rules/finding_order.hpp"
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
 #include "rules/word_check.hpp"

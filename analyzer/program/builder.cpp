@@ -1,6 +1,8 @@
 //! Fills the arenas of a program.
 #include "analyzer/program/builder.hpp"
 
+#include "analyzer/program/tables.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <iterator>
@@ -29,6 +31,11 @@ ProgramBuilder::ProgramBuilder(std::string name, std::string_view text, const Co
     program_.name = std::move(name);
     program_.text = text;
     program_.control = &control;
+}
+
+std::int32_t ProgramBuilder::number_of_name(SpaceId space, std::string_view name) {
+    return program_.control->spaces[space].scope == Scope::frame ? program_.names.number_of(name)
+                                                                 : program_.shared_names.number_of(name);
 }
 
 Program ProgramBuilder::take() {

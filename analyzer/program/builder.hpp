@@ -2,7 +2,6 @@
 #pragma once
 
 #include "analyzer/program/model.hpp"
-#include "analyzer/program/tables.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -65,10 +64,7 @@ class ProgramBuilder {
 
     // ---- names of variables
     /// The number of a name, which gets one when it is new.
-    [[nodiscard]] std::int32_t number_of_name(SpaceId space, std::string_view name) {
-        return program_.control->spaces[space].scope == Scope::frame ? program_.names.number_of(name)
-                                                                     : program_.shared_names.number_of(name);
-    }
+    [[nodiscard]] std::int32_t number_of_name(SpaceId space, std::string_view name);
     /// The next parameter.
     void add_formal(Formal formal) { program_.formals.push_back(std::move(formal)); }
     void declare(Variable variable, const Declaration& declaration) {

@@ -16,6 +16,9 @@ constexpr std::size_t half = CallPath::most / 2;
 
 } // namespace
 
+CallPaths::CallPaths(const std::deque<ProgramAnalysis>& programs)
+    : programs_(programs) {}
+
 CallPath CallPaths::between(ProgramIndex from, ProgramIndex to) {
     if (from == to) return {};
     const std::scoped_lock lock(mutex_);

@@ -29,8 +29,7 @@ struct CallPath {
 class CallPaths {
   public:
     /// The programs must outlive it.
-    explicit CallPaths(const std::deque<ProgramAnalysis>& programs)
-        : programs_(programs) {}
+    explicit CallPaths(const std::deque<ProgramAnalysis>& programs);
 
     /// Empty when no path is found or it is the same program. May be asked on several threads.
     [[nodiscard]] CallPath between(std::uint32_t from, std::uint32_t to);

@@ -9,6 +9,14 @@
 
 namespace maclint {
 
+ProgramAnalysis::ProgramAnalysis(const Workspace& workspace, ProgramIndex index, const WorkspaceFile& file,
+                                 const Program& program)
+    : workspace_(&workspace)
+    , index_(index)
+    , file_(&file)
+    , program_(&program) {}
+ProgramAnalysis::~ProgramAnalysis() = default;
+
 std::optional<std::vector<flow::EdgeId>> ProgramAnalysis::path_from_start(flow::NodeId node) const {
     const flow::ShortestPaths& paths = paths_.get([this] {
         return flow::ShortestPaths(graph_, [this](flow::EdgeId id) { return data_->passable(id); });

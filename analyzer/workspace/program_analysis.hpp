@@ -61,11 +61,10 @@ struct CallDepth {
 class ProgramAnalysis {
   public:
     ProgramAnalysis(const Workspace& workspace, ProgramIndex index, const WorkspaceFile& file,
-                    const Program& program)
-        : workspace_(&workspace)
-        , index_(index)
-        , file_(&file)
-        , program_(&program) {}
+                    const Program& program);
+    ProgramAnalysis(const ProgramAnalysis&) = delete;
+    ProgramAnalysis& operator=(const ProgramAnalysis&) = delete;
+    ~ProgramAnalysis();
 
     [[nodiscard]] const Workspace& workspace() const { return *workspace_; }
     [[nodiscard]] ProgramIndex index() const { return index_; }

@@ -73,7 +73,7 @@ struct Target {
     std::string path;
 };
 
-std::string_view name_of(Written what) { return what == Written::report ? "report" : "baseline"; }
+std::string_view word_for(Written what) { return what == Written::report ? "report" : "baseline"; }
 
 std::vector<Target> targets_of(const CheckRequest& request) {
     std::vector<Target> targets;
@@ -97,7 +97,7 @@ std::vector<Target> pruned_by(const CheckRequest& request, const Settings& setti
 }
 
 Notice refusal(const Target& target, const std::string& where) {
-    const std::string what(name_of(target.what));
+    const std::string what(word_for(target.what));
     return {NoticeKind::configuration, "",
             std::string(target.option) + " would write a " + what + " " + where +
                 ". Name another file for the " + what + "."};

@@ -10,6 +10,7 @@
 #include "cli/engine/computed_calls.hpp"
 #include "cli/engine/other_control.hpp"
 #include "cli/engine/read.hpp"
+#include "rules/finding_order.hpp"
 #include "rules/words/row_indexes.hpp"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "cli/filter/directive.hpp"
 #include "cli/filter/one_cause.hpp"
 #include "cli/suggest.hpp"
+#include "rules/finding_order.hpp"
 
 #include <algorithm>
 #include <array>

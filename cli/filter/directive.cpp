@@ -69,7 +69,7 @@ std::string example(char open) {
 /// A comment with more words that name no rule is no typing error: it gets no proposals.
 constexpr std::size_t most_proposals = 8;
 
-DirectiveFault unknown_rule(const ProgramFile& file, const RuleToken& token, bool proposes) {
+DirectiveFault names_no_rule(const ProgramFile& file, const RuleToken& token, bool proposes) {
     const std::string word = file.source->to_utf8(token.word);
     if (!proposes) return {token.span, "unknown", {word}};
     if (const auto similar = rules_like(word); !similar.empty())
@@ -88,7 +88,7 @@ void read_tokens(const ProgramFile& file, Words& words, Directive& directive) {
         }
         RuleToken token{word.span, std::string(word.text), rules_named(word.text)};
         if (token.rules.empty())
-            directive.faults.push_back(unknown_rule(file, token, directive.faults.size() < most_proposals));
+            directive.faults.push_back(names_no_rule(file, token, directive.faults.size() < most_proposals));
         directive.tokens.push_back(std::move(token));
     }
 }

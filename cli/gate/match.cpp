@@ -40,9 +40,9 @@ KnownPlace nameless(KnownPlace place) {
 }
 
 /// Pairs files that are gone with new ones.
-class Renames {
+class PairedFiles {
   public:
-    Renames(std::map<std::string, Counts> gone, std::map<std::string, Counts> fresh)
+    PairedFiles(std::map<std::string, Counts> gone, std::map<std::string, Counts> fresh)
         : gone_(std::move(gone))
         , fresh_(std::move(fresh)) {}
 
@@ -195,7 +195,7 @@ class Matching {
         for (std::size_t i = 0; i < findings_.size(); ++i)
             if (is_in_unknown_file(i))
                 for (const KnownPlace& place : findings_[i]) ++fresh[place.file][nameless(place)];
-        return Renames(std::move(gone), std::move(fresh)).find();
+        return PairedFiles(std::move(gone), std::move(fresh)).find();
     }
 
     /// Adds to the rest what is not gone of an entry, and counts the others.

@@ -27,7 +27,7 @@ fs::path folder_of(const std::string& path) {
     return is_folder && whole.has_filename() ? whole : whole.parent_path();
 }
 
-std::string as_shown(const fs::path& path) {
+std::string shown_from_here(const fs::path& path) {
     std::error_code gone;
     return shown(platform::text_of(path.lexically_normal().lexically_proximate(fs::current_path(gone))));
 }
@@ -59,10 +59,10 @@ std::optional<std::string> CheckedTrees::objection_to_writing(const std::string&
         const bool inside = hold(place);
         at /= name;
         if (inside && platform::link_target(at))
-            return "through '" + as_shown(at) + "', a link in the folder that is checked";
+            return "through '" + shown_from_here(at) + "', a link in the folder that is checked";
         place = platform::place_of(at);
         if (inside && in_lower_case(platform::text_of(place.filename())) == ".git")
-            return "into '" + as_shown(at) + "', which is git's own";
+            return "into '" + shown_from_here(at) + "', which is git's own";
     }
     return std::nullopt;
 }

@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/program/model.hpp"
+#include "rules/finding_order.hpp"
 #include "rules/rule.hpp"
 #include "tests/support/analysed.hpp"
 

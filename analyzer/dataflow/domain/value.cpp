@@ -31,6 +31,8 @@ ValueTable::ValueTable() {
     origins({Origin::Kind::none, 0, 0});
 }
 
+HavocId ValueTable::remember(const HavocSet& havoc) { return havoc_sets(havoc) + 1; }
+
 void ValueTable::fit() {
     symbols.fit();
     origins.fit();

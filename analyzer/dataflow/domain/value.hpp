@@ -174,7 +174,7 @@ struct ValueTable {
     Interner<HavocSet> havoc_sets; ///< most programs have none
     Interner<Choices> choice_sets;
 
-    [[nodiscard]] HavocId remember(const HavocSet& havoc) { return havoc_sets(havoc) + 1; }
+    [[nodiscard]] HavocId remember(const HavocSet& havoc);
     [[nodiscard]] const HavocSet& havoc(HavocId id) const {
         static constexpr HavocSet nothing;
         return id == 0 ? nothing : havoc_sets[id - 1];

@@ -8,6 +8,7 @@
 #include "analyzer/dataflow/facts/computed_jump.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/dataflow/facts/fact_order.hpp"
 #include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/dataflow/facts/facts.hpp"
 #include "analyzer/dataflow/facts/modal_read.hpp"
@@ -16,7 +17,6 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <iterator>
@@ -67,8 +67,7 @@ class ListsOf {
     /// Sorts them by node; those of one node stay as they were added.
     void put_in_order() {
         const auto sort = []<class T>(std::vector<T>& list) {
-            if constexpr (requires { &T::node; })
-                if (!std::ranges::is_sorted(list, {}, &T::node)) std::ranges::stable_sort(list, {}, &T::node);
+            if constexpr (requires { &T::node; }) put_in_order_of(list, &T::node);
         };
         (sort(of<Types>()), ...);
     }

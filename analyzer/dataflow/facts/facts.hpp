@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/dataflow/facts/fact_order.hpp"
 #include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/dataflow/facts/sorted_facts.hpp"
 #include "analyzer/flow/graph.hpp"
@@ -112,9 +113,9 @@ class Facts {
         explicit List(std::vector<T> of_program)
             : facts(std::move(of_program)) {
             if constexpr (OfAnEffect<T>) {
-                if (std::ranges::is_sorted(facts, {}, &T::effect)) return;
+                if (is_in_order(facts, &T::effect)) return;
                 by_effect = facts;
-                std::ranges::stable_sort(by_effect, {}, &T::effect);
+                put_in_order_of(by_effect, &T::effect);
             }
         }
         std::vector<T> facts;

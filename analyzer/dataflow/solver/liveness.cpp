@@ -1,6 +1,7 @@
 //! Solves against the flow: what is read behind an effect is asked of the effects in front of it.
 #include "analyzer/dataflow/solver/liveness.hpp"
 
+#include "analyzer/dataflow/solver/variable_sets.hpp"
 #include "analyzer/flow/solve.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"

@@ -1,7 +1,7 @@
 //! Which values may still be read: what is not is a store that nobody needs.
 #pragma once
 
-#include "analyzer/dataflow/solver/variable_sets.hpp"
+#include "analyzer/dataflow/domain/small_vector.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/program/model.hpp"
 
@@ -13,7 +13,7 @@
 namespace maclint::dataflow {
 
 /// Variables whose value may be read before it is replaced. No words at all: no path leads here.
-using LiveSet = VariableSet;
+using LiveSet = SmallVector<std::uint64_t, 2>; // a VariableSet, whose header few readers need
 
 class LiveVariables;
 
