@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program/builder.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
 #include <initializer_list>
