@@ -26,8 +26,10 @@ class BlockSettings {
   public:
     class Iterator {
       public:
+        // NOLINTBEGIN(readability-identifier-naming): the standard's names for what an iterator has
         using value_type = BlockSetting;
         using difference_type = std::ptrdiff_t;
+        // NOLINTEND(readability-identifier-naming)
 
         Iterator() = default;
         explicit Iterator(const ModalSetting* plain)
@@ -62,8 +64,10 @@ class BlockSettings {
 
       private:
         void find() {
-            for (; effect_ != end_; ++effect_)
-                if ((found_ = setting_of(*program_, *effect_))) return;
+            for (; effect_ != end_; ++effect_) {
+                found_ = setting_of(*program_, *effect_);
+                if (found_) return;
+            }
         }
 
         const ModalSetting* plain_ = nullptr;

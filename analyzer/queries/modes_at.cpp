@@ -226,9 +226,10 @@ void ModesAt::set(GroupId group, double code, Span block) {
         if (ended.by == group) set_[ended.group] = {visit_, ended.code, block};
 }
 
-std::optional<BlockSetting> last_setting_in(const ProgramAnalysis& analysis, flow::NodeId id, GroupId group) {
+std::optional<BlockSetting> last_setting_in(const ProgramAnalysis& analysis, flow::NodeId node,
+                                            GroupId group) {
     const Program& program = analysis.program();
-    const flow::Node& node = analysis.graph().nodes[id];
+    const flow::Node& there = analysis.graph().nodes[node];
     std::optional<BlockSetting> last;
     const auto look_at = [&](const BlockSetting& setting) {
         if (setting.group == group) last = setting;
@@ -236,11 +237,11 @@ std::optional<BlockSetting> last_setting_in(const ProgramAnalysis& analysis, flo
             if (ended.group == group && ended.by == setting.group)
                 last = {group, setting.value ? std::optional(ended.code) : std::nullopt};
     };
-    if (node.is_run)
-        for_each_last_setting(program, node.stretch(), [&](const ModalSetting& setting) {
+    if (there.is_run)
+        for_each_last_setting(program, there.stretch(), [&](const ModalSetting& setting) {
             look_at({setting.group, setting.value});
         });
-    for (const BlockSetting& setting : BlockSettings(program, program.effects_in(node.effects)))
+    for (const BlockSetting& setting : BlockSettings(program, program.effects_in(there.effects)))
         look_at(setting);
     return last;
 }
