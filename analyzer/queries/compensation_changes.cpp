@@ -55,14 +55,11 @@ class Changes {
     }
 
   private:
-    /// At a reference position no arc ends.
     [[nodiscard]] bool moves(const BlockView& block) const {
         const auto effects = analysis_.program().effects_in(block.effects);
-        const auto moves_on = [](const Effect& effect) {
-            const auto* motion = std::get_if<Motion>(&effect.what);
-            return motion != nullptr && !motion->without_feed && !motion->to_reference;
-        };
-        return block.moves || std::ranges::any_of(effects, moves_on);
+        return block.moves || std::ranges::any_of(effects, [](const Effect& effect) {
+                   return std::holds_alternative<Motion>(effect.what);
+               });
     }
 
     [[nodiscard]] std::optional<CompensationChange::Kind> kind_of(double code, const Modes& before) const {

@@ -168,6 +168,25 @@ TEST(ModesAt, CountsWithTheProgramsThatMovesOfARunCall) {
     EXPECT_EQ(at_block(analysis, "G66", ModalRole::macro_call).with_words, "G66");
 }
 
+TEST(ModesAt, CountsWithTheMoveOfTheBlockThatWasAskedAboutLast) {
+    const auto workspace = test::analyse_files(
+        {{"O1.nc", "O1\nG90\nG66 P2\nF5.\nX1.\nS9\nG67\nM30\n"}, {"O2.nc", "O2\nG91\nM99\n"}}, {false, 1});
+    const ProgramAnalysis& analysis = test::program(*workspace, "O1");
+    const GroupId group = analysis.control().group_with(distance).value();
+    std::vector<std::string> before;
+    for_each_block_with_modes(analysis, [&](const BlockView& block, const BlockModes& modes) {
+        before.push_back(test::text_of(analysis, block.span) + ": " +
+                         spell(analysis.control(), group, modes.before(group)));
+    });
+    EXPECT_THAT(before, testing::IsSupersetOf({"F5.: G90", "X1.: G90", "S9: G90 ..."}));
+}
+
+TEST(ModesAt, TakesTheLastWordOfABlock) {
+    EXPECT_EQ(at_block("O1\nF#1 F5 X1.\nM30\n", "X1.", ModalRole::feed).with_words, "F5");
+    EXPECT_EQ(at_block("O1\nG0 G81 X1. Z-5. R2.\nM30\n", "X1.", ModalRole::cycle).with_words, "G81");
+    EXPECT_EQ(at_block("O1\nG81 G0 X1.\nM30\n", "X1.", ModalRole::cycle).with_words, "G80");
+}
+
 TEST(ModesAt, CountsTheChannelsThatRunTheBlock) {
     const std::string text = "MACHINING\n$1 N1 G42\n$2 N2 G0 X1\nN3 G0 X2\nN4 Z2\n$1 N5 T2\n$2 N6 T3\nEND\n";
     const auto workspace = test::analyse_text("dinplus", text);

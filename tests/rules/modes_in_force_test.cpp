@@ -73,6 +73,7 @@ TEST(CompensationOnAnArc, IsNotClaimedWhereTheStateIsNotKnown) {
     EXPECT_THAT(on_an_arc("G3X20.R10.F200.\nG#1\nG41D1X40.R10.\n"), IsEmpty());
     EXPECT_THAT(on_an_arc("GOTO5\nG41D1G3X20.R10.F200.\nN5\n"), IsEmpty());
     EXPECT_THAT(on_an_arc("G41G40D1G3X20.R10.F200.\n"), IsEmpty());
+    EXPECT_THAT(on_an_arc("G40G41D1G3X20.R10.F200.\n"), IsEmpty());
 }
 
 TEST(CompensationOnAnArc, IsNotClaimedWhereAnotherCodeSaysHowToMove) {
